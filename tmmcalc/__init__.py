@@ -1,0 +1,76 @@
+"""tmmcalc: the calculator for a course project in the Theory of Mechanisms and Machines.
+
+    >>> import tmmcalc
+    >>> spec = tmmcalc.load_spec("configs/shaper.toml")      # doctest: +SKIP
+    >>> result = tmmcalc.solve_kinematics(spec)              # doctest: +SKIP
+    >>> result.summaries[0].stroke                           # doctest: +SKIP
+    0.6580645161290325
+
+Everything that the command line does is here on numpy arrays. Names are loaded when they are first used.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from tmmcalc._version import __version__
+
+if TYPE_CHECKING:
+    from tmmcalc.api import run, solve_kinematics, solve_structure
+    from tmmcalc.errors import (
+        AccuracyError,
+        AssemblyError,
+        LimitError,
+        NoSolutionError,
+        SingularityError,
+        SpecError,
+        StructureError,
+        TmmError,
+        UsageError,
+    )
+    from tmmcalc.linkage.results import Kinematics, Method
+    from tmmcalc.linkage.structure import Structure
+    from tmmcalc.spec import Spec, load_spec, parse_spec
+
+__all__ = [
+    "AccuracyError",
+    "AssemblyError",
+    "Kinematics",
+    "LimitError",
+    "Method",
+    "NoSolutionError",
+    "SingularityError",
+    "Spec",
+    "SpecError",
+    "Structure",
+    "StructureError",
+    "TmmError",
+    "UsageError",
+    "__version__",
+    "load_spec",
+    "parse_spec",
+    "run",
+    "solve_kinematics",
+    "solve_structure",
+]
+
+_HOMES = {
+    "tmmcalc.api": ("run", "solve_kinematics", "solve_structure"),
+    "tmmcalc.linkage.results": ("Kinematics", "Method"),
+    "tmmcalc.linkage.structure": ("Structure",),
+    "tmmcalc.spec": ("Spec", "load_spec", "parse_spec"),
+    "tmmcalc.errors": tuple(name for name in __all__ if name.endswith("Error")),
+}
+
+
+def __getattr__(name: str) -> object:
+    home = next((module for module, names in _HOMES.items() if name in names), None)
+    if home is None:
+        raise AttributeError(f"module 'tmmcalc' has no attribute {name!r}")
+    from importlib import import_module
+
+    return getattr(import_module(home), name)
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -1,0 +1,232 @@
+"""Where the mechanism assembles: the exact intervals of the input, and the reason at each end.
+
+Every dyad has a margin, a smooth function of the input coordinate that is negative exactly where its
+links do not reach. The dyads are taken in order of assembly: within the intervals that the dyads before
+leave, the roots of the next margin are the limit positions. A dense sample brackets them; its local
+extrema near zero are refined first, so that a short gap (or a short interval) between two samples is
+found as well.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from tmmcalc.errors import AssemblyError
+from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.dyads import RPR, RRP, RRR
+from tmmcalc.linkage.plane import Real
+from tmmcalc.numerics.extrema import refine, spread, turning
+from tmmcalc.numerics.roots import bracketed
+
+TURN = 2 * math.pi
+SAMPLES = 360  # positions of the dense sample, one a degree on a full turn
+NEAR = 0.02  # a local extremum of the margin smaller than this is refined before it is believed
+TOUCH = 1e-12  # a margin (a squared sine) this small is a change point, not a gap
+
+
+@dataclass(frozen=True)
+class Limit:
+    """An end of an assembly interval: the input coordinate [rad or m], and what stops it there."""
+
+    x: float
+    group: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Interval:
+    """An interval of the input coordinate [rad or m]; no limits if it is a full turn or the asked range."""
+
+    low: float
+    high: float
+    limits: tuple[Limit, ...] = ()
+
+    def holds(self, low: float, high: float, turn: float | None) -> bool:
+        """Whether [low, high] lies inside, counted modulo ``turn`` if there is one."""
+        slack = 1e-9 * max(1.0, abs(self.high - self.low))
+        shift = turn * math.floor((low - self.low + slack) / turn) if turn else 0.0
+        return self.low - slack <= low - shift and high - shift <= self.high + slack
+
+
+@dataclass(frozen=True)
+class Domain:
+    """All intervals where the mechanism assembles, within one turn of the crank or the range of a slider."""
+
+    intervals: tuple[Interval, ...]
+    full: bool  # the crank turns fully, or the slider covers the asked range
+
+
+def find_domain(chain: Chain, low: float, high: float) -> Domain:
+    """Assembly intervals of the input coordinate; a crank's are sought on the turn from ``low``.
+
+    Raises `AssemblyError` if there is none at all.
+    """
+    turn = TURN if chain.turns else None
+    intervals = [Interval(low, low + turn if turn else high)]
+    for k in range(len(chain.steps)):
+        found = [part for interval in intervals for part in _cut(chain, k, interval, turn)]
+        if not found:
+            raise _never(chain, k, intervals)
+        intervals = _joined(found, turn) if turn else found
+    whole = intervals[0]
+    full = len(intervals) == 1 and not whole.limits
+    return Domain(tuple(sorted(intervals, key=lambda i: i.low)), full)
+
+
+def sample(interval: Interval, count: int = SAMPLES) -> Real:
+    """Points of an interval, denser towards limits, where positions change with a square root."""
+    if not interval.limits:
+        return np.linspace(interval.low, interval.high, count + 1)
+    u = np.linspace(0.0, math.pi, count + 1)
+    u[[0, -1]] = 1e-4, math.pi - 1e-4
+    return (interval.low + interval.high) / 2 - (interval.high - interval.low) / 2 * np.cos(u)
+
+
+def _cut(chain: Chain, k: int, interval: Interval, turn: float | None) -> list[Interval]:
+    """The parts of an interval where dyad k reaches."""
+    x, m = _with_hidden_extrema(chain, k, sample(interval))
+    change = np.flatnonzero((m[1:] < 0) != (m[:-1] < 0))
+    if not change.size:
+        return [interval] if m[0] >= 0 else []
+    roots = bracketed(lambda at, _: chain.margins(at, k), x[change], x[change + 1])
+    edges = [interval.low, *roots, interval.high]
+    reasons = {float(r): _limit(chain, k, float(r)) for r in roots}
+    before = {limit.x: limit for limit in interval.limits}
+    parts = []
+    for i, (a, b) in enumerate(zip(edges, edges[1:], strict=False)):
+        inside = m[0] >= 0 if i == 0 else m[change[i - 1] + 1] >= 0
+        if inside:
+            ends = tuple(d[end] for end in (a, b) for d in (reasons, before) if end in d)
+            parts.append(Interval(float(a), float(b), ends))
+    return parts
+
+
+def _with_hidden_extrema(chain: Chain, k: int, x: Real) -> tuple[Real, Real]:
+    """Samples of the margin, with the local extrema that might cross zero between two of them added."""
+    m = chain.margins(x, k)
+    hidden = [i for sign in (1, -1) for i in turning(m, sign, False) if 0 < -sign * m[i] < NEAR and 0 < i < len(x) - 1]
+    if not hidden:
+        return x, m
+    near = np.array(hidden)
+    at, value = refine(lambda p, _: chain.margins(p, k), x[near], spread(x, near))
+    keep = np.abs(value) > TOUCH
+    x, m = np.concatenate((x, at[keep])), np.concatenate((m, value[keep]))
+    order = np.argsort(x, kind="stable")
+    return x[order], m[order]
+
+
+def _joined(parts: list[Interval], turn: float) -> list[Interval]:
+    """One interval for the two parts that meet at the arbitrary seam of the turn."""
+    parts = sorted(parts, key=lambda part: part.low)
+    first, last = parts[0], parts[-1]
+    seam_low = all(limit.x != first.low for limit in first.limits)
+    seam_high = all(limit.x != last.high for limit in last.limits)
+    if len(parts) == 1 or not (seam_low and seam_high):
+        return parts
+    limits = last.limits + tuple(Limit(limit.x + turn, limit.group, limit.reason) for limit in first.limits)
+    return [*parts[1:-1], Interval(last.low, first.high + turn, limits)]
+
+
+def _length(value: float) -> str:
+    """A length in mm with at most 7 digits."""
+    return f"{value * 1000:.7g} mm"
+
+
+def _limit(chain: Chain, k: int, x: float) -> Limit:
+    """What stops dyad k at its limit position x."""
+    step = chain.steps[k]
+    port1, port2 = step.ports(chain.evaluate(np.array([x]), order=0, steps=k).motions)
+    return Limit(x, step.group.name, _reason(step.group.links, step.dyad, port1, port2))
+
+
+def _reason(links: tuple[int, ...], dyad: object, port1: object, port2: object) -> str:
+    a, b = links
+    if isinstance(dyad, RRR):
+        q = abs((port2.r - port1.r).item())  # type: ignore[attr-defined]  # ports are those of the kind
+        if abs(q - dyad.l_a - dyad.l_b) < abs(q - abs(dyad.l_a - dyad.l_b)):
+            return (
+                f"links {a} and {b} are stretched: the distance of their outer pins reaches "
+                f"l_{a} + l_{b} = {_length(dyad.l_a)} + {_length(dyad.l_b)} = {_length(dyad.l_a + dyad.l_b)}"
+            )
+        return (
+            f"links {a} and {b} are folded: the distance of their outer pins falls to "
+            f"|l_{a} - l_{b}| = |{_length(dyad.l_a)} - {_length(dyad.l_b)}| = {_length(abs(dyad.l_a - dyad.l_b))}"
+        )
+    if isinstance(dyad, RRP):
+        return (
+            f"link {a} stands perpendicular to the guide of link {b}: the distance of its outer pin from the "
+            f"pin's line reaches l_{a} = {_length(dyad.l)}"
+        )
+    if isinstance(dyad, RPR):
+        return f"the pivots of links {a} and {b} come as near as the offset of the guide, {_length(abs(dyad.h))}"
+    return f"the guides of links {a} and {b} are parallel"
+
+
+def _never(chain: Chain, k: int, intervals: list[Interval]) -> AssemblyError:
+    """No position at all: by how much the links of dyad k miss each other, at best."""
+    x = np.concatenate([sample(interval) for interval in intervals])
+    step = chain.steps[k]
+    margins = chain.margins(x, k)
+    best = int(np.argmax(margins))
+    ports = step.ports(chain.evaluate(x[best : best + 1], order=0, steps=k).motions)
+    what = "any crank angle" if chain.turns else "any position of the input slider"
+    return AssemblyError(
+        f"cannot be assembled at {what}: {_missing(step.group.links, step.dyad, *ports)} "
+        f"({coordinate(chain, float(x[best]))}, where it comes nearest)",
+        where=f"kinematics, group {step.group.name}",
+        value=float(margins[best]),
+        limit=0.0,
+        remedy="change these lengths or the positions of the pivots",
+    )
+
+
+def _missing(links: tuple[int, ...], dyad: object, port1: object, port2: object) -> str:
+    a, b = links
+    if isinstance(dyad, RRR):
+        q = abs((port2.r - port1.r).item())  # type: ignore[attr-defined]  # ports are those of the kind
+        if q > dyad.l_a + dyad.l_b:
+            return f"the outer pins are {_length(q)} apart, more than l_{a} + l_{b} = {_length(dyad.l_a + dyad.l_b)}"
+        return f"the outer pins are {_length(q)} apart, less than |l_{a} - l_{b}| = {_length(abs(dyad.l_a - dyad.l_b))}"
+    if isinstance(dyad, RRP):
+        z = (port1.r - port2.r) * np.conj(port2.e)  # type: ignore[attr-defined]  # ports are those of the kind
+        return f"the pin is {_length(abs(dyad.h - z.imag.item()))} off its line, more than l_{a} = {_length(dyad.l)}"
+    if isinstance(dyad, RPR):
+        return f"the pivots are always nearer to each other than the offset {_length(abs(dyad.h))} of the guide"
+    return "the guides are parallel"
+
+
+def coordinate(chain: Chain, x: float) -> str:
+    """The input coordinate as text: a crank angle in degrees or a displacement in mm."""
+    name = f"angle_{chain.structure.input_link}" if chain.turns else f"s_{chain.input_joint.name}"
+    return f"{name} = {math.degrees(x):.9g} deg" if chain.turns else f"{name} = {_length(x)}"
+
+
+def check_range(chain: Chain, domain: Domain, low: float, high: float) -> None:
+    """Raise `AssemblyError` unless the whole range [low, high] assembles without a gap."""
+    if domain.full:
+        return
+    turn = TURN if chain.turns else None
+    if any(interval.holds(low, high, turn) for interval in domain.intervals):
+        return
+    limits = [limit for interval in domain.intervals for limit in interval.limits]
+    ranges = " and ".join(describe(chain, interval) for interval in domain.intervals)
+    whole = chain.turns and high - low >= TURN - 1e-9
+    asked = "the crank cannot make a full turn" if whole else f"the range from {coordinate(chain, low)} leaves"
+    tail = "" if whole else f" the positions that assemble before {coordinate(chain, high)}"
+    reasons = "; ".join(f"at {coordinate(chain, limit.x)} {limit.reason}" for limit in limits)
+    raise AssemblyError(
+        f"{asked}{tail}: it assembles for {ranges} only. {reasons}",
+        where=f"kinematics, group {limits[0].group}" if limits else "kinematics",
+        remedy="change the lengths named, or analyse inside the interval: set input.start and grid.span",
+    )
+
+
+def describe(chain: Chain, interval: Interval) -> str:
+    """The interval as text: ``angle_1 in [-44.427, 224.427] deg``."""
+    if chain.turns:
+        a, b = math.degrees(interval.low), math.degrees(interval.high)
+        return f"angle_{chain.structure.input_link} in [{a:.9g}, {b:.9g}] deg"
+    return f"s_{chain.input_joint.name} in [{_length(interval.low)}, {_length(interval.high)}]"

@@ -1,0 +1,168 @@
+"""The columns of the kinematics table: one name and one unit for each quantity, everywhere.
+
+    phi                    input coordinate counted from position 0
+    angle_3 omega_3 eps_3  link 3; dangle_3 ddangle_3 its transfer functions
+    x_C y_C vx_C vy_C ax_C ay_C   point C; dx_C dy_C ddx_C ddy_C
+    s_D0 v_D0 a_D0         prismatic joint D0; ds_D0 dds_D0
+    S_D vS_D aS_D          output D, displacement from position 0; dS_D ddS_D
+
+Dimensionless values are in units of the crank length l_1 and its speed omega_1; they do not depend on the
+speed. A column is computed when it is asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+
+import numpy as np
+
+from tmmcalc.errors import UsageError
+from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.results import Kinematics
+
+
+@dataclass(frozen=True)
+class Column:
+    """A named quantity (n,) with its unit."""
+
+    name: str
+    unit: str
+    make: Callable[[], Real]
+
+    @property
+    def header(self) -> str:
+        """``name[unit]``."""
+        return f"{self.name}[{self.unit}]"
+
+
+@dataclass(frozen=True)
+class _Units:
+    """Names of the units and the factors that bring SI values into them."""
+
+    length: tuple[str, float]
+    velocity: tuple[str, float]
+    acceleration: tuple[str, float]
+    omega: tuple[str, float]
+    eps: tuple[str, float]
+    per: str  # the unit of the input coordinate
+
+
+def _units(result: Kinematics, dimensionless: bool) -> _Units:
+    per = "rad" if result.turns else "m"
+    if not dimensionless:
+        return _Units(("m", 1.0), ("m/s", 1.0), ("m/s^2", 1.0), ("rad/s", 1.0), ("rad/s^2", 1.0), per)
+    if result.crank_length is None:
+        raise UsageError(
+            "dimensionless results are in units of the crank length, and the input link is a slider",
+            where="kinematics",
+            remedy="leave --dimensionless out",
+        )
+    length, speed = result.crank_length, result.speed
+    return _Units(
+        ("l_1", 1 / length),
+        ("l_1*omega_1", 1 / (length * speed)),
+        ("l_1*omega_1^2", 1 / (length * speed**2)),
+        ("omega_1", 1 / speed),
+        ("omega_1^2", 1 / speed**2),
+        per,
+    )
+
+
+Quantity = tuple[str, tuple[str, float], Callable[[], Real]]
+
+
+def columns(result: Kinematics, *, dimensionless: bool = False) -> list[Column]:
+    """All columns of a result in their usual order; raises `UsageError` for dimensionless driven sliders."""
+    units = _units(result, dimensionless)
+    phi = ("phi", ("deg", np.rad2deg(1.0)) if result.turns else units.length, lambda: result.phi)
+    everything = (
+        phi,
+        *_output_columns(result, units),
+        *_link_columns(result, units),
+        *_point_columns(result, units),
+        *_slide_columns(result, units),
+    )
+    return [Column(name, unit, _scaled(make, factor)) for name, (unit, factor), make in everything]
+
+
+def _scaled(make: Callable[[], Real], factor: float) -> Callable[[], Real]:
+    return make if factor == 1.0 else lambda: make() * factor
+
+
+def _per(unit: tuple[str, float], per: str, order: int) -> tuple[str, float]:
+    return f"{unit[0]}/{per}{'^2' if order == 2 else ''}", unit[1]
+
+
+def _output_columns(result: Kinematics, units: _Units) -> Iterator[Quantity]:
+    for k, (name, angular) in enumerate(zip(result.outputs, result.angular, strict=True)):
+        value = ("deg", float(np.rad2deg(1.0))) if angular else units.length
+        own = ("rad", 1.0) if angular else units.length
+        velocity, acceleration = (
+            (units.omega, units.eps) if angular else (units.velocity, units.acceleration)
+        )
+        yield f"S_{name}", value, lambda k=k: result.s[k]
+        yield f"vS_{name}", velocity, lambda k=k: result.in_time(result.ds[k], result.dds[k])[0]
+        yield f"aS_{name}", acceleration, lambda k=k: result.in_time(result.ds[k], result.dds[k])[1]
+        yield f"dS_{name}", _per(own, units.per, 1), lambda k=k: result.ds[k]
+        yield f"ddS_{name}", _per(own, units.per, 2), lambda k=k: result.dds[k]
+
+
+def _link_columns(result: Kinematics, units: _Units) -> Iterator[Quantity]:
+    t = result.trace
+    for k, link in enumerate(t.link_ids):
+        yield f"angle_{link}", ("deg", float(np.rad2deg(1.0))), lambda k=k: t.angle[k]
+        yield f"omega_{link}", units.omega, lambda k=k: result.in_time(t.dangle[k], t.ddangle[k])[0]
+        yield f"eps_{link}", units.eps, lambda k=k: result.in_time(t.dangle[k], t.ddangle[k])[1]
+        yield f"dangle_{link}", _per(("rad", 1.0), units.per, 1), lambda k=k: t.dangle[k]
+        yield f"ddangle_{link}", _per(("rad", 1.0), units.per, 2), lambda k=k: t.ddangle[k]
+
+
+def _point_columns(result: Kinematics, units: _Units) -> Iterator[Quantity]:
+    t = result.trace
+    for k, name in enumerate(t.point_names):
+        for axis, part in (("x", np.real), ("y", np.imag)):
+            yield f"{axis}_{name}", units.length, lambda k=k, part=part: part(t.r[k])
+            yield f"v{axis}_{name}", units.velocity, lambda k=k, part=part: part(result.in_time(t.dr[k], t.ddr[k])[0])
+            yield (
+                f"a{axis}_{name}",
+                units.acceleration,
+                lambda k=k, part=part: part(result.in_time(t.dr[k], t.ddr[k])[1]),
+            )
+            yield f"d{axis}_{name}", _per(units.length, units.per, 1), lambda k=k, part=part: part(t.dr[k])
+            yield f"dd{axis}_{name}", _per(units.length, units.per, 2), lambda k=k, part=part: part(t.ddr[k])
+
+
+def _slide_columns(result: Kinematics, units: _Units) -> Iterator[Quantity]:
+    t = result.trace
+    for k, name in enumerate(t.joint_names):
+        yield f"s_{name}", units.length, lambda k=k: t.s[k]
+        yield f"v_{name}", units.velocity, lambda k=k: result.in_time(t.ds[k], t.dds[k])[0]
+        yield f"a_{name}", units.acceleration, lambda k=k: result.in_time(t.ds[k], t.dds[k])[1]
+        yield f"ds_{name}", _per(units.length, units.per, 1), lambda k=k: t.ds[k]
+        yield f"dds_{name}", _per(units.length, units.per, 2), lambda k=k: t.dds[k]
+
+
+def select(available: Sequence[Column], patterns: Sequence[str]) -> list[Column]:
+    """Columns whose names match the patterns (``x_*``, ``omega_3``), in the order of the patterns.
+
+    Raises `UsageError` for a pattern that matches nothing, with the nearest names.
+    """
+    chosen: list[Column] = []
+    for pattern in patterns:
+        found = [column for column in available if fnmatchcase(column.name, pattern)]
+        if not found:
+            raise UsageError(
+                f"no column is called {pattern!r}", where="--columns", remedy=_nearest(available, pattern)
+            )
+        chosen += [column for column in found if column not in chosen]
+    return chosen
+
+
+def _nearest(available: Sequence[Column], pattern: str) -> str:
+    from difflib import get_close_matches
+
+    names = [column.name for column in available]
+    close = get_close_matches(pattern, names, 3, 0.5)
+    return f"did you mean {', '.join(close)}?" if close else f"columns: {', '.join(names)}"

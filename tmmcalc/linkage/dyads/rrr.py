@@ -1,0 +1,75 @@
+"""Dyad RRR: two links, three revolute joints.
+
+              B
+           a / \\ b          a: P1 -> B, length l_a;  b: P2 -> B, length l_b
+            /   \\
+          P1     P2
+
+Variant +1: B lies to the left of the directed line P1 -> P2, so P1, B, P2 are passed clockwise.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from tmmcalc.linkage.plane import Plane, Point, Real, cross, square
+
+
+class RRRPlaced(NamedTuple):
+    """Placement: the vectors a = P1 -> B and b = P2 -> B [m]."""
+
+    a: Plane
+    b: Plane
+
+
+@dataclass(frozen=True)
+class RRR:
+    """RRR with lengths ``l_a``, ``l_b`` [m] and the variant +1 or -1 (textbook 2.5.3, (2.8) to (2.17))."""
+
+    l_a: float
+    l_b: float
+    variant: int = 1
+
+    unknowns = ("omega_a", "omega_b")
+
+    def margin(self, port1: Point, port2: Point) -> Real:
+        """Squared sine of the angle at B; negative where q is outside [|l_a - l_b|, l_a + l_b]."""
+        q2 = square(port2.r - port1.r)
+        return self._spread(q2) / (4 * self.l_a**2 * self.l_b**2)
+
+    def _spread(self, q2: Real) -> Real:
+        """(2 a x b)^2 as a product of two factors, each exact near its own limit position."""
+        return ((self.l_a + self.l_b) ** 2 - q2) * (q2 - (self.l_a - self.l_b) ** 2)
+
+    def place(self, port1: Point, port2: Point) -> RRRPlaced:
+        """B = P1 + (d + i h) q/|q| with d along and h across the line of the pivots."""
+        q = port2.r - port1.r
+        q2 = square(q)
+        ratio = np.empty(q2.shape, q.dtype)
+        ratio.real = ((self.l_a**2 - self.l_b**2) + q2) / (2 * q2)
+        ratio.imag = np.sqrt(self._spread(q2)) * self.variant / (2 * q2)
+        a = ratio * q
+        return RRRPlaced(a, a - q)
+
+    def columns(self, placed: RRRPlaced) -> tuple[Plane, Plane]:
+        """V_B is the same on both links: v1 + i omega_a a = v2 + i omega_b b."""
+        return 1j * placed.a, -1j * placed.b
+
+    def velocity(self, port1: Point, port2: Point, placed: RRRPlaced) -> Plane:
+        """Relative velocity of the outer pins."""
+        return port2.v - port1.v
+
+    def acceleration(self, port1: Point, port2: Point, placed: RRRPlaced, x: Real, y: Real) -> Plane:
+        """Relative acceleration of the outer pins less the normal parts."""
+        return port2.a - port1.a + x**2 * placed.a - y**2 * placed.b
+
+    def regularity(self, placed: RRRPlaced, reach: float) -> Real:
+        """|sin| of the angle between the links."""
+        return np.abs(cross(placed.a, placed.b)) / (self.l_a * self.l_b)
+
+    def transmission(self, placed: RRRPlaced) -> Real:
+        """|sin| of the angle between the links."""
+        return self.regularity(placed, 0.0)

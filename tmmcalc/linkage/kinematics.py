@@ -1,0 +1,185 @@
+"""Kinematics of class II mechanisms: one mechanism in, all positions with their derivatives out.
+
+Order of the work: structure and assembly variants; the intervals where the mechanism assembles; position
+0 (a number, or the dead centre before the working stroke); a dense survey of the asked range for dead points,
+transmission angles and extremes; then the asked positions in one vectorised pass.
+
+Transfer functions are per unit of the input coordinate, d/dphi_1 for a crank [1/rad]; velocities and
+accelerations in time follow as v = S' omega, a = S'' omega^2 + S' eps.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from tmmcalc.errors import AssemblyError, SingularityError
+from tmmcalc.linkage import solvers
+from tmmcalc.linkage.assembly import TURN, Domain, check_range, coordinate, find_domain
+from tmmcalc.linkage.chain import Chain, compile_chain
+from tmmcalc.linkage.differentiation import differentiate
+from tmmcalc.linkage.grid import distances
+from tmmcalc.linkage.model import Mechanism, Output
+from tmmcalc.linkage.outputs import default_outputs, summarise, working_start
+from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.quality import assess, check_regular, grade
+from tmmcalc.linkage.results import Kinematics, Method
+from tmmcalc.linkage.rounding import estimate
+from tmmcalc.linkage.structure import Structure, solve_structure
+from tmmcalc.linkage.survey import survey
+from tmmcalc.linkage.trace import Trace, continuous, trace
+from tmmcalc.linkage.variants import candidates, distance, given_variants, nearest, sketched_groups
+
+SEAM = 0.01  # the search for assembly intervals starts at an angle where nothing special happens [rad]
+
+
+def solve_kinematics(
+    mechanism: Mechanism, structure: Structure | None = None, method: Method | None = None
+) -> Kinematics:
+    """Positions, velocities, accelerations and transfer functions of a class II mechanism.
+
+    Raises `StructureError`, `AssemblyError`, `SingularityError`, `NoSolutionError` (exit code 3) with the
+    group, the lengths and the input coordinate at fault.
+    """
+    structure = structure or solve_structure(mechanism)
+    method = method or Method()
+    chain, domain, start = _placed(mechanism, structure)
+    sense = math.copysign(1.0, mechanism.input.speed)
+    span = mechanism.grid.span or TURN
+    low, high = sorted((start, start + sense * span))
+    check_range(chain, domain, low, high)
+    dense = survey(chain, low, high)
+    qualities = assess(chain, dense)
+    check_regular(chain, qualities)
+    outputs = default_outputs(chain)
+    summaries = tuple(summarise(chain, output, dense, start) for output in outputs)
+    along, labels = distances(mechanism.grid, span, summaries[0] if summaries else None, start)
+    x = start + sense * along
+    evaluate = partial(_evaluate, chain, method=method, unit=crank_length(chain) or 1.0)
+    values = evaluate(x)
+    _check_positions(chain, x, values)
+    values = replace(values, angle=continuous(values.angle, x, dense.x, dense.angles))
+    s, ds, dds = _displacements(chain, outputs, values)
+    return Kinematics(
+        structure=structure,
+        variants={step.group.name: step.variant for step in chain.steps},
+        input_joint=mechanism.input.joint,
+        turns=chain.turns,
+        speed=mechanism.input.speed,
+        acceleration=mechanism.input.acceleration,
+        crank_length=crank_length(chain),
+        labels=labels,
+        x=x,
+        trace=values,
+        outputs=tuple(output.name for output in outputs),
+        angular=tuple(output.link is not None for output in outputs),
+        s=s,
+        ds=ds,
+        dds=dds,
+        domain=domain,
+        summaries=summaries,
+        qualities=qualities,
+        grades=grade(chain, qualities),
+        method=method,
+        error=estimate(chain, x, evaluate),
+        counters={"positions": len(x), "survey_positions": len(dense.x), "dyads": len(chain.steps)},
+    )
+
+
+def _placed(mechanism: Mechanism, structure: Structure) -> tuple[Chain, Domain, float]:
+    """The chain with its variants, where it assembles, and the input coordinate of position 0.
+
+    A sketch of an "extreme" start is compared with each candidate at that candidate's own extreme.
+    """
+    given = given_variants(mechanism, structure)
+    groups = sketched_groups(mechanism, structure, given)
+    tried = []
+    for signs in candidates(groups, given):
+        chain = compile_chain(mechanism, structure, signs)
+        at = mechanism.assembly.at if mechanism.assembly.at is not None else mechanism.input.start
+        if groups and at is None:
+            at = _start_or_none(chain)
+        tried.append((distance(chain, at) if groups and at is not None else math.inf, signs))
+    chain = compile_chain(mechanism, structure, nearest(tried, groups) if groups else given)
+    domain = _domain(chain)
+    return chain, domain, _start(chain, domain)
+
+
+def _domain(chain: Chain) -> Domain:
+    drive = chain.mechanism.input
+    if chain.turns:
+        return find_domain(chain, SEAM - math.pi, SEAM + math.pi)
+    start, span = drive.start or 0.0, chain.mechanism.grid.span or 0.0
+    return find_domain(chain, *sorted((start, start + math.copysign(span, drive.speed))))
+
+
+def _start(chain: Chain, domain: Domain) -> float:
+    """Input coordinate of position 0: given, or the dead centre before the working stroke."""
+    given = chain.mechanism.input.start
+    if given is not None:
+        return given
+    check_range(chain, domain, -math.pi, math.pi)
+    return _principal(working_start(chain, survey(chain, -math.pi, math.pi)))
+
+
+def _start_or_none(chain: Chain) -> float | None:
+    """The extreme start of a candidate variant, None if that variant does not turn."""
+    try:
+        return _start(chain, _domain(chain))
+    except (AssemblyError, SingularityError):
+        return None
+
+
+def _principal(angle: float) -> float:
+    """The angle in (-pi, pi]."""
+    return angle - TURN * math.ceil(angle / TURN - 0.5)
+
+
+def crank_length(chain: Chain) -> float | None:
+    """Distance l_1 [m] from the crank's pivot to its first other joint; None for a driven slider."""
+    if not chain.turns:
+        return None
+    k = chain.structure.input_link
+    pins = {joint.name: joint.points[joint.links.index(k)] for joint in chain.mechanism.joints if k in joint.links}
+    pivot = pins.pop(chain.input_joint.name)
+    return next((abs(pin - pivot) for pin in pins.values() if pin != pivot), None)
+
+
+def _evaluate(chain: Chain, x: Real, method: Method, unit: float) -> Trace:
+    if method.name == "differences":
+        return differentiate(chain, x, method.step, method.decimals, unit)
+    return trace(chain, x, solvers.projection if method.name == "projection" else solvers.closed)
+
+
+def _check_positions(chain: Chain, x: Real, values: Trace) -> None:
+    """Nothing that is not a number leaves the stage, whatever the method did beside the asked range."""
+    stacks = (values.ddr, values.ddangle, values.dds)
+    broken = np.any([np.any(~np.isfinite(stack), axis=0) for stack in stacks], axis=0)
+    if broken.any():
+        raise SingularityError(
+            f"no velocities at {coordinate(chain, float(x[broken][0]))}: a position beside it does not assemble",
+            where="kinematics",
+            remedy="use a smaller step of the differences, or a range that keeps clear of the limit position",
+        )
+
+
+def _displacements(chain: Chain, outputs: tuple[Output, ...], values: Trace) -> tuple[Real, Real, Real]:
+    """Displacement from position 0 and its transfer functions, each (O, n)."""
+    rows = np.array([_row(chain, output, values) for output in outputs]).reshape(len(outputs), 3, -1)
+    s, ds, dds = rows[:, 0], rows[:, 1], rows[:, 2]
+    return s - s[:, :1], ds, dds
+
+
+def _row(chain: Chain, output: Output, values: Trace) -> tuple[Real, Real, Real]:
+    if output.link is not None:
+        k = values.link_ids.index(output.link)
+        return values.angle[k], values.dangle[k], values.ddangle[k]
+    if output.joint is not None:
+        k = values.joint_names.index(output.joint)
+        return values.s[k], values.ds[k], values.dds[k]
+    k = values.point_names.index(output.point or "")
+    turn = np.exp(-1j * output.direction) if output.direction else 1.0
+    return (values.r[k] * turn).real, (values.dr[k] * turn).real, (values.ddr[k] * turn).real

@@ -1,0 +1,275 @@
+"""Outputs: displacement, dead centres, strokes, time ratio, extreme velocities and accelerations.
+
+An output is the coordinate of a point along a direction, the angle of a link, or the coordinate of a
+prismatic joint. Its dead centres are the roots of its first transfer function at which it changes sign,
+found by bracketing on a dense sample and refined to full precision; extreme velocities and accelerations
+are refined the same way, never read off the grid.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.linkage.assembly import TURN, coordinate
+from tmmcalc.linkage.chain import Chain, Configuration
+from tmmcalc.linkage.model import Output
+from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.survey import Survey
+from tmmcalc.numerics.extrema import refine, spread, turning
+from tmmcalc.numerics.roots import bracketed
+
+STILL = 1e-12  # an output whose rate is below this, against the size of the mechanism, does not move
+EQUAL = 1e-9  # strokes that differ by less [rad] count as equal
+CANDIDATES = 2  # local extrema refined in the search for the global one
+
+
+@dataclass(frozen=True)
+class DeadCentre:
+    """A reversal of the output: input coordinate [rad or m] and output coordinate [m or rad] there."""
+
+    x: float
+    value: float
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """An extreme value and the input coordinate [rad or m] where it stands."""
+
+    value: float
+    x: float
+
+
+@dataclass(frozen=True)
+class OutputSummary:
+    """What section 17 of a course project asks of an output link.
+
+    ``dead_centres`` start with the one before the working stroke and follow the motion. ``stroke`` is the
+    largest distance between them [m or rad]; ``working_angle``, ``idle_angle`` [rad] and ``time_ratio`` K are
+    None unless there are exactly two. ``velocity`` and ``acceleration`` hold the smallest and the largest.
+    """
+
+    name: str
+    angular: bool
+    dead_centres: tuple[DeadCentre, ...]
+    stroke: float | None
+    working_angle: float | None
+    idle_angle: float | None
+    time_ratio: float | None
+    velocity: tuple[Extreme, Extreme]
+    acceleration: tuple[Extreme, Extreme]
+
+
+Coordinates = tuple[Real, Real, Real]
+
+
+def coordinate_of(chain: Chain, output: Output, configuration: Configuration) -> Coordinates:
+    """Value and both derivatives of an output, each (n,); the angle of a link is not yet continuous."""
+    if output.link is not None:
+        motion = configuration.motions[output.link]
+        return np.arctan2(motion.u.imag, motion.u.real), motion.omega, motion.eps
+    if output.joint is not None:
+        return configuration.slides[output.joint]
+    owner = next(link for link in chain.mechanism.links if output.point in link.points)
+    at = configuration.motions[owner.id].point(owner.points[output.point or ""])
+    turn = np.exp(-1j * output.direction) if output.direction else 1.0
+    return (at.r * turn).real, (at.v * turn).real, (at.a * turn).real
+
+
+def default_outputs(chain: Chain) -> tuple[Output, ...]:
+    """The outputs of the spec, or else the last link that is joined to the frame."""
+    if chain.mechanism.outputs:
+        return chain.mechanism.outputs
+    for group in reversed(chain.structure.groups):
+        for joint in (chain.mechanism.joint(name) for name in reversed(group.outer)):
+            if 0 not in joint.links:
+                continue
+            if joint.kind == "prismatic":
+                return (Output(joint=joint.name),)
+            return (Output(link=next(k for k in joint.links if k)),)
+    return ()
+
+
+def sampled(chain: Chain, output: Output, dense: Survey) -> Coordinates:
+    """Value (angles continuous) and both derivatives of an output over the survey, each (m,)."""
+    value, rate, rate2 = coordinate_of(chain, output, dense.configuration)
+    if output.link is not None:
+        value = dense.angle(output.link)
+    return tuple(np.broadcast_to(v, dense.x.shape) for v in (value, rate, rate2))  # type: ignore[return-value]
+
+
+def dead_centres(chain: Chain, output: Output, dense: Survey, rate: Real) -> Real:
+    """Ascending input coordinates of all reversals of an output, from its rate (m,) over the survey."""
+
+    def rates(at: Real, _: object) -> Real:
+        return np.broadcast_to(coordinate_of(chain, output, chain.evaluate(at))[1], at.shape)
+
+    if np.max(np.abs(rate)) <= STILL * _size(chain):
+        return np.empty(0)
+    if dense.full:
+        rate = np.append(rate[:-1], rate[0])  # the same sign on both sides of the seam, whatever the rounding
+    x, rate = _with_hidden_reversals(rates, dense.x, rate)
+    change = np.flatnonzero(np.signbit(rate[1:]) != np.signbit(rate[:-1]))
+    return bracketed(rates, x[change], x[change + 1])
+
+
+def _with_hidden_reversals(rates: Callable[[Real, object], Real], x: Real, rate: Real) -> tuple[Real, Real]:
+    """Add the turning points of the rate that may cross zero between two samples."""
+    near = 0.02 * float(np.max(np.abs(rate)))
+    hidden = [i for s in (1, -1) for i in turning(rate, s, False) if 0 < -s * rate[i] < near and 0 < i < len(x) - 1]
+    if not hidden:
+        return x, rate
+    rows = np.array(hidden)
+    at, value = refine(rates, x[rows], spread(x, rows))
+    x, rate = np.concatenate((x, at)), np.concatenate((rate, value))
+    order = np.argsort(x, kind="stable")
+    return x[order], rate[order]
+
+
+def _size(chain: Chain) -> float:
+    """Largest coordinate in the metric [m]: the scale against which rounding is judged."""
+    links = (chain.mechanism.frame, *chain.mechanism.links)
+    return max((abs(p) for link in links for p in link.points.values()), default=1.0) or 1.0
+
+
+def values_at(chain: Chain, output: Output, at: Real, dense: Survey, track: Real) -> Real:
+    """Output coordinate at ``at``, on the branch of its continuous samples ``track`` over the survey."""
+    raw = coordinate_of(chain, output, chain.evaluate(at))[0]
+    if output.link is None:
+        return raw
+    return raw + TURN * np.rint((np.interp(at, dense.x, track) - raw) / TURN)
+
+
+def order_from_working(chain: Chain, output: Output, centres: Real, values: Real) -> tuple[Real, Real]:
+    """Rotate the dead centres of a full turn so that the first is the one before the working stroke.
+
+    The working stroke is the one against the useful resistance if its sense is given, else the longest in
+    crank angle; of equal ones the one that starts at the greatest coordinate (right, upper).
+    """
+    if chain.mechanism.input.speed < 0:
+        centres, values = centres[::-1], values[::-1]
+    lengths = np.abs(np.diff(np.append(centres, centres[0] + math.copysign(TURN, chain.mechanism.input.speed))))
+    travel = np.diff(np.append(values, values[0]))
+    keys = np.where(lengths > lengths.max() - EQUAL, values, -np.inf)
+    if output.resistance is not None:
+        against = travel < 0 if output.resistance == "positive" else travel > 0
+        keys = np.where(against, lengths, -np.inf)
+    first = int(np.argmax(keys))
+    return np.roll(centres, -first), np.roll(values, -first)
+
+
+def working_start(chain: Chain, dense: Survey) -> float:
+    """Input coordinate of the dead centre before the working stroke of the first output, over a full turn.
+
+    Raises `NoSolutionError` if there is no output or it never reverses.
+    """
+    outputs = default_outputs(chain)
+    if not outputs:
+        raise NoSolutionError(
+            'start = "extreme" needs an output, and no link of the groups is joined to the frame',
+            where="kinematics, input.start",
+            remedy="name one in [[mechanism.outputs]], or give input.start as a number",
+        )
+    value, rate, _ = sampled(chain, outputs[0], dense)
+    centres = dead_centres(chain, outputs[0], dense, rate)
+    if centres.size < 2:
+        raise NoSolutionError(
+            f"output {outputs[0].name} never reverses, so there is no extreme position to start from",
+            where="kinematics, input.start",
+            remedy='give input.start as a number, e.g. start = "0 deg"',
+        )
+    values = values_at(chain, outputs[0], centres, dense, value)
+    return float(order_from_working(chain, outputs[0], centres, values)[0][0])
+
+
+def summarise(chain: Chain, output: Output, dense: Survey, start: float) -> OutputSummary:
+    """Dead centres, strokes and extremes of an output over the survey of a range that begins at ``start``."""
+    samples = sampled(chain, output, dense)
+    centres = dead_centres(chain, output, dense, samples[1])
+    values = values_at(chain, output, centres, dense, samples[0])
+    ends = values if dense.full else np.append(values, samples[0][[0, -1]])
+    if dense.full and centres.size > 1:
+        centres, values = order_from_working(chain, output, centres, values)
+        centres = _along_motion(chain, centres, start)
+    angles: tuple[float | None, float | None] = (None, None)
+    if dense.full and centres.size == 2:
+        angles = _stroke_angles(chain, centres)
+    return OutputSummary(
+        output.name,
+        output.link is not None,
+        tuple(DeadCentre(float(a), float(b)) for a, b in zip(centres, values, strict=True)),
+        float(np.ptp(ends)) if ends.size > 1 else None,
+        *angles,
+        angles[0] / angles[1] if angles[0] is not None and angles[1] else None,
+        *_extremes(chain, output, dense, samples),
+    )
+
+
+def _along_motion(chain: Chain, centres: Real, start: float) -> Real:
+    """The same angles, counted from ``start`` along the motion within one turn."""
+    sense = math.copysign(1.0, chain.mechanism.input.speed)
+    along = np.mod((centres - start) * sense, TURN)
+    return start + sense * np.where(along > TURN - EQUAL, along - TURN, along)
+
+
+def _stroke_angles(chain: Chain, centres: Real) -> tuple[float, float]:
+    working = float((centres[1] - centres[0]) * math.copysign(1.0, chain.mechanism.input.speed)) % TURN
+    return working, TURN - working
+
+
+def _extremes(
+    chain: Chain, output: Output, dense: Survey, samples: Coordinates
+) -> tuple[tuple[Extreme, Extreme], tuple[Extreme, Extreme]]:
+    """Smallest and largest velocity and acceleration in time, at the exact input coordinates."""
+    drive, x, periodic = chain.mechanism.input, dense.x, dense.full
+
+    def in_time(rate: Real, rate2: Real) -> tuple[Real, Real]:
+        return rate * drive.speed, rate2 * drive.speed**2 + rate * drive.acceleration
+
+    in_range = in_time(samples[1], samples[2])
+    guesses = [
+        (kind, sign, i)
+        for kind in (0, 1)
+        for sign in (-1, 1)
+        for i in _candidates(in_range[kind], sign, periodic)
+    ]
+    kinds = np.array([kind for kind, _, _ in guesses])
+
+    def f(at: Real, which: np.ndarray) -> Real:
+        _, rate, rate2 = coordinate_of(chain, output, chain.evaluate(at))
+        return np.where(kinds[which] == 0, *in_time(rate, rate2))
+
+    inner = np.array([periodic or 0 < i < len(x) - 1 for _, _, i in guesses])
+    at = np.array([x[i] for _, _, i in guesses])
+    values = np.array([in_range[kind][i] for kind, _, i in guesses])
+    kinds_all, kinds = kinds, kinds[inner]
+    if inner.any():
+        rows = np.array([i for _, _, i in guesses])[inner]
+        at[inner], values[inner] = refine(f, at[inner], spread(x, rows, periodic))
+    result = []
+    for kind in (0, 1):
+        pair = []
+        for sign in (-1, 1):
+            rows = [r for r, (k, s, _) in enumerate(guesses) if k == kind == kinds_all[r] and s == sign]
+            best = max(rows, key=lambda r: sign * values[r])
+            pair.append(Extreme(float(values[best]), float(at[best])))
+        result.append((pair[0], pair[1]))
+    return result[0], result[1]
+
+
+def _candidates(values: Real, sign: int, periodic: bool) -> list[int]:
+    """Indices of the highest local extrema, the ends included on an open range."""
+    inside = values[:-1] if periodic else values
+    found = turning(inside, sign, periodic)
+    if not found.size:
+        found = np.array([int(np.argmax(sign * values))])
+    return list(found[np.argsort(-sign * inside[found])][:CANDIDATES])
+
+
+def describe_dead_centres(chain: Chain, summary: OutputSummary) -> str:
+    """The dead centres as text."""
+    return ", ".join(coordinate(chain, centre.x) for centre in summary.dead_centres)

@@ -1,0 +1,97 @@
+"""Plane vectors as complex numbers, and the states that links hand to each other.
+
+A vector (x, y) is x + iy; turning it by +90 degrees is multiplication by i. All states hold a value and
+its first and second derivative with respect to one common variable: the input coordinate (transfer
+functions) or time - the formulas are the same. Arrays have the shape (n,), one entry a position;
+constants of the frame are 0-d arrays and broadcast.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Real = NDArray[np.float64]
+Plane = NDArray[np.complex128]
+
+
+def cross(a: Plane | complex, b: Plane | complex) -> Real:
+    """Scalar cross product a x b = a_x b_y - a_y b_x."""
+    return a.real * b.imag - a.imag * b.real  # type: ignore[return-value]  # scalars count as 0-d arrays
+
+
+def dot(a: Plane | complex, b: Plane | complex) -> Real:
+    """Scalar product a . b = a_x b_x + a_y b_y."""
+    return a.real * b.real + a.imag * b.imag  # type: ignore[return-value]  # scalars count as 0-d arrays
+
+
+def square(a: Plane) -> Real:
+    """Squared length |a|^2, without the root and the overflow guard of ``abs``."""
+    return a.real * a.real + a.imag * a.imag
+
+
+class Point(NamedTuple):
+    """A moving point: position, first and second derivative; each complex (n,) [m, m/.., m/..^2]."""
+
+    r: Plane
+    v: Plane
+    a: Plane
+
+
+class Guide(NamedTuple):
+    """A line fixed in a moving link: the state of a point on it, its unit direction, its rotation.
+
+    ``r, v, a, e`` complex (n,); ``omega, eps`` real (n,): first and second derivative of the angle of e.
+    """
+
+    r: Plane
+    v: Plane
+    a: Plane
+    e: Plane
+    omega: Real
+    eps: Real
+
+
+class LinkMotion(NamedTuple):
+    """The motion of a rigid link: that of its base point, and of the unit vector u along its own x axis.
+
+    ``base`` is the base point in the link's axes [m]; ``u1 = i omega u`` and ``u2 = (i eps - omega^2) u``
+    are the derivatives of u, so that a point p of the link moves with ``v + u1 (p - base)``.
+    """
+
+    base: complex
+    r: Plane
+    v: Plane
+    a: Plane
+    u: Plane
+    u1: Plane
+    u2: Plane
+    omega: Real
+    eps: Real
+
+    def point(self, p: complex) -> Point:
+        """State of the point p [m] given in the link's own axes (textbook (2.22), (2.58), (2.59))."""
+        d = p - self.base
+        if d == 0:
+            return Point(self.r, self.v, self.a)
+        return Point(self.r + d * self.u, self.v + d * self.u1, self.a + d * self.u2)
+
+    def guide(self, p: complex, direction: complex) -> Guide:
+        """State of the line through p [m] along ``direction`` (unit), both in the link's own axes."""
+        e = self.u if direction == 1 else self.u * direction
+        return Guide(*self.point(p), e, self.omega, self.eps)
+
+
+def rotated(base: complex, at: Point, u: Plane, omega: Real, eps: Real) -> LinkMotion:
+    """Motion of a link whose base point moves as ``at`` and whose x axis is u, turning with omega, eps."""
+    i_omega = 1j * omega
+    u1 = i_omega * u
+    return LinkMotion(base, *at, u, u1, 1j * eps * u + i_omega * u1, omega, eps)
+
+
+def frame() -> LinkMotion:
+    """Motion of the frame: rest."""
+    zero, one, still = np.zeros((), np.complex128), np.ones((), np.complex128), np.zeros(())
+    return LinkMotion(0j, zero, zero, zero, one, zero, zero, still, still)

@@ -1,0 +1,127 @@
+"""Positions and transfer functions of all points, links and prismatic joints, stacked in arrays.
+
+Long runs go through the chain in blocks that stay in cache, which halves their time. Angles are made
+continuous against the survey of the range, whose steps are short enough that no turn can be missed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tmmcalc.linkage import solvers
+from tmmcalc.linkage.chain import Chain, Configuration
+from tmmcalc.linkage.plane import Plane, Real
+
+BLOCK = 6144  # rows: the arrays of one block, about 100 kB each, stay in the second-level cache
+TURN = 2 * np.pi
+
+
+@dataclass(frozen=True)
+class Trace:
+    """Stacked motion at n input coordinates. Derivatives are per unit of the input coordinate."""
+
+    point_names: tuple[str, ...]
+    r: Plane  # (P, n) positions [m]
+    dr: Plane  # (P, n)
+    ddr: Plane  # (P, n)
+    link_ids: tuple[int, ...]
+    angle: Real  # (L, n) [rad]
+    dangle: Real  # (L, n)
+    ddangle: Real  # (L, n)
+    joint_names: tuple[str, ...]
+    s: Real  # (J, n) coordinates of the prismatic joints [m]
+    ds: Real  # (J, n)
+    dds: Real  # (J, n)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """What is stacked, in which order: named points with their owner, links, prismatic joints."""
+
+    points: tuple[tuple[str, int, complex], ...]
+    links: tuple[int, ...]
+    joints: tuple[str, ...]
+
+
+def layout(chain: Chain) -> Layout:
+    """All named points of moving links that are not pins of the frame, each once; links and joints in order."""
+    owners: dict[str, tuple[int, complex]] = {}
+    order = (chain.structure.input_link, *(k for group in chain.structure.groups for k in group.links))
+    for k in order:
+        for name, p in chain.mechanism.link(k).points.items():
+            if name not in chain.mechanism.frame.points:
+                owners.setdefault(name, (k, p))
+    return Layout(
+        tuple((name, *owners[name]) for name in sorted(owners, key=_natural)),
+        tuple(sorted(order)),
+        tuple(joint.name for joint in chain.mechanism.joints if joint.kind == "prismatic"),
+    )
+
+
+def _natural(name: str) -> tuple[str, str]:
+    """Centres of mass S1, S2, ... after the joints' points."""
+    return ("~" if name[0] == "S" and name[1:].isdigit() else "", name)
+
+
+def trace(chain: Chain, x: Real, method: solvers.Method = solvers.closed, order: int = 2) -> Trace:
+    """Evaluate the chain at ``x`` (n,) and stack everything; angles are not yet continuous.
+
+    With ``order=0`` the derivatives are left at zero.
+    """
+    what = layout(chain)
+    n = len(x)
+    kind = np.result_type(x.dtype, np.complex64)
+    r = np.zeros((3, len(what.points), n), kind)
+    angle = np.zeros((3, len(what.links), n), x.dtype)
+    s = np.zeros((3, len(what.joints), n), x.dtype)
+    for at in range(0, n, BLOCK):
+        rows = slice(at, min(at + BLOCK, n))
+        configuration = chain.evaluate(x[rows], order=order, method=method)
+        _store(configuration, what, r[..., rows], angle[..., rows], s[..., rows], order)
+    if chain.turns:
+        angle[0, what.links.index(chain.structure.input_link)] = x
+    return Trace(tuple(name for name, _, _ in what.points), *r, what.links, *angle, what.joints, *s)
+
+
+def _store(configuration: Configuration, what: Layout, r: Plane, angle: Real, s: Real, order: int) -> None:
+    motions = configuration.motions
+    for row, (_, link, p) in enumerate(what.points):
+        point = motions[link].point(p)
+        r[0, row] = point.r
+        if order:
+            r[1, row], r[2, row] = point.v, point.a
+    for row, link in enumerate(what.links):
+        motion = motions[link]
+        np.arctan2(motion.u.imag, motion.u.real, out=angle[0, row])
+        if order:
+            angle[1, row], angle[2, row] = motion.omega, motion.eps
+    for row, joint in enumerate(what.joints):
+        slide = configuration.slides[joint]
+        s[0, row] = slide.s
+        if order:
+            s[1, row], s[2, row] = slide.ds, slide.dds
+
+
+def unwrapped(angle: Real) -> Real:
+    """Continuous angles (..., n) from samples that turn less than half a turn a step."""
+    turns = np.rint(np.diff(angle, axis=-1) / TURN)
+    if not turns.any():
+        return angle
+    result = angle.copy()
+    result[..., 1:] -= TURN * np.cumsum(turns, axis=-1)
+    return result
+
+
+def continuous(angle: Real, x: Real, survey_x: Real, tracks: Real) -> Real:
+    """Angles (L, n) at ``x`` on the branch of the continuous ``tracks`` (L, m) at ascending ``survey_x``.
+
+    The first position keeps its principal value in (-pi, pi]; the others follow from it.
+    """
+    result = np.empty_like(angle)
+    for row, track in enumerate(tracks):
+        near = np.interp(x, survey_x, track)
+        turns = np.rint((near - angle[row]) / TURN)
+        result[row] = angle[row] + TURN * (turns - turns[0])
+    return result

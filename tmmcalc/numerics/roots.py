@@ -1,0 +1,69 @@
+"""Many bracketed roots at once: Chandrupatla's method, vectorised.
+
+Every iteration evaluates all unfinished problems in one call, so a function that is cheap on arrays
+(a whole mechanism) is called about ten times however many roots there are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+Values = NDArray[np.float64]
+Indices = NDArray[np.intp]
+Problems = Callable[[Values, Indices], Values]
+
+ITERATIONS = 120  # bisection alone needs 64 halvings of a double
+
+
+def bracketed(f: Problems, low: Values, high: Values, *, absolute: float = 0.0) -> Values:
+    """Roots of m functions, each with a change of sign between ``low`` and ``high``; arrays of shape (m,).
+
+    ``f(x, which)`` returns the values at ``x`` of the problems numbered ``which``. The result is exact to
+    2 ulp of the root plus ``absolute``. An end that is a root itself is returned. Source: T. R. Chandrupatla,
+    Adv. Eng. Software 28 (1997) 145.
+    """
+    low, high = np.asarray(low, float), np.asarray(high, float)
+    every = np.arange(low.size)
+    root = np.empty(low.size)
+    if not low.size:
+        return root
+    x1, x2 = high.copy(), low.copy()
+    f1, f2 = f(x1, every), f(x2, every)
+    x3, f3 = x2.copy(), f2.copy()
+    t = np.full(low.size, 0.5)
+    active = every
+    for _ in range(ITERATIONS):
+        x = x1 + t * (x2 - x1)
+        fx = f(x, active)
+        same = np.signbit(fx) == np.signbit(f1)
+        x3, f3 = np.where(same, x1, x2), np.where(same, f1, f2)
+        x2, f2 = np.where(same, x2, x1), np.where(same, f2, f1)
+        x1, f1 = x, fx
+        best = np.where(np.abs(f1) < np.abs(f2), x1, x2)
+        zero = np.minimum(np.abs(f1), np.abs(f2)) == 0
+        width = np.abs(x2 - x1)
+        tolerance = 2 * np.finfo(float).eps * np.abs(best) + absolute
+        done = zero | (width <= 2 * tolerance)
+        root[active[done]] = best[done]
+        keep = ~done
+        if not keep.any():
+            return root
+        active = active[keep]
+        x1, x2, x3, f1, f2, f3 = (v[keep] for v in (x1, x2, x3, f1, f2, f3))
+        t = _step(x1, x2, x3, f1, f2, f3, tolerance[keep] / width[keep])
+    root[active] = np.where(np.abs(f1) < np.abs(f2), x1, x2)
+    return root
+
+
+def _step(x1: Values, x2: Values, x3: Values, f1: Values, f2: Values, f3: Values, least: Values) -> Values:
+    """Inverse quadratic step where it is safe, the middle elsewhere."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        xi, phi = (x1 - x2) / (x3 - x2), (f1 - f2) / (f3 - f2)
+        safe = (phi**2 < xi) & ((1 - phi) ** 2 < 1 - xi)
+        alpha = (x3 - x1) / (x2 - x1)
+        quadratic = f1 / (f2 - f1) * f3 / (f2 - f3) + alpha * f1 / (f3 - f1) * f2 / (f3 - f2)
+    t = np.where(safe & np.isfinite(quadratic), quadratic, 0.5)
+    return np.clip(t, least, 1 - least)

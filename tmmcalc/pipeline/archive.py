@@ -1,0 +1,84 @@
+"""The output folder of one run: finds the valid results, keeps the new ones, logs the run times.
+
+Only a run with an output folder imports this module, and hashing and the store with it.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from tmmcalc._version import __version__
+from tmmcalc.pipeline.hashing import stage_hash
+from tmmcalc.pipeline.manifest import Provenance
+from tmmcalc.pipeline.outcome import Event, Outcome
+from tmmcalc.pipeline.stage import Stage
+from tmmcalc.pipeline.store import Damaged, Found, Missing, Store
+
+LOG_NAME = "run.log"
+
+
+class Archive:
+    """Results of earlier runs in ``folder`` and of this one; ``csv`` as in :meth:`Store.save`."""
+
+    def __init__(self, folder: Path, csv: bool | None) -> None:
+        self.store = Store(folder)
+        self.csv = csv
+        self._hashes: dict[str, str] = {}
+
+    def provenance(self, stage: Stage, inputs: object, settings: Mapping[str, Any]) -> Provenance:
+        """Return what the result of a stage depends on; the stages that it needs must have come before."""
+        upstream = {need: self._hashes[need] for need in stage.needs}
+        digest = stage_hash(stage, inputs, settings, upstream)
+        self._hashes[stage.name] = digest
+        return Provenance(stage.name, __version__, digest, upstream, settings)
+
+    def outcome(
+        self,
+        stage: Stage,
+        provenance: Provenance,
+        forced: str | None,
+        compute: Callable[[], Outcome],
+        tell: Callable[[Event], None],
+    ) -> tuple[Outcome, Event]:
+        """Return the stored outcome if it is valid and not ``forced`` (the reason), else compute and save it.
+
+        A damaged file is told at once, before the stage is computed again.
+        """
+        found = Missing(forced) if forced else self.store.find(provenance)
+        if isinstance(found, Found):
+            return self._loaded(stage, provenance, found)
+        if isinstance(found, Damaged):
+            tell(Event(stage.name, "damaged", found.message))
+        reason = found.reason if isinstance(found, Missing) else "its files were damaged"
+        outcome = compute()
+        self._save(provenance, outcome)
+        return outcome, Event(stage.name, "computed", reason)
+
+    def log(self, event: Event) -> None:
+        """Append one line with the local time to the log; a log that cannot be written stops no run."""
+        stamp = time.strftime("%Y-%m-%dT%H:%M:%S%z")
+        line = f"{stamp} {event.stage} {event.kind} {event.seconds:.6f} s: {event.message}\n"
+        with suppress(OSError):
+            handle = os.open(self.store.folder / LOG_NAME, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o666)
+            try:
+                os.write(handle, line.encode())  # one call: lines of two runs do not mix
+            finally:
+                os.close(handle)
+
+    def files(self, stages: Iterable[str]) -> tuple[Path, ...]:
+        """Return the files of these stages."""
+        return tuple(path for stage in stages for path in self.store.files(stage))
+
+    def _loaded(self, stage: Stage, provenance: Provenance, found: Found) -> tuple[Outcome, Event]:
+        outcome = Outcome(stage, found.record)
+        if self.store.csv_differs(found, self.csv):
+            self._save(provenance, outcome)
+        return outcome, Event(stage.name, "loaded", "files are valid")
+
+    def _save(self, provenance: Provenance, outcome: Outcome) -> None:
+        self.store.save(provenance, outcome.record, outcome.table, self.csv)

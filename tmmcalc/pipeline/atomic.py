@@ -1,0 +1,74 @@
+"""Files that are either old or new, never half of one.
+
+The new content goes to a temporary file in the same folder, is forced to the disk, and takes the name
+in one step. A file that has this content already is left alone, so its time stamp tells make the truth.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from tmmcalc.errors import UsageError
+
+_LEFTOVER = re.compile(r"\..+\.(toml|npz|csv)\.\d+\.tmp")
+
+
+@contextmanager
+def blamed_on(path: Path, action: str) -> Iterator[None]:
+    """Turn an OSError (disk full, read-only folder, a file in place of a folder) into UsageError."""
+    try:
+        yield
+    except OSError as error:
+        raise UsageError(
+            f"{path}: cannot be {action}: {error.strerror or error}",
+            remedy="free the disk, change the permissions or choose another output folder",
+        ) from error
+
+
+def replace_file(path: Path, data: bytes) -> bool:
+    """Give the file this content in one step; return False if it had it already and was not touched.
+
+    Raises UsageError if the file cannot be written; the old one is then still whole.
+    """
+    with blamed_on(path, "written"):
+        if _holds(path, data):
+            return False
+        temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+        try:
+            _write_through(temporary, data)
+            temporary.replace(path)
+        finally:
+            temporary.unlink(missing_ok=True)
+        return True
+
+
+def remove_leftovers(folder: Path) -> None:
+    """Remove the temporary files of killed runs; the caller must hold the lock of the folder."""
+    for entry in folder.glob(".*.tmp"):
+        if _LEFTOVER.fullmatch(entry.name):
+            entry.unlink(missing_ok=True)
+
+
+def sync_folder(folder: Path) -> None:
+    """Force the names in a folder to the disk; Windows has no such call and does it by itself."""
+    if os.name == "posix":
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
+
+
+def _holds(path: Path, data: bytes) -> bool:
+    return path.is_file() and path.stat().st_size == len(data) and path.read_bytes() == data
+
+
+def _write_through(path: Path, data: bytes) -> None:
+    with path.open("wb") as file:
+        file.write(data)
+        file.flush()
+        os.fsync(file.fileno())

@@ -1,0 +1,61 @@
+"""The bytes of the data files: npz for the next stage, csv for people. Equal data give equal bytes."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping
+from typing import Any
+
+from tmmcalc.pipeline.stage import Table
+
+_EPOCH = (1980, 1, 1, 0, 0, 0)  # zip cannot do without a time; this is its zero
+_UNIX = 3  # the system named in a zip entry
+
+
+def npz_bytes(arrays: Mapping[str, Any]) -> bytes:
+    """Return an uncompressed npz archive for ``numpy.load``: no clock time, no trace of the system."""
+    import zipfile
+
+    from numpy.lib.format import write_array
+
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        for name, array in arrays.items():
+            entry = zipfile.ZipInfo(f"{name}.npy", _EPOCH)
+            entry.create_system = _UNIX
+            with archive.open(entry, "w", force_zip64=True) as file:
+                write_array(file, array, allow_pickle=False)
+    return buffer.getvalue()
+
+
+def npz_arrays(data: bytes) -> dict[str, Any]:
+    """Return the arrays of an npz archive, read-only."""
+    import numpy as np
+
+    with np.load(io.BytesIO(data), allow_pickle=False) as archive:
+        arrays = dict(archive.items())
+    for array in arrays.values():
+        array.flags.writeable = False
+    return arrays
+
+
+def csv_bytes(table: Table) -> bytes:
+    """Return the table as CSV: one header line, one line a row, every number at full round-trip precision.
+
+    Raises ValueError if the header and the columns do not match.
+    """
+    columns = [column.tolist() for column in table.columns]
+    if len(columns) != len(table.header) or len({len(column) for column in columns}) > 1:
+        raise ValueError(
+            f"{len(table.header)} headers over columns of {[len(column) for column in columns]} rows"
+        )
+    lines = [",".join(_cell(name) for name in table.header)]
+    lines += [",".join(map(repr, row)) for row in zip(*columns, strict=True)]
+    return "\n".join([*lines, ""]).encode()
+
+
+def _cell(text: str) -> str:
+    """Quote a header that holds a comma, a quote or a line break."""
+    if any(sign in text for sign in ',"\r\n'):
+        return '"' + text.replace('"', '""') + '"'
+    return text

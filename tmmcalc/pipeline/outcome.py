@@ -1,0 +1,89 @@
+"""What a run gives back: results by stage, made when asked for; the plan; events; files."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal
+
+from tmmcalc.pipeline.plan import Plan
+from tmmcalc.pipeline.stage import Record, Stage, Table, resolve
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Event:
+    """What became of a stage."""
+
+    stage: str
+    kind: Literal["loaded", "computed", "left out", "damaged"]
+    message: str
+    seconds: float = 0.0  # run time of the stage, files included
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The record of a stage and what is made of it, each at first use."""
+
+    stage: Stage
+    source: Callable[[], Record]
+
+    @cached_property
+    def record(self) -> Record:
+        """The stored form."""
+        return self.source()
+
+    @cached_property
+    def result(self) -> Any:
+        """The result, always by way of the record: computed or read from files, it is the same."""
+        return resolve(self.stage.load)(self.record)
+
+    @cached_property
+    def table(self) -> Table | None:
+        """The table for people, None if the stage has none."""
+        if not self.stage.table:
+            return None
+        table: Table | None = resolve(self.stage.table)(self.result)
+        return table
+
+
+class Results(Mapping[str, Any]):
+    """Results by stage name, each loaded when first asked for."""
+
+    def __init__(self, outcomes: Mapping[str, Outcome]) -> None:
+        self._outcomes = outcomes
+
+    def __getitem__(self, stage: str) -> Any:
+        return self._outcomes[stage].result
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._outcomes)
+
+    def __len__(self) -> int:
+        return len(self._outcomes)
+
+
+@dataclass(frozen=True)
+class RunResult:
+    """One run of the pipeline. ``files`` is empty if nothing was stored."""
+
+    outcomes: Mapping[str, Outcome]  # of the stages that ran, in order
+    plan: Plan
+    events: tuple[Event, ...]
+    files: tuple[Path, ...]
+
+    @property
+    def results(self) -> Results:
+        """Results by stage name."""
+        return Results(self.outcomes)
+
+    def record(self, stage: str) -> Record:
+        """Return the stored form of a stage's result: scalars, arrays, error estimate, counters."""
+        return self.outcomes[stage].record
+
+    def table(self, stage: str) -> Table | None:
+        """Return the table of a stage, None if it has none."""
+        return self.outcomes[stage].table

@@ -1,0 +1,146 @@
+"""Run the stages of a plan in order: load what is stored and valid, compute the rest.
+
+A result goes on to later stages only by way of its record, so a run resumed from files and one that was
+not see the same numbers to the last bit. Without an output folder nothing is hashed, written or locked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+from tmmcalc.errors import UsageError
+from tmmcalc.pipeline.outcome import Event, Outcome, RunResult
+from tmmcalc.pipeline.plain import plain_record
+from tmmcalc.pipeline.plan import Plan, known_stage, plan
+from tmmcalc.pipeline.stage import Stage, resolve
+from tmmcalc.pipeline.stages import STAGES
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from tmmcalc.pipeline.archive import Archive
+
+Settings = Mapping[str, Mapping[str, Any]]
+
+
+def run(
+    spec: object,
+    *,
+    target: str | None = None,
+    out: Path | None = None,
+    fresh: bool = False,
+    from_stage: str | None = None,
+    csv: bool | None = None,
+    settings: Settings | None = None,
+    on_event: Callable[[Event], None] | None = None,
+    stages: Mapping[str, Stage] = STAGES,
+) -> RunResult:
+    """Run every stage that ``target`` needs (None: all that the scene has) and return their results.
+
+    With ``out`` each stage leaves its files there, and one whose files are valid is loaded, not computed.
+    ``fresh`` computes all; ``from_stage`` that stage and all after it. ``csv``: True, False, or None for up
+    to 2000 rows. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``on_event`` is
+    called as soon as a stage is done.
+
+    Raises UsageError for an unknown stage or option, a target that the scene leaves out, and files that
+    cannot be read or written; and what a stage raises. The files of earlier stages stay valid.
+    """
+    scene = plan(spec, target, stages)
+    options = _options(settings or {}, stages)
+    forced = _forced(fresh, from_stage, stages)
+    _check_target(scene)
+    archive = _archive(out, csv)
+    work = _Run(spec, options, forced, archive, on_event)
+    for step in scene.steps:
+        if step.runs:
+            work.do(stages[step.stage])
+        elif step.asked:
+            work.tell(Event(step.stage, "left out", step.reason))
+    files = () if archive is None else archive.files(scene.running)
+    return RunResult(work.outcomes, scene, tuple(work.events), files)
+
+
+@dataclass
+class _Run:
+    """The state of a run: what is done so far."""
+
+    spec: object
+    options: Settings
+    forced: Mapping[str, str]  # why a stage is computed even if its files are valid
+    archive: Archive | None
+    on_event: Callable[[Event], None] | None
+    outcomes: dict[str, Outcome] = field(default_factory=dict)
+    events: list[Event] = field(default_factory=list)
+
+    def tell(self, event: Event) -> None:
+        self.events.append(event)
+        if self.archive is not None and event.kind != "left out":
+            self.archive.log(event)
+        if self.on_event is not None:
+            self.on_event(event)
+
+    def do(self, stage: Stage) -> None:
+        """Load or compute a stage, store it, and tell what was done."""
+        began = perf_counter()
+        inputs = resolve(stage.inputs)(self.spec)
+        outcome, event = self._outcome(stage, inputs)
+        self.outcomes[stage.name] = outcome
+        self.tell(replace(event, seconds=perf_counter() - began))
+
+    def _outcome(self, stage: Stage, inputs: object) -> tuple[Outcome, Event]:
+        if self.archive is None:
+            return self._computed(stage, inputs), Event(stage.name, "computed", "not stored")
+        provenance = self.archive.provenance(stage, inputs, self.options[stage.name])
+        forced = self.forced.get(stage.name)
+        return self.archive.outcome(
+            stage, provenance, forced, lambda: self._computed(stage, inputs), self.tell
+        )
+
+    def _computed(self, stage: Stage, inputs: object) -> Outcome:
+        upstream = {need: self.outcomes[need].result for need in stage.needs}
+        result = resolve(stage.solve)(inputs, upstream, self.options[stage.name])
+        record = plain_record(resolve(stage.dump)(result))
+        return Outcome(stage, lambda: record)
+
+
+def _archive(out: Path | None, csv: bool | None) -> Archive | None:
+    if out is None:
+        return None
+    from tmmcalc.pipeline.archive import Archive
+
+    return Archive(out, csv)
+
+
+def _check_target(scene: Plan) -> None:
+    if scene.target is not None and scene.target not in scene.running:
+        raise UsageError(
+            scene.step(scene.target).reason,
+            where=scene.target,
+            remedy="complete the spec, or ask for a stage that this scene has",
+        )
+
+
+def _forced(fresh: bool, from_stage: str | None, stages: Mapping[str, Stage]) -> dict[str, str]:
+    """Return the stages to compute whatever is stored, with the reason."""
+    names = list(stages)
+    if fresh:
+        return dict.fromkeys(names, "asked for afresh")
+    if from_stage is None:
+        return {}
+    first = names.index(known_stage(from_stage, stages).name)
+    return dict.fromkeys(names[first:], f"forced from {from_stage}")
+
+
+def _options(changes: Settings, stages: Mapping[str, Stage]) -> dict[str, dict[str, Any]]:
+    """Return the settings of every stage: its defaults with the changes that were asked for."""
+    for name, change in changes.items():
+        known = known_stage(name, stages).settings
+        unknown = [option for option in change if option not in known]
+        if unknown:
+            raise UsageError(
+                f"has no option {unknown[0]!r}", where=name, remedy=f"options: {', '.join(known) or 'none'}"
+            )
+    return {name: {**stage.settings, **changes.get(name, {})} for name, stage in stages.items()}

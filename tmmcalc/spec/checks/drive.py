@@ -1,0 +1,127 @@
+"""Checks of the input and of the positions: ``[mechanism.input]``, ``[mechanism.grid]`` and ``assembly.at``.
+
+The input joint decides what its quantities are: angles and angular speeds, or lengths and speeds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tmmcalc.spec.findings import Finding
+from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
+from tmmcalc.spec.units import DIMENSIONS, dimension_of
+
+from .outline import FRAME, Outline, RawJoint, subtable
+
+_INPUT = ("mechanism", "input")
+_GRID = ("mechanism", "grid")
+
+# Dimension of each derivative of the input coordinate, by the kind of the input joint.
+_COORDINATE = {"revolute": "angle", "prismatic": "length"}
+_SPEED = {"revolute": "angular speed", "prismatic": "speed"}
+_ACCELERATION = {"revolute": "angular acceleration", "prismatic": "acceleration"}
+
+
+def check_joint(outline: Outline) -> Iterator[Finding]:
+    """The input joint exists and is with the frame."""
+    name = subtable(outline.table, "input").get("joint")
+    if not isinstance(name, str) or not outline.joints:
+        return
+    joint = outline.joint_named(name)
+    with_frame = [str(j.name) for j in outline.joints if j.name and j.links and FRAME in j.links]
+    known = f"the joints with the frame are: {listing(with_frame)}"
+    if joint is None:
+        guess = did_you_mean(name, with_frame)
+        yield Finding((*_INPUT, "joint"), f"there is no joint '{name}'", f"{guess} {known}".strip())
+    elif joint.links and FRAME not in joint.links:
+        yield Finding(
+            (*_INPUT, "joint"),
+            f"joint '{name}' connects links {joint.links[0]} and {joint.links[1]}, neither is the frame",
+            known,
+        )
+
+
+def check_dimensions(outline: Outline) -> Iterator[Finding]:
+    """The quantities of the input have the dimensions of its joint."""
+    joint = _input_joint(outline)
+    if joint is None or joint.kind not in _COORDINATE:
+        return
+    for path, value, dimension in _quantities(outline, joint.kind):
+        written = dimension_of(value)
+        # Any other dimension is a fault whatever the joint, and is reported with the tables.
+        if written != dimension and written in _others(dimension):
+            needed, example = DIMENSIONS[dimension].noun, DIMENSIONS[dimension].example
+            yield Finding(
+                path,
+                f'{show(value)} is {DIMENSIONS[written].noun}; the input joint "{joint.name}" is '
+                f"{joint.kind}, so {needed} is needed",
+                f'write {needed}, such as "{example}"',
+            )
+
+
+def _quantities(outline: Outline, kind: str) -> Iterator[tuple[Path, object, str]]:
+    motion, grid = subtable(outline.table, "input"), subtable(outline.table, "grid")
+    yield (*_INPUT, "speed"), motion.get("speed"), _SPEED[kind]
+    yield (*_INPUT, "acceleration"), motion.get("acceleration"), _ACCELERATION[kind]
+    yield (*_INPUT, "start"), motion.get("start"), _COORDINATE[kind]
+    yield (*_GRID, "span"), grid.get("span"), _COORDINATE[kind]
+    extra = grid.get("extra")
+    for index, value in enumerate(extra if isinstance(extra, list) else ()):
+        yield (*_GRID, "extra", index), value, _COORDINATE[kind]
+    at = subtable(outline.table, "assembly").get("at")
+    yield ("mechanism", "assembly", "at"), at, _COORDINATE[kind]
+
+
+def _others(dimension: str) -> set[str]:
+    """Return the dimension that the same field has for the other kind of joint, with its own."""
+    return next(
+        {*pair.values()} for pair in (_COORDINATE, _SPEED, _ACCELERATION) if dimension in pair.values()
+    )
+
+
+def check_prismatic_input(outline: Outline) -> Iterator[Finding]:
+    """A sliding input has no full turn and no dead centre to start from: it needs a span and a start."""
+    joint = _input_joint(outline)
+    if joint is None or joint.kind != "prismatic":
+        return
+    motion, grid = subtable(outline.table, "input"), subtable(outline.table, "grid")
+    name = f'the input joint "{joint.name}" is prismatic'
+    if "span" not in grid and not {"working", "idle"} & {*grid}:
+        yield Finding(_GRID, f"missing key: {name}, so the grid needs a span", 'add span = "200 mm"')
+    if motion.get("start", "extreme") == "extreme":
+        written = 'start is "extreme"' if "start" in motion else "missing key"
+        yield Finding(
+            (*_INPUT, "start"), f"{written}: {name} and starts from a coordinate", 'write start = "0 mm"'
+        )
+    for key in ("working", "idle"):
+        if key in grid:
+            yield Finding(
+                (*_GRID, key),
+                f"{name}; working and idle strokes are counted over a turn",
+                "write positions and span instead",
+            )
+
+
+def check_grid(outline: Outline) -> Iterator[Finding]:
+    """Positions are counted over a span, or over the working and the idle stroke."""
+    grid = subtable(outline.table, "grid")
+    strokes = [key for key in ("working", "idle") if key in grid]
+    if len(strokes) == 1:
+        other = "idle" if strokes == ["working"] else "working"
+        yield Finding(
+            (*_GRID, strokes[0]),
+            f"{strokes[0]} without {other}: the two strokes have each a number of steps",
+            f"add {other} = 8, or write positions = 24 instead",
+        )
+    for key in ("positions", "span"):
+        if strokes and key in grid:
+            yield Finding(
+                (*_GRID, key),
+                f"{key} together with {' and '.join(strokes)}: there is one way to divide the turn",
+                f"remove {key}, or remove {' and '.join(strokes)}",
+            )
+
+
+def _input_joint(outline: Outline) -> RawJoint | None:
+    name = subtable(outline.table, "input").get("joint")
+    return outline.joint_named(name) if isinstance(name, str) else None

@@ -1,0 +1,118 @@
+"""Checks of ``[[mechanism.joints]]``: their names, their links, and the points on these links."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tmmcalc.spec.findings import Finding
+from tmmcalc.spec.phrases import Path, listing, nearest
+
+from .outline import FRAME, Outline, RawJoint, link_words, subtable
+
+
+def check_names(outline: Outline) -> Iterator[Finding]:
+    """Every joint has a name of its own."""
+    first: dict[str, RawJoint] = {}
+    for joint in outline.joints:
+        if joint.name is None:
+            continue
+        if joint.name in first:
+            line = outline.at_line((*first[joint.name].path, "name"))
+            yield Finding(
+                (*joint.path, "name"),
+                f"'{joint.name}' is already the name of another joint{line}",
+                "give each joint a name of its own; several joints at one pin name it with point = "
+                f'"{joint.name}"',
+            )
+        first.setdefault(joint.name, joint)
+
+
+def check_links(outline: Outline) -> Iterator[Finding]:
+    """A joint connects two different links that exist."""
+    for joint in outline.joints:
+        if joint.links is None:
+            continue
+        if joint.links[0] == joint.links[1]:
+            yield Finding(
+                (*joint.path, "links"),
+                f"{list(joint.links)} is one link twice; a joint connects two different links",
+                f"the links are: {_known_links(outline)}",
+            )
+        elif outline.ids_complete:
+            yield from _absent(outline, joint, joint.links)
+
+
+def _absent(outline: Outline, joint: RawJoint, links: tuple[int, int]) -> Iterator[Finding]:
+    for place, link in enumerate(links):
+        if link >= FRAME and link not in outline.ids:  # a negative number is a fault of its own
+            yield Finding(
+                (*joint.path, "links", place),
+                f"there is no link {link}",
+                f"the links are: {_known_links(outline)}",
+            )
+
+
+def _known_links(outline: Outline) -> str:
+    return listing("0 (the frame)" if id_ == FRAME else id_ for id_ in outline.ids)
+
+
+def check_pins(outline: Outline) -> Iterator[Finding]:
+    """The pin of a revolute joint is a point of both links."""
+    for joint in outline.joints:
+        if "point" in joint.table and "points" in joint.table and joint.kind == "revolute":
+            yield Finding(
+                (*joint.path, "points"),
+                "point and points together: the pin is named once",
+                "keep point if both links call the pin the same, points if they differ",
+            )
+        elif joint.links and joint.pins and outline.connects(joint):
+            for place, (link, pin) in enumerate(zip(joint.links, joint.pins, strict=True)):
+                if not outline.has_point(link, pin):
+                    yield _missing_pin(outline, joint, place, link, pin)
+
+
+def _missing_pin(outline: Outline, joint: RawJoint, place: int, link: int, pin: str) -> Finding:
+    path: Path = (*joint.path, "points", place)
+    if "points" not in joint.table:
+        path = (*joint.path, "point" if "point" in joint.table else "name")
+    default = (
+        "" if {"point", "points"} & {*joint.table} else "; without point = ... the pin has the joint's name"
+    )
+    return Finding(
+        path,
+        f"{link_words(link)} has no point '{pin}', the pin of this joint{default}",
+        point_remedy(outline, link, pin),
+    )
+
+
+def point_remedy(outline: Outline, link: int, point: str) -> str:
+    """Return what to do about a point that a link has not: the nearest name, or where to add it."""
+    known = list(outline.points.get(link) or ())
+    guess = nearest(point, known)
+    meant = f'did you mean "{guess}"? ' if guess else ""
+    home = "[mechanism.fixed]" if link == FRAME else f"the points of link {link}"
+    return f"{meant}the points of {link_words(link)} are: {listing(known)}; or add {point} = [x, y] to {home}"
+
+
+def check_lines(outline: Outline) -> Iterator[Finding]:
+    """The line of a prismatic joint runs through a point of its own link."""
+    for joint in outline.joints:
+        if joint.kind != "prismatic" or joint.links is None or not outline.connects(joint):
+            continue
+        slider, guide = joint.links
+        yield from _through(outline, joint, "slider", slider, guide)
+        yield from _through(outline, joint, "guide", guide, slider)
+
+
+def _through(outline: Outline, joint: RawJoint, role: str, link: int, other: int) -> Iterator[Finding]:
+    point = subtable(joint.table, role).get("through")
+    if not isinstance(point, str) or outline.has_point(link, point):
+        return
+    remedy = point_remedy(outline, link, point)
+    if role == "guide" and outline.has_point(other, point):
+        remedy = f"if {link_words(other)} carries the guide, write links = [{link}, {other}], slider first"
+    yield Finding(
+        (*joint.path, role, "through"),
+        f"{link_words(link)}, the {role} of this joint, has no point '{point}'",
+        remedy,
+    )

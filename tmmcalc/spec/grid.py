@@ -1,0 +1,30 @@
+"""``[mechanism.grid]``: the positions of the input at which everything is computed."""
+
+from pydantic import Field
+
+from .quantities import InputCoordinate, InputSpan
+from .table import Table
+
+
+class GridTable(Table):
+    """Positions of the input: equal steps over a span, or a working and an idle part."""
+
+    positions: int = Field(default=24, ge=4, description="Number of equal steps of the input over its span.")
+    working: int | None = Field(
+        default=None,
+        ge=2,
+        description="Number of equal steps over the working stroke, with idle in place of positions.",
+    )
+    idle: int | None = Field(
+        default=None, ge=2, description="Number of equal steps over the idle stroke; needs working."
+    )
+    span: InputSpan | None = Field(
+        default=None,
+        description="Travel from position 0 (default: one full turn); a prismatic input needs it.",
+    )
+    extra: list[InputCoordinate] = Field(
+        default=[], description="Additional positions of the input, counted from position 0."
+    )
+    extremes: bool = Field(
+        default=False, description="Whether the dead centres of the outputs are added as positions."
+    )

@@ -1,0 +1,101 @@
+"""From the tables of a spec to the plain values that the linkage room reads.
+
+Joints get their points as constants in the axes of their links, lines get unit directions, and a centre of
+mass becomes the point ``S<id>``. Masses and gravity stay behind: kinematics does not read them.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+
+from tmmcalc.linkage.model import FRAME, Assembly, Grid, Input, Joint, Link, Mechanism, Output
+
+from .assembly import AssemblyTable
+from .grid import GridTable
+from .input import InputTable
+from .joints import GuideTable, PrismaticTable, RevoluteTable, SliderTable
+from .links import LinkTable
+from .mechanism import MechanismTable
+from .outputs import OutputTable
+
+_QUARTERS = (1 + 0j, 1j, -1 + 0j, -1j)
+
+Points = dict[int, dict[str, complex]]
+
+
+def to_linkage(mechanism: MechanismTable) -> Mechanism:
+    """Return the linkage of a checked spec: lengths in m, angles in rad, points and directions complex."""
+    frame = Link(FRAME, _points(mechanism.fixed), "frame")
+    links = tuple(_link(table) for table in mechanism.links)
+    points = {link.id: link.points for link in (frame, *links)}
+    return Mechanism(
+        frame=frame,
+        links=links,
+        joints=tuple(_joint(table, points) for table in mechanism.joints),
+        input=_input(mechanism.input),
+        outputs=tuple(_output(table) for table in mechanism.outputs),
+        grid=_grid(mechanism.grid),
+        assembly=_assembly(mechanism.assembly),
+    )
+
+
+def unit_direction(angle: float) -> complex:
+    """Return e^(i angle), exact (1, i, -1, -i) where the angle [rad] is a whole number of right angles."""
+    quarters = round(angle / (math.pi / 2))
+    if abs(angle - quarters * (math.pi / 2)) <= 2 * math.ulp(angle):
+        return _QUARTERS[quarters % 4]
+    return cmath.rect(1.0, angle)
+
+
+def _complex(point: list[float]) -> complex:
+    return complex(point[0], point[1])
+
+
+def _points(points: dict[str, list[float]]) -> dict[str, complex]:
+    return {name: _complex(point) for name, point in points.items()}
+
+
+def _link(table: LinkTable) -> Link:
+    points = _points(table.points)
+    if table.center is not None:
+        points[f"S{table.id}"] = _complex(table.center)
+    return Link(table.id, points, table.name)
+
+
+def _joint(table: RevoluteTable | PrismaticTable, points: Points) -> Joint:
+    first, second = table.links
+    if isinstance(table, RevoluteTable):
+        a, b = table.points or [table.point or table.name] * 2
+        return Joint(table.name, "revolute", (first, second), (points[first][a], points[second][b]))
+    lines = ((table.slider, points[first]), (table.guide, points[second]))
+    through_slider, through_guide = (_through(line, own) for line, own in lines)
+    directions = (unit_direction(table.slider.angle), unit_direction(table.guide.angle))
+    return Joint(table.name, "prismatic", (first, second), (through_slider, through_guide), directions)
+
+
+def _through(line: GuideTable | SliderTable, points: dict[str, complex]) -> complex:
+    return points[line.through] if isinstance(line.through, str) else _complex(line.through)
+
+
+def _input(table: InputTable) -> Input:
+    start = None if isinstance(table.start, str) else table.start
+    return Input(table.joint, table.speed, table.acceleration, start)
+
+
+def _output(table: OutputTable) -> Output:
+    return Output(table.point, table.direction, table.link, table.joint, table.resistance)
+
+
+def _grid(table: GridTable) -> Grid:
+    return Grid(table.positions, table.working, table.idle, table.span, tuple(table.extra), table.extremes)
+
+
+def _assembly(table: AssemblyTable) -> Assembly:
+    variants = {_pair(key): sign for key, sign in table.variants.items()}
+    return Assembly(_points(table.sketch), variants, table.at)
+
+
+def _pair(key: str) -> tuple[int, int]:
+    first, second = key.split("-")
+    return int(first), int(second)

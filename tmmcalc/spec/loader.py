@@ -1,0 +1,126 @@
+"""Reading a spec: file, TOML, overrides, tables and checks; all faults in one SpecError."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path as FilePath
+from typing import Any
+
+from pydantic import ValidationError
+
+from tmmcalc.errors import Fault, SpecError, UsageError
+
+from .checks import check
+from .findings import Finding
+from .phrases import Path, show_path
+from .root import Spec
+from .syntax import read_toml, too_deep
+
+LARGEST_FILE = 10_000_000  # bytes; a spec of a hundred links has some ten thousand
+
+
+def load_spec(path: str | FilePath, overrides: Sequence[str] = ()) -> Spec:
+    """Return the checked spec of a TOML file.
+
+    ``overrides`` are assignments such as ``"mechanism.grid.positions=36"`` that replace values of the file.
+
+    Raises UsageError if the file cannot be read or an override does not fit, SpecError with all faults of
+    the spec, each with its TOML path and line.
+    """
+    return parse_spec(read_text(path), str(path), overrides)
+
+
+def parse_spec(text: str, file: str = "<spec>", overrides: Sequence[str] = ()) -> Spec:
+    """Return the checked spec of a TOML text; ``file`` names it in messages. Raises as ``load_spec``."""
+    data = read_toml(text, file)
+    changed: list[Path] = []
+    if overrides:
+        from .override import apply
+
+        data, changed = apply(data, overrides)
+    try:
+        return _checked(data, text, file, changed)
+    except RecursionError:
+        raise SpecError(file, [too_deep()]) from None
+
+
+def read_text(path: str | FilePath) -> str:
+    """Return the text of a spec file; raise UsageError unless it is readable, UTF-8 and of sensible size."""
+    try:
+        with FilePath(path).open("rb") as file:
+            content = file.read(LARGEST_FILE + 1)
+    except FileNotFoundError:
+        raise UsageError(
+            f"there is no file {path}", remedy="check the name, or start from a ready spec"
+        ) from None
+    except IsADirectoryError:
+        raise UsageError(f"{path} is a directory", remedy="name the spec file in it") from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise UsageError(
+            f"{path} cannot be read: {reason}", remedy="check the name and the permissions"
+        ) from None
+    if len(content) > LARGEST_FILE:
+        raise UsageError(f"{path} is larger than {LARGEST_FILE // 10**6} MB, too large for a spec")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        raise UsageError(f"{path} is not UTF-8 text (line {line})", remedy="save it as UTF-8") from None
+
+
+def _checked(data: dict[str, Any], text: str, file: str, changed: list[Path]) -> Spec:
+    lines = _Lines(text, changed)
+    found: list[Finding] = []
+    spec = None
+    try:
+        spec = Spec.model_validate(data)
+    except ValidationError as error:
+        from .wording import findings  # late: only faults need it
+
+        found = findings(error)
+    found += check(data, lines.line_of)
+    if found or spec is None:
+        raise SpecError(file, [_fault(finding, data, lines) for finding in found])
+    return spec
+
+
+class _Lines:
+    """Lines of the source, scanned when first asked for; values set by an override have none."""
+
+    def __init__(self, text: str, changed: list[Path]) -> None:
+        self._text = text
+        self._changed = changed
+        self._line_of: Callable[[Path], int | None] | None = None
+
+    def line_of(self, path: Path) -> int | None:
+        if self.is_override(path):
+            return None
+        if self._line_of is None:
+            from .source import Source  # late: only faults need it
+
+            self._line_of = Source(self._text).line_of
+        return self._line_of(path)
+
+    def is_override(self, path: Path) -> bool:
+        return any(path[: len(changed)] == changed for changed in self._changed)
+
+
+def _fault(finding: Finding, data: dict[str, Any], lines: _Lines) -> Fault:
+    path, message, remedy = finding
+    whose = _whose(path, data)
+    if whose and whose not in message:
+        message = f"{message} ({whose})"
+    if lines.is_override(path):
+        message = f"{message} (set by an override, not in the file)"
+    return Fault(show_path(path), lines.line_of(path), message, remedy)
+
+
+def _whose(path: Path, data: dict[str, Any]) -> str:
+    """Return the link or joint that a path with an index belongs to: ``link 3``, ``joint "D0"``."""
+    if path[:1] != ("mechanism",) or len(path) < 3 or path[1] not in ("links", "joints"):
+        return ""
+    element = data["mechanism"][path[1]][path[2]]
+    key, form = ("id", "link {}") if path[1] == "links" else ("name", 'joint "{}"')
+    named = isinstance(element, dict) and isinstance(element.get(key), int | str) and path[3:] != (key,)
+    return form.format(str(element[key])[:40]) if named else ""

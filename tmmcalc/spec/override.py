@@ -1,0 +1,144 @@
+"""Overrides of single values of a spec: ``mechanism.grid.positions=36``.
+
+    mechanism.links[2].points.C=[1.0, 0]        an element by its index, from 0
+    mechanism.links[id=3].mass=50               an element by one of its values
+    mechanism.joints[name=D0].guide.angle="5 deg"
+
+The value is TOML, so a quantity with a unit keeps its quotes.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from tmmcalc.errors import UsageError
+
+from .phrases import Path, listing, show, show_path
+
+_KEY = re.compile(r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'""")
+_SELECTOR = re.compile(r"""\[\s*(?:(-?\d+)|([A-Za-z0-9_-]+)\s*=\s*("[^"]*"|'[^']*'|[^\]"']+?))\s*\]""")
+
+
+class _Where(NamedTuple):
+    """The element of a list of tables whose ``key`` is ``value``."""
+
+    key: str
+    value: object
+
+
+Step = str | int | _Where
+
+
+def apply(data: dict[str, Any], assignments: Sequence[str]) -> tuple[dict[str, Any], list[Path]]:
+    """Return a copy of the document with the assignments made, and the paths that they set.
+
+    Raises UsageError, which names the assignment: its path or value is not readable, or an element is absent.
+    """
+    from copy import deepcopy
+
+    changed = deepcopy(data)
+    return changed, [_assign(changed, assignment) for assignment in assignments]
+
+
+def _assign(data: dict[str, Any], assignment: str) -> Path:
+    steps, value = _read(assignment)
+    *parents, last = steps
+    here: Any = data
+    path: Path = ()
+    for step in parents:
+        step = _resolve(here, step, path, assignment)
+        if isinstance(step, str):
+            here.setdefault(step, {})
+        here, path = here[step], (*path, step)
+    last = _resolve(here, last, path, assignment)
+    here[last] = value
+    return (*path, last)
+
+
+def _resolve(here: Any, step: Step, path: Path, assignment: str) -> str | int:
+    """Return the key or index of a step in the value that holds it."""
+    if isinstance(step, str):
+        if not isinstance(here, dict):
+            raise _refusal(
+                assignment,
+                f"{show_path(path)} is not a table",
+                "an element of a list is named [0], [1], ...",
+            )
+        return step
+    if not isinstance(here, list):
+        raise _refusal(assignment, f"{show_path(path) or 'the spec'} is not a list", "name a key: .key")
+    if isinstance(step, _Where):
+        return _find(here, step, path, assignment)
+    if not 0 <= step < len(here):
+        raise _refusal(
+            assignment, f"{show_path(path)} has no element [{step}]", f"it has {len(here)}, counted from [0]"
+        )
+    return step
+
+
+def _find(here: list[Any], where: _Where, path: Path, assignment: str) -> int:
+    values = [item.get(where.key) if isinstance(item, dict) else None for item in here]
+    found = [
+        index
+        for index, value in enumerate(values)
+        if type(value) is type(where.value) and value == where.value
+    ]
+    if len(found) == 1:
+        return found[0]
+    count = "no element" if not found else f"{len(found)} elements"
+    known = listing(value for value in values if value is not None)
+    raise _refusal(
+        assignment,
+        f"{show_path(path)} has {count} with {where.key} = {show(where.value)}",
+        f"there are: {known}",
+    )
+
+
+def _read(assignment: str) -> tuple[list[Step], object]:
+    steps: list[Step] = []
+    at = 0
+    while True:
+        match = _SELECTOR.match(assignment, at) if steps else None
+        if match:
+            steps.append(_selector(match))
+        elif match := _KEY.match(assignment, at):
+            steps.append(match.group().strip("\"'"))
+        else:
+            raise _refusal(assignment, "the path cannot be read", "write it as mechanism.links[id=3].mass=50")
+        at = match.end()
+        rest = assignment[at:].lstrip()
+        if rest.startswith("="):
+            return steps, _value(assignment, rest[1:])
+        at += assignment[at:].startswith(".")
+
+
+def _selector(match: re.Match[str]) -> Step:
+    index, key, value = match.groups()
+    if index is not None:
+        return int(index)
+    try:
+        return _Where(key, tomllib.loads(f"value = {value}")["value"])
+    except tomllib.TOMLDecodeError:
+        return _Where(key, value)  # a bare word: quotes inside a shell's quotes are a nuisance
+
+
+def _value(assignment: str, text: str) -> object:
+    try:
+        document = tomllib.loads(f"value = {text.strip()}")
+    except (tomllib.TOMLDecodeError, ValueError, RecursionError):
+        document = {}
+    if [*document] != ["value"]:
+        quoted = f'"{text.strip()}"'
+        raise _refusal(
+            assignment,
+            f"{show(text.strip())} is not a TOML value",
+            f"a text or a quantity keeps its quotes: '...={quoted}'",
+        )
+    return document["value"]
+
+
+def _refusal(assignment: str, message: str, remedy: str) -> UsageError:
+    return UsageError(message, where=f"override {show(assignment)}", remedy=remedy)

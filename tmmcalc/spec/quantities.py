@@ -1,0 +1,166 @@
+"""The field types of the tables: quantities in SI, names, points.
+
+Each is ``Annotated`` with a reader that pydantic calls on the raw TOML value and that also describes the
+value in JSON Schema: a number, or a string whose pattern lists the units of the dimension.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from pydantic import Field
+from pydantic_core import core_schema
+
+from .phrases import either, nearest, show
+from .units import DIMENSIONS, UNITS, UnitError, parse
+
+if TYPE_CHECKING:
+    from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+
+NAME_PATTERN = "^[A-Za-z][A-Za-z0-9_']*$"
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_']*")
+_NUMBER_PATTERN = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?"
+
+
+class _Reader:
+    """What pydantic asks of an annotation: a function for the value, a JSON Schema for the editor."""
+
+    def read(self, value: object) -> Any:
+        raise NotImplementedError
+
+    def describe(self) -> dict[str, Any]:
+        raise NotImplementedError
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> core_schema.CoreSchema:
+        return core_schema.no_info_plain_validator_function(self.read)
+
+    def __get_pydantic_json_schema__(
+        self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        return self.describe()
+
+
+class Quantity(_Reader):
+    """A number with a unit of one of ``dimensions``, or ``word`` if that is allowed in its place."""
+
+    def __init__(
+        self, *dimensions: str, at_least_zero: bool = False, nonzero: bool = False, word: str | None = None
+    ) -> None:
+        self.dimensions = dimensions
+        self.at_least_zero = at_least_zero
+        self.nonzero = nonzero
+        self.word = word
+
+    def read(self, value: object) -> float | str:
+        """Return the value in SI; raise UnitError (a ValueError) with the fault in plain words."""
+        if self.word is not None and isinstance(value, str) and value == self.word:
+            return value
+        try:
+            number = parse(value, *self.dimensions)
+        except UnitError as fault:
+            raise self._with_word(fault, value) from None
+        if self.at_least_zero and number < 0:
+            raise UnitError(
+                f"{show(value)} is negative; {self._noun()} is at least 0", "write it without the minus"
+            )
+        if self.nonzero and number == 0:
+            raise UnitError(
+                f"{show(value)} is zero; {self._noun()} other than 0 is needed here", self._example()
+            )
+        return number
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema: a number in SI or a string of number and unit."""
+        number: dict[str, Any] = {"type": "number"}
+        if self.at_least_zero:
+            number["minimum"] = 0
+        if self.nonzero:
+            number["not"] = {"const": 0}
+        si = either(DIMENSIONS[dimension].si for dimension in self.dimensions)
+        kinds: list[dict[str, Any]] = [number, {"type": "string", "pattern": self._pattern()}]
+        if self.word is not None:
+            kinds.append({"const": self.word})
+        noun = self._noun().capitalize()
+        example = DIMENSIONS[self.dimensions[0]].example
+        return {"anyOf": kinds, "description": f'{noun}: a number in {si}, or a string such as "{example}".'}
+
+    def _noun(self) -> str:
+        return either(DIMENSIONS[dimension].noun for dimension in self.dimensions)
+
+    def _example(self) -> str:
+        examples = either(f'"{DIMENSIONS[dimension].example}"' for dimension in self.dimensions)
+        return f"write {examples}, for example"
+
+    def _with_word(self, fault: UnitError, value: object) -> UnitError:
+        if self.word is None:
+            return fault
+        if isinstance(value, str) and nearest(value.strip(), [self.word]):
+            return UnitError(fault.message, f'did you mean "{self.word}"?')
+        return UnitError(fault.message, f'{fault.remedy}, or "{self.word}"')
+
+    def _pattern(self) -> str:
+        units = (unit for dimension in self.dimensions for unit in UNITS[dimension])
+        number = _NUMBER_PATTERN.replace("[+-]?", "\\+?", 1) if self.at_least_zero else _NUMBER_PATTERN
+        return rf"^\s*{number}\s*({'|'.join(_unit_pattern(unit) for unit in units)})\s*$"
+
+
+class Name(_Reader):
+    """A name of a point or joint: a Latin letter, then letters, digits, ``_`` or ``'``."""
+
+    def __init__(self, noun: str) -> None:
+        self.noun = noun
+
+    def read(self, value: object) -> str:
+        """Return the name; raise UnitError with the character that does not belong there."""
+        if not isinstance(value, str):
+            raise UnitError(
+                f"{show(value)} is not a name", f'write the name of a {self.noun} in quotes, such as "A"'
+            )
+        if NAME.fullmatch(value):
+            return value
+        raise UnitError(
+            f"{show(value)} cannot name a {self.noun}{_stranger(value)}",
+            "a name is a Latin letter, then letters, digits, _ or '",
+        )
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema of a name."""
+        return {"type": "string", "pattern": NAME_PATTERN, "description": f"Name of a {self.noun}."}
+
+
+def _unit_pattern(unit: str) -> str:
+    """Return a regex of one unit that takes ``·`` and the raised digits as well."""
+    return re.escape(unit).replace(r"\*", "[*·]").replace(r"\^2", "(\\^2|²)").replace(r"\^3", "(\\^3|³)")
+
+
+def _stranger(name: str) -> str:
+    """Name the first letter that only looks Latin: it cannot be told from the Latin one by eye."""
+    from unicodedata import name as name_of  # late: only faults need it
+
+    for character in name:
+        if character.isalpha() and not character.isascii():
+            return f": it holds {name_of(character, 'a letter').capitalize()}"
+    return ""
+
+
+Length = Annotated[float, Quantity("length")]
+Angle = Annotated[float, Quantity("angle")]
+Gravity = Annotated[float, Quantity("acceleration", at_least_zero=True)]
+Mass = Annotated[float, Quantity("mass", at_least_zero=True)]
+Inertia = Annotated[float, Quantity("inertia", at_least_zero=True)]
+
+InputCoordinate = Annotated[float, Quantity("angle", "length")]
+InputSpan = Annotated[float, Quantity("angle", "length", nonzero=True)]
+InputStart = Annotated[float | Literal["extreme"], Quantity("angle", "length", word="extreme")]
+InputSpeed = Annotated[float, Quantity("angular speed", "speed", nonzero=True)]
+InputAcceleration = Annotated[float, Quantity("angular acceleration", "acceleration")]
+
+PointName = Annotated[str, Name("point")]
+JointName = Annotated[str, Name("joint")]
+# Lists of fixed length, not tuples: tuples become prefixItems, which common TOML editors do not follow.
+Point = Annotated[list[Length], Field(min_length=2, max_length=2)]
+LinkPair = Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=2, max_length=2)]
+NamePair = Annotated[list[PointName], Field(min_length=2, max_length=2)]

@@ -1,0 +1,14 @@
+"""The common base of all TOML tables of the spec.
+
+The table modules leave out ``from __future__ import annotations``: pydantic would have to evaluate every
+annotation from its text, a third of the time that it takes to build these classes.
+"""
+
+from pydantic import BaseModel, ConfigDict
+
+
+class Table(BaseModel):
+    """A table of the spec: unknown keys are faults, values keep their TOML type, nothing changes later."""
+
+    # Building is deferred so that a start builds one validator, that of the root, not one a class.
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, defer_build=True)

@@ -1,0 +1,51 @@
+"""The ready specs that come with the program: the package's own ``configs``, or those of the checkout."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tmmcalc.errors import UsageError
+
+from .phrases import did_you_mean, listing
+
+_PACKAGE = Path(__file__).resolve().parent.parent
+
+
+def folder() -> Path:
+    """Return the folder of the ready specs; raise UsageError if the installation has none."""
+    for parent in (_PACKAGE, _PACKAGE.parent):
+        if (parent / "configs").is_dir():
+            return parent / "configs"
+    raise UsageError("this installation has no ready specs", remedy="install tmmcalc again from its wheel")
+
+
+def names() -> list[str]:
+    """Return the names of the ready specs, sorted; those of a subfolder as ``extreme/name``."""
+    home = folder()
+    return sorted(file.relative_to(home).with_suffix("").as_posix() for file in home.rglob("*.toml"))
+
+
+def path(name: str) -> Path:
+    """Return the file of a ready spec; raise UsageError if there is none of this name."""
+    known = names()
+    if name not in known:
+        guess = did_you_mean(name, known)
+        raise UsageError(
+            f"there is no ready spec '{name}'", remedy=f"{guess} there are: {listing(known)}".strip()
+        )
+    return folder() / f"{name}.toml"
+
+
+def text(name: str) -> str:
+    """Return the text of a ready spec."""
+    return path(name).read_text(encoding="utf-8")
+
+
+def description(name: str) -> str:
+    """Return the one-line description of a ready spec: the first line of its first comment."""
+    for line in text(name).splitlines():
+        if line.startswith("#") and not line.startswith("#:schema"):
+            return line.lstrip("# ").rstrip()
+        if line.strip() and not line.startswith("#"):
+            break
+    return ""

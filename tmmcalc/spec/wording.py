@@ -1,0 +1,284 @@
+"""pydantic's report in the plain words of the house: one finding for each of its errors.
+
+Loaded only when a spec has faults.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any, get_args
+
+from pydantic import ValidationError
+
+from .findings import Finding
+from .joints import NAME_TAG, POINT_TAG
+from .phrases import Path, either, listing, nearest, show, show_path
+from .root import Spec
+from .table import Table
+from .units import UnitError
+
+Item = Any  # one entry of ValidationError.errors(): type, loc, input, ctx, msg
+
+# What a missing key is for, and what to write. A test holds this against the required fields of the tables.
+MISSING = {
+    "mechanism": (
+        "a spec describes a mechanism",
+        "add [mechanism.input], [[mechanism.links]] and [[mechanism.joints]]",
+    ),
+    "mechanism.input": (
+        "every mechanism needs an input",
+        'add [mechanism.input] with joint = "O" and speed = "55 rpm"',
+    ),
+    "mechanism.input.joint": ("the input is named by its joint with the frame", 'add joint = "O"'),
+    "mechanism.input.speed": ("the input needs its mean speed", 'add speed = "55 rpm"'),
+    "mechanism.links": ("every mechanism needs links", "add [[mechanism.links]], one for each moving link"),
+    "mechanism.links.id": ("every link needs its number", "add id = 1 (2, 3, ...); 0 is the frame"),
+    "mechanism.joints": (
+        "every mechanism needs joints",
+        "add [[mechanism.joints]], one for each pair of links",
+    ),
+    "mechanism.joints.name": ("every joint needs a name", 'add name = "A"'),
+    "mechanism.joints.kind": ("every joint needs a kind", 'add kind = "revolute" or kind = "prismatic"'),
+    "mechanism.joints.links": ("every joint needs its two links", "add links = [0, 1]; 0 is the frame"),
+    "mechanism.joints.guide": (
+        "every prismatic joint needs the line of its guide",
+        'add guide = { through = "B", angle = "0 deg" }, in the axes of the second of links',
+    ),
+    "mechanism.joints.guide.through": (
+        "the line runs through a point",
+        'add through = "B" or through = [x, y]',
+    ),
+}
+
+_ARRAYS_OF_TABLES = ("mechanism.links", "mechanism.joints", "mechanism.outputs")
+
+# Lists that are not points: what they hold, and an example.
+_LISTS = {
+    "mechanism.grid.extra": ("a list of input coordinates", 'extra = ["30 deg", "200 deg"]'),
+    "mechanism.joints.links": ("two link numbers", "links = [0, 1]"),
+    "mechanism.joints.points": ("the names of the pin on the two links", 'points = ["A", "A2"]'),
+}
+
+
+def findings(error: ValidationError) -> list[Finding]:
+    """Return one finding for each error, without the missing keys that are only misspelt."""
+    found, meant = [], set()
+    for item in error.errors(include_url=False):
+        if item["type"] == "extra_forbidden":
+            meant.add(_meant(item))
+        found.append(_finding(item))
+    return [
+        finding for finding in found if not (finding.path in meant and finding.message.startswith("missing"))
+    ]
+
+
+def _finding(item: Item) -> Finding:
+    path = _place(item["loc"])
+    return _WORDING.get(item["type"], _other)(item, path)
+
+
+def _place(loc: Path) -> Path:
+    """Return the TOML path of a pydantic location: without the tags of its unions."""
+    steps = [step for step in loc if step not in (NAME_TAG, POINT_TAG, "[key]")]
+    if loc[:2] == ("mechanism", "joints") and len(loc) > 3:
+        del steps[3]  # the kind of the joint
+    return tuple(steps)
+
+
+def _pattern(path: Path) -> str:
+    return ".".join(step for step in path if isinstance(step, str))
+
+
+def _missing(item: Item, path: Path) -> Finding:
+    rule, remedy = MISSING.get(_pattern(path), ("", ""))
+    return Finding(path, f"missing key: {rule}", remedy)
+
+
+def _no_kind(item: Item, path: Path) -> Finding:
+    return _missing(item, (*path, "kind"))
+
+
+def _wrong_kind(item: Item, path: Path) -> Finding:
+    return Finding(
+        (*path, "kind"),
+        f"{show(item['input'].get('kind'))} is not a kind of joint",
+        'write kind = "revolute" (a pin) or kind = "prismatic" (a slider and its guide)',
+    )
+
+
+def _quantity(item: Item, path: Path) -> Finding:
+    fault = item["ctx"]["error"]
+    return Finding(path, str(fault), fault.remedy if isinstance(fault, UnitError) else "")
+
+
+def _not_a_table(item: Item, path: Path) -> Finding:
+    pattern = _pattern(path)
+    if pattern in ("mechanism.joints.guide", "mechanism.joints.slider"):
+        remedy = f'write {path[-1]} = {{ through = "B", angle = "0 deg" }}'
+    elif pattern.endswith((".points", ".fixed", ".sketch")):
+        remedy = "write points by name: A = [x, y]"
+    elif pattern in _ARRAYS_OF_TABLES:
+        remedy = f"begin each with [[{pattern}]]"
+    else:
+        remedy = f"write a table: [{pattern}], then its keys"
+    return Finding(path, f"{show(item['input'])} is not a table", remedy)
+
+
+def _not_a_list(item: Item, path: Path) -> Finding:
+    pattern, value = _pattern(path), item["input"]
+    if pattern in _ARRAYS_OF_TABLES:
+        what = "a single table" if isinstance(value, dict) else show(value)
+        return Finding(
+            path, f"{what}, where a list of tables is needed", f"begin each with [[{pattern}]], two brackets"
+        )
+    rule, example = _LISTS.get(pattern, ("a point", 'two coordinates, such as [0, "620 mm"]'))
+    if path[-1] == "through":
+        rule, example = "a point", 'the name of a point, such as "B", or two coordinates [x, y]'
+    return Finding(path, f"{show(value)} is not {rule}", f"write {example}")
+
+
+def _wrong_length(item: Item, path: Path) -> Finding:
+    pattern, value = _pattern(path), item["input"]
+    if pattern in _ARRAYS_OF_TABLES:
+        return Finding(path, f"no {path[-1]}: {MISSING[pattern][0]}", MISSING[pattern][1])
+    rule, example = _LISTS.get(pattern, ("a point is two coordinates", '[x, y], such as [0, "620 mm"]'))
+    rule = "a joint connects two links" if pattern == "mechanism.joints.links" else rule
+    count = "no values" if not value else "1 value" if len(value) == 1 else f"{len(value)} values"
+    return Finding(path, f"{show(value)} has {count}; {rule}", f"write {example}")
+
+
+def _not_text(item: Item, path: Path) -> Finding:
+    return Finding(path, f"{show(item['input'])} is not a text", "write a text in quotes")
+
+
+def _not_whole(item: Item, path: Path) -> Finding:
+    value = item["input"]
+    whole = isinstance(value, float) and value.is_integer()
+    digits = str(int(value)) if whole else value.strip() if isinstance(value, str) else ""
+    plain = digits.removeprefix("-").isdecimal() and len(digits) < 20
+    return Finding(
+        path, f"{show(value)} is not a whole number", f"write {digits}" if plain else "write a whole number"
+    )
+
+
+def _not_bool(item: Item, path: Path) -> Finding:
+    return Finding(
+        path, f"{show(item['input'])} is neither true nor false", "write true or false, without quotes"
+    )
+
+
+def _not_listed(item: Item, path: Path) -> Finding:
+    expected = item["ctx"]["expected"].replace("'", '"')
+    return Finding(
+        path, f"{show(item['input'])} is not allowed here; the value is {expected}", f"write {expected}"
+    )
+
+
+def _too_small(item: Item, path: Path) -> Finding:
+    limit, value, pattern = item["ctx"]["ge"], item["input"], _pattern(path)
+    if value == 0 and pattern == "mechanism.links.id":
+        return Finding(
+            path, "0 is the frame, not a moving link", "its points stand in [mechanism.fixed]; count from 1"
+        )
+    if value == 0 and pattern == "mechanism.outputs.link":
+        return Finding(path, "link 0 is the frame and does not move", "name a moving link")
+    return Finding(path, f"{show(value)} is less than {limit}, the least allowed", f"write {limit} or more")
+
+
+def _other(item: Item, path: Path) -> Finding:
+    return Finding(path, f"{show(item['input'])}: {item['msg']}")
+
+
+def _unknown_key(item: Item, path: Path) -> Finding:
+    key, table = str(path[-1]), _table_name(path[:-1])
+    known = _keys_at(item["loc"])
+    if joint := _of_other_joint(item["loc"], key):
+        return Finding(path, *joint)
+    message = f"unknown key {show(key)}{f' in {table}' if table else ''}"
+    if guess := nearest(key, known):
+        return Finding(path, message, f'did you mean "{guess}"?')
+    homes = [_header(home) for home, keys in _homes() if key in keys]
+    remedy = f"{key} belongs in {either(homes)}" if homes else f"the keys here are: {listing(known)}"
+    return Finding(path, message, remedy)
+
+
+def _meant(item: Item) -> Path:
+    """Return the path that a misspelt key was meant to have, its own path if none is near."""
+    path = _place(item["loc"])
+    return (*path[:-1], nearest(str(path[-1]), _keys_at(item["loc"])) or path[-1])
+
+
+def _of_other_joint(loc: Path, key: str) -> tuple[str, str] | None:
+    """Return the message for a key that the other kind of joint has."""
+    if loc[:2] != ("mechanism", "joints") or len(loc) != 5:
+        return None
+    if loc[3] == "revolute" and key in ("guide", "slider"):
+        return f"a revolute joint has no {key}", f'remove {key}, or write kind = "prismatic"'
+    if loc[3] == "prismatic" and key in ("point", "points"):
+        line = 'guide = { through = "B" } and, where it needs one, slider = { through = "A" }'
+        return f"a prismatic joint has no {key}", f"its lines are {line}"
+    return None
+
+
+def _table_name(path: Path) -> str:
+    return _header(_pattern(path)) if path and not isinstance(path[-1], int) else show_path(path)
+
+
+def _header(pattern: str) -> str:
+    return f"[[{pattern}]]" if pattern in _ARRAYS_OF_TABLES else f"[{pattern}]"
+
+
+def _keys_at(loc: Path) -> list[str]:
+    """Return the keys that the table of an unknown key has, by walking the table classes along its place."""
+    tables: list[type[Table]] = [Spec]
+    for step in loc[:-1]:
+        if step in ("revolute", "prismatic"):
+            tables = [t for t in tables if "kind" in t.model_fields and _kind_of(t) == step]
+        elif isinstance(step, str):
+            tables = [
+                sub
+                for t in tables
+                if step in t.model_fields
+                for sub in _tables_in(t.model_fields[step].annotation)
+            ]
+    return [key for table in tables for key in table.model_fields]
+
+
+def _kind_of(table: type[Table]) -> object:
+    return get_args(table.model_fields["kind"].annotation)[0]
+
+
+def _tables_in(annotation: Any) -> list[type[Table]]:
+    if isinstance(annotation, type) and issubclass(annotation, Table):
+        return [annotation]
+    return [table for part in get_args(annotation) for table in _tables_in(part)]
+
+
+def _homes(table: type[Table] = Spec, pattern: str = "") -> Iterator[tuple[str, list[str]]]:
+    """Yield every table of the spec as its dotted name and its keys."""
+    for key, field in table.model_fields.items():
+        for sub in _tables_in(field.annotation):
+            name = f"{pattern}.{key}" if pattern else key
+            yield name, list(sub.model_fields)
+            yield from _homes(sub, name)
+
+
+_WORDING: dict[str, Callable[[Item, Path], Finding]] = {
+    "missing": _missing,
+    "extra_forbidden": _unknown_key,
+    "value_error": _quantity,
+    "model_type": _not_a_table,
+    "model_attributes_type": _not_a_table,
+    "dict_type": _not_a_table,
+    "list_type": _not_a_list,
+    "too_short": _wrong_length,
+    "too_long": _wrong_length,
+    "string_type": _not_text,
+    "int_type": _not_whole,
+    "int_from_float": _not_whole,
+    "bool_type": _not_bool,
+    "literal_error": _not_listed,
+    "greater_than_equal": _too_small,
+    "union_tag_not_found": _no_kind,
+    "union_tag_invalid": _wrong_kind,
+}
