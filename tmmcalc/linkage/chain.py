@@ -8,7 +8,6 @@ of the dyads; no difference is taken anywhere.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,8 +15,9 @@ import numpy as np
 from tmmcalc.errors import StructureError
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
-from tmmcalc.linkage.plane import LinkMotion, Point, Real, frame
-from tmmcalc.linkage.steps import Motions, Rates, Slide, Slides, Step, build, seat
+from tmmcalc.linkage.mounts import Motions, Rates, Slide, Slides
+from tmmcalc.linkage.plane import LinkMotion, Real, frame
+from tmmcalc.linkage.steps import Step, build, seat
 from tmmcalc.linkage.structure import Structure
 
 _STILL = Rates(*(np.zeros(()) for _ in range(4)))
@@ -32,8 +32,7 @@ class Configuration(NamedTuple):
     placed: list[Any]
 
 
-@dataclass(frozen=True)
-class Chain:
+class Chain(NamedTuple):
     """A mechanism with its structure and one variant sign a dyad, ready to be evaluated."""
 
     mechanism: Mechanism
@@ -55,8 +54,8 @@ class Chain:
     ) -> Configuration:
         """Positions and, with ``order=2``, both derivatives at the input coordinates ``x`` (n,).
 
-        ``steps`` limits the chain to its first dyads. Where a dyad does not assemble its links come out
-        as NaN: the caller asks `unassembled` before it shows anything.
+        ``steps`` limits the chain to its first dyads. The coordinates must lie where the mechanism assembles
+        (see `assembly`); elsewhere the motions are NaN.
         """
         motions: Motions = {FRAME: frame()}
         slides: Slides = {}
@@ -92,15 +91,7 @@ class Chain:
     def margins(self, x: Real, step: int) -> Real:
         """Assembly margin of one dyad at the coordinates ``x``; the dyads before it must assemble there."""
         ports = self.steps[step].ports(self.evaluate(x, order=0, steps=step).motions)
-        return self.steps[step].dyad.margin(*ports)
-
-    def unassembled(self, configuration: Configuration) -> tuple[int, np.ndarray] | None:
-        """The first dyad that does not reach somewhere, with the mask (n,) of those positions."""
-        for k, (step, ports) in enumerate(zip(self.steps, configuration.ports, strict=True)):
-            broken = ~(step.dyad.margin(*ports) >= 0)
-            if broken.any():
-                return k, broken
-        return None
+        return np.broadcast_to(self.steps[step].dyad.margin(*ports), x.shape)
 
 
 def _rates(step: Step, ports: tuple[Any, Any], placed: Any, method: solvers.Method) -> Rates:
@@ -126,8 +117,3 @@ def compile_chain(mechanism: Mechanism, structure: Structure, variants: Mapping[
             )
     steps = tuple(build(mechanism, group, variants.get(group.name, 1)) for group in structure.groups)
     return Chain(mechanism, structure, steps)
-
-
-def point(configuration: Configuration, link: int, p: complex) -> Point:
-    """State of a point given in the axes of a link."""
-    return configuration.motions[link].point(p)

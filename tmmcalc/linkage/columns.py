@@ -13,8 +13,8 @@ speed. A column is computed when it is asked for.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,8 +23,7 @@ from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics
 
 
-@dataclass(frozen=True)
-class Column:
+class Column(NamedTuple):
     """A named quantity (n,) with its unit."""
 
     name: str
@@ -37,8 +36,7 @@ class Column:
         return f"{self.name}[{self.unit}]"
 
 
-@dataclass(frozen=True)
-class _Units:
+class _Units(NamedTuple):
     """Names of the units and the factors that bring SI values into them."""
 
     length: tuple[str, float]

@@ -9,7 +9,8 @@ positions written with six decimals the best step is 1.5 to 2 degrees, as the te
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -53,18 +54,24 @@ def _rounded(positions: Trace, decimals: int | None, unit: float) -> Trace:
     )
 
 
-@dataclass(frozen=True)
-class StepError:
-    """Errors of one step: largest and mean absolute error of S' and S'' over the positions."""
+class DifferenceError(NamedTuple):
+    """Errors of central differences over the positions: largest and mean of |S'| and |S''| errors."""
 
-    step: float  # [rad or m]
     max_first: float
     mean_first: float
     max_second: float
     mean_second: float
 
 
-def step_error(step: float, exact: tuple[Real, Real], found: tuple[Real, Real], unit: float) -> StepError:
+class StepError(NamedTuple):
+    """Errors of one step [rad or m], from positions rounded to some decimals and in double precision."""
+
+    step: float
+    rounded: DifferenceError
+    double: DifferenceError
+
+
+def difference_error(exact: tuple[Real, Real], found: tuple[Real, Real], unit: float) -> DifferenceError:
     """Compare S', S'' (n,) by differences with the exact ones, in multiples of ``unit``."""
     first, second = (np.abs(a - b) / unit for a, b in zip(exact, found, strict=True))
-    return StepError(step, float(first.max()), float(first.mean()), float(second.max()), float(second.mean()))
+    return DifferenceError(*(float(v) for v in (first.max(), first.mean(), second.max(), second.mean())))

@@ -20,7 +20,13 @@ from tmmcalc.errors import AssemblyError, SingularityError
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.assembly import TURN, Domain, check_range, coordinate, find_domain
 from tmmcalc.linkage.chain import Chain, compile_chain
-from tmmcalc.linkage.differentiation import differentiate
+from tmmcalc.linkage.differentiation import (
+    STEPS_DEG,
+    DifferenceError,
+    StepError,
+    difference_error,
+    differentiate,
+)
 from tmmcalc.linkage.grid import distances
 from tmmcalc.linkage.model import Mechanism, Output
 from tmmcalc.linkage.outputs import default_outputs, summarise, working_start
@@ -33,6 +39,7 @@ from tmmcalc.linkage.survey import survey
 from tmmcalc.linkage.trace import Trace, continuous, trace
 from tmmcalc.linkage.variants import candidates, distance, given_variants, nearest, sketched_groups
 
+BOOK_STEP = math.radians(1.5)  # recommended for positions with six decimals
 SEAM = 0.01  # the search for assembly intervals starts at an angle where nothing special happens [rad]
 
 
@@ -150,7 +157,8 @@ def crank_length(chain: Chain) -> float | None:
 
 def _evaluate(chain: Chain, x: Real, method: Method, unit: float) -> Trace:
     if method.name == "differences":
-        return differentiate(chain, x, method.step, method.decimals, unit)
+        step = method.step or (BOOK_STEP if chain.turns else (chain.mechanism.grid.span or 1.0) / 240)
+        return differentiate(chain, x, step, method.decimals, unit)
     return trace(chain, x, solvers.projection if method.name == "projection" else solvers.closed)
 
 
@@ -183,3 +191,24 @@ def _row(chain: Chain, output: Output, values: Trace) -> tuple[Real, Real, Real]
     k = values.point_names.index(output.point or "")
     turn = np.exp(-1j * output.direction) if output.direction else 1.0
     return (values.r[k] * turn).real, (values.dr[k] * turn).real, (values.ddr[k] * turn).real
+
+
+def step_study(mechanism: Mechanism, result: Kinematics, decimals: int = 6) -> list[StepError]:
+    """Error of central differences of the first output against their step (textbook 2.4, 2.9).
+
+    Lengths are in units of the crank length; positions are rounded to ``decimals`` and, beside that, taken in
+    double precision. The steps are those of the textbook's range, as parts of a turn or of the range.
+    """
+    chain = compile_chain(mechanism, result.structure, result.variants)
+    output = default_outputs(chain)[0]
+    unit = result.crank_length or 1.0
+    scale = 1.0 if output.link is not None else unit
+    per_degree = math.radians(1.0) if result.turns else float(np.ptp(result.x)) / 360
+
+    def error(step: float, digits: int | None) -> DifferenceError:
+        _, ds, dds = _row(chain, output, differentiate(chain, result.x, step, digits, unit))
+        return difference_error((exact[1], exact[2]), (ds, dds), scale)
+
+    exact = _row(chain, output, trace(chain, result.x))
+    steps = [degrees * per_degree for degrees in STEPS_DEG]
+    return [StepError(step, error(step, decimals), error(step, None)) for step in steps]

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -63,8 +63,7 @@ class Grade:
         return f"{self.severity}: {self.where}: {self.message}"
 
 
-@dataclass(frozen=True)
-class _Measure:
+class _Measure(NamedTuple):
     """One squared sine to minimise: of the transmission angle, or of the regularity, of dyad ``k``."""
 
     k: int

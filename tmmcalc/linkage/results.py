@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -25,11 +24,12 @@ class Method:
 
     ``closed``: elimination by cross products (default). ``projection``: the vector equations projected on
     two axes and solved as 2x2 systems. ``differences``: central differences of positions with ``step`` [rad or
-    m], of positions rounded to ``decimals`` of the crank length if given (textbook (2.62), (2.63)).
+    m] (by default 1.5 degrees, or 1/240 of a slider's range), of positions rounded to ``decimals`` of the crank
+    length if given (textbook (2.62), (2.63)).
     """
 
     name: MethodName = "closed"
-    step: float = math.radians(1.5)
+    step: float | None = None
     decimals: int | None = None
 
 

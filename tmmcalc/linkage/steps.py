@@ -1,44 +1,31 @@
-"""How each kind of dyad hangs on the chain: its ports from solved links, its links from its placement.
+"""How each kind of dyad hangs on the chain: read once from the mechanism.
 
-A step reads the constants of a group once from the mechanism: where its outer joints sit on links of
-the source chain (ports), and how the axes of its own links stand to the vectors of the dyad. The sliding
-coordinate of a prismatic joint is measured from the guide link's point to the slider's; ``sign`` is -1
-where the group's link carries the guide and the source link (or link b) the slider.
+A step knows where its outer joints sit on links of the source chain (the ports), the metric of the dyad, and
+the mount that ties the axes of its own links to the dyad's vectors.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from tmmcalc.linkage.dyads import PRP, RPP, RPR, RRP, RRR, Dyad
 from tmmcalc.linkage.model import Joint, Mechanism
-from tmmcalc.linkage.plane import Guide, LinkMotion, Plane, Point, Real, rotated
+from tmmcalc.linkage.mounts import (
+    Motions,
+    Mount,
+    PRPMount,
+    Rates,
+    RPPMount,
+    RPRMount,
+    RRPMount,
+    RRRMount,
+    Sites,
+    Slides,
+)
+from tmmcalc.linkage.plane import Guide, Point
 from tmmcalc.linkage.structure import Group
-
-Motions = dict[int, LinkMotion]
-
-
-class Slide(NamedTuple):
-    """Coordinate of a prismatic joint and its first and second derivative; each real (n,) [m, ...]."""
-
-    s: Real
-    ds: Real
-    dds: Real
-
-
-Slides = dict[str, Slide]
-
-
-class Rates(NamedTuple):
-    """Rates x, y of a dyad and their derivatives; zero for positions only."""
-
-    x: Real
-    y: Real
-    xx: Real
-    yy: Real
 
 
 class Seat(NamedTuple):
@@ -49,6 +36,20 @@ class Seat(NamedTuple):
     direction: complex
     slider: bool  # this link is the slider of a prismatic joint
 
+    def port(self, letter: str, motions: Motions) -> Point | Guide:
+        """State of the outer joint on a solved link: a point for R, a guide for P."""
+        motion = motions[self.link]
+        return motion.point(self.point) if letter == "R" else motion.guide(self.point, self.direction)
+
+    @property
+    def sign(self) -> int:
+        """+1 if the coordinate of the joint grows with this link's own advance along the line."""
+        return 1 if self.slider else -1
+
+    def along(self, point: complex) -> complex:
+        """The vector from the line's point to this point of the same link, in axes of the line."""
+        return complex(np.conj(self.direction) * (point - self.point))
+
 
 def seat(joint: Joint, link: int) -> Seat:
     """The joint's constants in the axes of this link."""
@@ -56,175 +57,25 @@ def seat(joint: Joint, link: int) -> Seat:
     return Seat(link, joint.points[side], joint.directions[side], side == 0)
 
 
-def _other(joint: Joint, link: int) -> int:
-    return joint.links[1 - joint.links.index(link)]
-
-
-@dataclass(frozen=True)
-class Step:
-    """One dyad of the chain. Subclasses say how its links move; ``group`` names it in messages."""
+class Step(NamedTuple):
+    """One dyad of the chain; ``group`` names it in messages."""
 
     group: Group
     variant: int  # sign as the spec gives it; 1 for the kinds with one assembly
     dyad: Dyad
     port1: Seat
     port2: Seat
+    mount: Mount
 
     def ports(self, motions: Motions) -> tuple[Any, Any]:
         """States of the two ports on the links solved before."""
-        return (
-            _port(self.group.kind[0], self.port1, motions),
-            _port(self.group.kind[2], self.port2, motions),
-        )
+        kind = self.group.kind
+        return self.port1.port(kind[0], motions), self.port2.port(kind[2], motions)
 
     def move(self, motions: Motions, slides: Slides, ports: tuple[Any, Any], placed: Any, rates: Rates) -> None:
         """Add the motions of the group's links, and its sliding coordinates."""
-        raise NotImplementedError
-
-
-def _port(letter: str, at: Seat, motions: Motions) -> Point | Guide:
-    motion = motions[at.link]
-    return motion.point(at.point) if letter == "R" else motion.guide(at.point, at.direction)
-
-
-def _carried(guide: LinkMotion, turn: complex, base: complex, at: Point) -> LinkMotion:
-    """Motion of a link that keeps the constant turn (unit) to the guide's link."""
-    turned = (guide.u, guide.u1, guide.u2) if turn == 1 else (guide.u * turn, guide.u1 * turn, guide.u2 * turn)
-    return LinkMotion(base, *at, *turned, guide.omega, guide.eps)
-
-
-def _slid(guide: Guide, s: Real, rate: Real, rate2: Real) -> Point:
-    """State of the point at the coordinate s on a moving guide line (Coriolis term included)."""
-    x = s * guide.e
-    v = guide.v + 1j * guide.omega * x + rate * guide.e
-    turning = (1j * guide.eps - guide.omega**2) * x + (rate2 + 2j * guide.omega * rate) * guide.e
-    return Point(guide.r + x, v, guide.a + turning)
-
-
-def _signed(sign: int, s: Real, rate: Real, rate2: Real) -> Slide:
-    return Slide(s, rate, rate2) if sign > 0 else Slide(-s, -rate, -rate2)
-
-
-@dataclass(frozen=True)
-class RRRStep(Step):
-    """RRR: both links turn about their outer pins."""
-
-    pin_a: complex  # outer joint of a, in the axes of a
-    pin_b: complex
-    vector_a: complex  # outer to inner joint, in the axes of a
-    vector_b: complex
-
-    def move(self, motions: Motions, slides: Slides, ports: tuple[Any, Any], placed: Any, rates: Rates) -> None:
-        """Base points are the outer pins."""
-        a, b = self.group.links
-        motions[a] = rotated(self.pin_a, ports[0], placed.a / self.vector_a, rates.x, rates.xx)
-        motions[b] = rotated(self.pin_b, ports[1], placed.b / self.vector_b, rates.y, rates.yy)
-
-
-@dataclass(frozen=True)
-class RRPStep(Step):
-    """RRP: rod a turns about its outer pin, slider b follows the guide; its base point is the inner pin."""
-
-    pin_a: complex
-    vector_a: complex
-    inner_a: complex
-    inner_b: complex
-    turn: complex  # axes of b against the axes of the source link, unit
-    shift: float  # from the slider's line point to the inner pin, along the guide [m]
-    outer: str
-    sign: int
-
-    def move(self, motions: Motions, slides: Slides, ports: tuple[Any, Any], placed: Any, rates: Rates) -> None:
-        """The rod carries the inner pin, the pin carries the slider."""
-        a, b = self.group.links
-        motions[a] = rotated(self.pin_a, ports[0], placed.a / self.vector_a, rates.x, rates.xx)
-        pin = motions[a].point(self.inner_a)
-        motions[b] = _carried(motions[self.port2.link], self.turn, self.inner_b, pin)
-        slides[self.outer] = _signed(self.sign, placed.s - self.shift, rates.y, rates.yy)
-
-
-@dataclass(frozen=True)
-class RPRStep(Step):
-    """RPR: both links turn alike, each about its own outer pin."""
-
-    pin_a: complex
-    pin_b: complex
-    axis_b: complex  # direction of the line in the axes of b, unit
-    turn: complex  # axes of a against the axes of b, unit
-    shift: float
-    inner: str
-    sign: int
-
-    def move(self, motions: Motions, slides: Slides, ports: tuple[Any, Any], placed: Any, rates: Rates) -> None:
-        """Link b carries the direction, link a keeps a constant turn to it."""
-        a, b = self.group.links
-        u = placed.e if self.axis_b == 1 else placed.e / self.axis_b
-        motions[b] = rotated(self.pin_b, ports[1], u, rates.x, rates.xx)
-        motions[a] = _carried(motions[b], self.turn, self.pin_a, ports[0])
-        slides[self.inner] = _signed(self.sign, placed.s - self.shift, rates.y, rates.yy)
-
-
-@dataclass(frozen=True)
-class PRPStep(Step):
-    """PRP: two sliders, each turning with its own guide; the base point of both is the inner pin."""
-
-    inner_a: complex
-    inner_b: complex
-    turn_a: complex
-    turn_b: complex
-    shift_a: float
-    shift_b: float
-    outer: tuple[str, str]
-    signs: tuple[int, int]
-
-    def move(self, motions: Motions, slides: Slides, ports: tuple[Any, Any], placed: Any, rates: Rates) -> None:
-        """The inner pin slides on the first guide."""
-        a, b = self.group.links
-        on_guide = Guide(*_offset(ports[0], placed.offset1 - placed.s1 * placed.e1), *ports[0][3:])
-        pin = _slid(on_guide, placed.s1, rates.x, rates.xx)
-        motions[a] = _carried(motions[self.port1.link], self.turn_a, self.inner_a, pin)
-        motions[b] = _carried(motions[self.port2.link], self.turn_b, self.inner_b, pin)
-        slides[self.outer[0]] = _signed(self.signs[0], placed.s1 - self.shift_a, rates.x, rates.xx)
-        slides[self.outer[1]] = _signed(self.signs[1], placed.s2 - self.shift_b, rates.y, rates.yy)
-
-
-def _offset(guide: Guide, x: Plane) -> Point:
-    """State of the point of the guide's link at the vector x from its reference point."""
-    return Point(
-        guide.r + x,
-        guide.v + 1j * guide.omega * x,
-        guide.a + (1j * guide.eps - guide.omega**2) * x,
-    )
-
-
-@dataclass(frozen=True)
-class RPPStep(Step):
-    """RPP: both links keep a constant turn to the guide's link; b slides on it, a is pinned."""
-
-    pin_a: complex
-    line_b: complex  # point of b's outer line, in the axes of b
-    turn_a: complex
-    turn_b: complex
-    shift_a: float
-    shift_b: float
-    inner: str
-    outer: str
-    signs: tuple[int, int]  # of the inner and of the outer joint
-
-    def move(self, motions: Motions, slides: Slides, ports: tuple[Any, Any], placed: Any, rates: Rates) -> None:
-        """The base point of a is its pin, that of b its point on the guide."""
-        a, b = self.group.links
-        guide = motions[self.port2.link]
-        s1 = placed.s1 - self.shift_b
-        motions[a] = _carried(guide, self.turn_a, self.pin_a, ports[0])
-        motions[b] = _carried(guide, self.turn_b, self.line_b, _slid(ports[1], s1, rates.x, rates.xx))
-        slides[self.outer] = _signed(self.signs[1], s1, rates.x, rates.xx)
-        slides[self.inner] = _signed(self.signs[0], placed.s2 - self.shift_a, rates.y, rates.yy)
-
-
-def build(mechanism: Mechanism, group: Group, variant: int) -> Step:
-    """Read the constants of this dyad from the mechanism."""
-    return _BUILDERS[group.kind](mechanism, group, variant)
+        sites = Sites(self.group.links, (self.port1.link, self.port2.link), *ports)
+        self.mount.move(sites, motions, slides, placed, rates)
 
 
 class _Sides(NamedTuple):
@@ -236,6 +87,13 @@ class _Sides(NamedTuple):
     outer_b: Seat
     inner_a: Seat
     inner_b: Seat
+
+
+def build(mechanism: Mechanism, group: Group, variant: int) -> Step:
+    """Read the constants of this dyad from the mechanism."""
+    sides = _sides(mechanism, group)
+    dyad, mount = _BUILDERS[group.kind](sides, group, variant)
+    return Step(group, variant, dyad, sides.port1, sides.port2, mount)
 
 
 def _sides(mechanism: Mechanism, group: Group) -> _Sides:
@@ -251,106 +109,77 @@ def _sides(mechanism: Mechanism, group: Group) -> _Sides:
     )
 
 
-def _sign(own: Seat) -> int:
-    return 1 if own.slider else -1
+def _other(joint: Joint, link: int) -> int:
+    return joint.links[1 - joint.links.index(link)]
 
 
-def _along(line: Seat, point: complex) -> complex:
-    """The vector from the line's point to this point of the same link, in axes of the line."""
-    return np.conj(line.direction) * (point - line.point)
-
-
-def _rrr(mechanism: Mechanism, group: Group, variant: int) -> Step:
-    s = _sides(mechanism, group)
+def _rrr(s: _Sides, group: Group, variant: int) -> tuple[Dyad, Mount]:
     vector_a, vector_b = s.inner_a.point - s.outer_a.point, s.inner_b.point - s.outer_b.point
-    dyad = RRR(abs(vector_a), abs(vector_b), variant)
-    return RRRStep(group, variant, dyad, s.port1, s.port2, s.outer_a.point, s.outer_b.point, vector_a, vector_b)
+    mount = RRRMount(s.outer_a.point, s.outer_b.point, vector_a, vector_b)
+    return RRR(abs(vector_a), abs(vector_b), variant), mount
 
 
-def _rrp(mechanism: Mechanism, group: Group, variant: int) -> Step:
-    s = _sides(mechanism, group)
+def _rrp(s: _Sides, group: Group, variant: int) -> tuple[Dyad, Mount]:
     vector = s.inner_a.point - s.outer_a.point
-    pin = _along(s.outer_b, s.inner_b.point)
-    return RRPStep(
-        group,
-        variant,
-        RRP(abs(vector), pin.imag, variant),
-        s.port1,
-        s.port2,
-        s.outer_a.point,
-        vector,
-        s.inner_a.point,
-        s.inner_b.point,
-        s.port2.direction / s.outer_b.direction,
-        pin.real,
-        group.outer[1],
-        _sign(s.outer_b),
+    pin = s.outer_b.along(s.inner_b.point)
+    mount = RRPMount(
+        pin_a=s.outer_a.point,
+        vector_a=vector,
+        inner_a=s.inner_a.point,
+        inner_b=s.inner_b.point,
+        turn=s.port2.direction / s.outer_b.direction,
+        shift=pin.real,
+        outer=group.outer[1],
+        sign=s.outer_b.sign,
     )
+    return RRP(abs(vector), pin.imag, variant), mount
 
 
-def _rpr(mechanism: Mechanism, group: Group, variant: int) -> Step:
-    """The book measures s from the pivot of the guide link; variant +1 puts the slider's pivot ahead of it."""
-    s = _sides(mechanism, group)
-    shift = _along(s.inner_a, s.outer_a.point) - _along(s.inner_b, s.outer_b.point)
-    sign = _sign(s.inner_a)
-    return RPRStep(
-        group,
-        variant,
-        RPR(shift.imag, variant * sign),
-        s.port1,
-        s.port2,
-        s.outer_a.point,
-        s.outer_b.point,
-        s.inner_b.direction,
-        s.inner_b.direction / s.inner_a.direction,
-        shift.real,
-        group.inner[0],
-        sign,
+def _rpr(s: _Sides, group: Group, variant: int) -> tuple[Dyad, Mount]:
+    """Variant +1 puts the slider's pivot ahead of the guide link's, whichever of the two is link a."""
+    shift = s.inner_a.along(s.outer_a.point) - s.inner_b.along(s.outer_b.point)
+    mount = RPRMount(
+        pin_a=s.outer_a.point,
+        pin_b=s.outer_b.point,
+        axis_b=s.inner_b.direction,
+        turn=s.inner_b.direction / s.inner_a.direction,
+        shift=shift.real,
+        inner=group.inner[0],
+        sign=s.inner_a.sign,
     )
+    return RPR(shift.imag, variant * s.inner_a.sign), mount
 
 
-def _prp(mechanism: Mechanism, group: Group, variant: int) -> Step:
-    s = _sides(mechanism, group)
-    pin_a, pin_b = _along(s.outer_a, s.inner_a.point), _along(s.outer_b, s.inner_b.point)
-    return PRPStep(
-        group,
-        variant,
-        PRP(pin_a.imag, pin_b.imag),
-        s.port1,
-        s.port2,
-        s.inner_a.point,
-        s.inner_b.point,
-        s.port1.direction / s.outer_a.direction,
-        s.port2.direction / s.outer_b.direction,
-        pin_a.real,
-        pin_b.real,
-        (group.outer[0], group.outer[1]),
-        (_sign(s.outer_a), _sign(s.outer_b)),
+def _prp(s: _Sides, group: Group, variant: int) -> tuple[Dyad, Mount]:
+    pin_a, pin_b = s.outer_a.along(s.inner_a.point), s.outer_b.along(s.inner_b.point)
+    mount = PRPMount(
+        inner_a=s.inner_a.point,
+        inner_b=s.inner_b.point,
+        turn_a=s.port1.direction / s.outer_a.direction,
+        turn_b=s.port2.direction / s.outer_b.direction,
+        shift_a=pin_a.real,
+        shift_b=pin_b.real,
+        outer=(group.outer[0], group.outer[1]),
+        signs=(s.outer_a.sign, s.outer_b.sign),
     )
+    return PRP(pin_a.imag, pin_b.imag), mount
 
 
-def _rpp(mechanism: Mechanism, group: Group, variant: int) -> Step:
-    s = _sides(mechanism, group)
-    turn_b = s.port2.direction / s.outer_b.direction
+def _rpp(s: _Sides, group: Group, variant: int) -> tuple[Dyad, Mount]:
     d = s.inner_b.direction / s.outer_b.direction
-    line = _along(s.outer_b, s.inner_b.point)
-    pin = _along(s.inner_a, s.outer_a.point)
-    return RPPStep(
-        group,
-        variant,
-        RPP(d, line.imag, pin.imag),
-        s.port1,
-        s.port2,
-        s.outer_a.point,
-        s.outer_b.point,
-        s.port2.direction * d / s.inner_a.direction,
-        turn_b,
-        pin.real,
-        line.real,
-        group.inner[0],
-        group.outer[1],
-        (_sign(s.inner_a), _sign(s.outer_b)),
+    line, pin = s.outer_b.along(s.inner_b.point), s.inner_a.along(s.outer_a.point)
+    mount = RPPMount(
+        pin_a=s.outer_a.point,
+        line_b=s.outer_b.point,
+        turn_a=s.port2.direction * d / s.inner_a.direction,
+        turn_b=s.port2.direction / s.outer_b.direction,
+        shift_a=pin.real,
+        shift_b=line.real,
+        inner=group.inner[0],
+        outer=group.outer[1],
+        signs=(s.inner_a.sign, s.outer_b.sign),
     )
+    return RPP(d, line.imag, pin.imag), mount
 
 
 _BUILDERS = {"RRR": _rrr, "RRP": _rrp, "RPR": _rpr, "PRP": _prp, "RPP": _rpp}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,8 +16,7 @@ SWIFT = 1.0  # a link that turns more in one step [rad] gets that step halved
 HALVINGS = 12
 
 
-@dataclass(frozen=True)
-class Survey:
+class Survey(NamedTuple):
     """Ascending input coordinates (m,), the configuration there, and continuous angles (L, m) of ``links``."""
 
     x: Real

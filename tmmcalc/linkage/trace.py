@@ -7,6 +7,7 @@ continuous against the survey of the range, whose steps are short enough that no
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -36,8 +37,7 @@ class Trace:
     dds: Real  # (J, n)
 
 
-@dataclass(frozen=True)
-class Layout:
+class Layout(NamedTuple):
     """What is stacked, in which order: named points with their owner, links, prismatic joints."""
 
     points: tuple[tuple[str, int, complex], ...]

@@ -30,8 +30,9 @@ def _chebyshev(n: int) -> tuple[Values, Values, Values, Values]:
     matrix = weights[None, :] / weights[:, None] / gap
     np.fill_diagonal(matrix, 0.0)
     np.fill_diagonal(matrix, -matrix.sum(axis=1))
-    basis = np.cos(np.outer(np.arccos(np.clip(t, -1, 1)), k))
-    return t, weights, matrix, np.linalg.inv(basis)
+    halves = np.where((k == 0) | (k == n - 1), 2.0, 1.0)
+    to_coefficients = 2 / (n - 1) * np.cos(np.pi * np.outer(k, n - 1 - k) / (n - 1)) / np.outer(halves, halves)
+    return t, weights, matrix, to_coefficients
 
 
 def refine(f: Problems, guess: Values, radius: Values) -> tuple[Values, Values]:

@@ -24,17 +24,17 @@ class Event:
     seconds: float = 0.0  # run time of the stage, files included
 
 
-@dataclass(frozen=True)
 class Outcome:
     """The record of a stage and what is made of it, each at first use."""
 
-    stage: Stage
-    source: Callable[[], Record]
+    def __init__(self, stage: Stage, source: Callable[[], Record]) -> None:
+        self.stage = stage
+        self._source = source
 
     @cached_property
     def record(self) -> Record:
         """The stored form."""
-        return self.source()
+        return self._source()
 
     @cached_property
     def result(self) -> Any:

@@ -7,7 +7,7 @@ not see the same numbers to the last bit. Without an output folder nothing is ha
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
@@ -63,17 +63,24 @@ def run(
     return RunResult(work.outcomes, scene, tuple(work.events), files)
 
 
-@dataclass
 class _Run:
-    """The state of a run: what is done so far."""
+    """The state of a run: what is done so far. ``forced`` says why a stage is computed whatever is stored."""
 
-    spec: object
-    options: Settings
-    forced: Mapping[str, str]  # why a stage is computed even if its files are valid
-    archive: Archive | None
-    on_event: Callable[[Event], None] | None
-    outcomes: dict[str, Outcome] = field(default_factory=dict)
-    events: list[Event] = field(default_factory=list)
+    def __init__(
+        self,
+        spec: object,
+        options: Settings,
+        forced: Mapping[str, str],
+        archive: Archive | None,
+        on_event: Callable[[Event], None] | None,
+    ) -> None:
+        self.spec = spec
+        self.options = options
+        self.forced = forced
+        self.archive = archive
+        self.on_event = on_event
+        self.outcomes: dict[str, Outcome] = {}
+        self.events: list[Event] = []
 
     def tell(self, event: Event) -> None:
         self.events.append(event)

@@ -2,30 +2,44 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 from tmmcalc.pipeline.stage import Stage
 
 
-def _linkage(name: str, title: str, needs: tuple[str, ...] = ()) -> Stage:
-    """Declare a stage whose functions are ``<name>_inputs``, ``<name>_solve``, ... of the linkage room."""
-    prefix = f"tmmcalc.linkage.stages:{name}"
+def _stage(
+    name: str,
+    title: str,
+    *,
+    needs: tuple[str, ...] = (),
+    settings: Mapping[str, Any] | None = None,
+    table: bool = True,
+) -> Stage:
+    """Declare a stage whose functions live in the module of its name."""
+    home = f"tmmcalc.stages.{name}"
     return Stage(
         name=name,
         title=title,
         needs=needs,
-        inputs=f"{prefix}_inputs",
-        solve=f"{prefix}_solve",
-        dump=f"{prefix}_dump",
-        load=f"{prefix}_load",
-        table=f"{prefix}_table",
+        inputs=f"{home}:inputs",
+        solve=f"{home}:solve",
+        dump=f"{home}:dump",
+        load=f"{home}:load",
+        table=f"{home}:table" if table else "",
+        settings=settings or {},
     )
 
 
 STAGES: dict[str, Stage] = {
     stage.name: stage
     for stage in (
-        _linkage("structure", "mobility, Assur groups, structural formula, class and order"),
-        _linkage(
-            "kinematics", "positions, velocities and accelerations over the cycle", needs=("structure",)
+        _stage("structure", "mobility, Assur groups, structural formula, class and order", table=False),
+        _stage(
+            "kinematics",
+            "positions, velocities and accelerations over the cycle",
+            needs=("structure",),
+            settings={"method": "closed", "step": 0.0, "decimals": 0},  # 0: the default step, no rounding
         ),
     )
 }

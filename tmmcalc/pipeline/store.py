@@ -60,7 +60,8 @@ class Store:
     def __init__(self, folder: Path) -> None:
         """Raise UsageError if ``folder`` cannot be a folder because a file is in its place."""
         self.folder = Path(folder)
-        taken = next((path for path in (self.folder, *self.folder.parents) if path.exists()), None)
+        with blamed_on(self.folder, "used"):
+            taken = next((path for path in (self.folder, *self.folder.parents) if path.exists()), None)
         if taken is not None and not taken.is_dir():
             raise UsageError(f"{taken}: is a file, not a folder", remedy="choose another output folder")
 

@@ -122,5 +122,6 @@ def _whose(path: Path, data: dict[str, Any]) -> str:
         return ""
     element = data["mechanism"][path[1]][path[2]]
     key, form = ("id", "link {}") if path[1] == "links" else ("name", 'joint "{}"')
-    named = isinstance(element, dict) and isinstance(element.get(key), int | str) and path[3:] != (key,)
-    return form.format(str(element[key])[:40]) if named else ""
+    value = element.get(key) if isinstance(element, dict) else None
+    named = isinstance(value, int | str) and path[3:] != (key,) and str(value).isprintable()
+    return form.format(str(value)[:40]) if named else ""

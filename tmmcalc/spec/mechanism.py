@@ -22,7 +22,7 @@ class MechanismTable(Table):
         default=-math.pi / 2, description="Direction of gravity, from the x axis."
     )
     grid: GridTable = Field(default_factory=GridTable, description="Positions of the input.")
-    input: InputTable = Field(description="The input link and its motion.")
+    input: InputTable = Field(description="The joint of the input link with the frame, and its motion.")
     outputs: list[OutputTable] = Field(default=[], description="Output coordinates of the mechanism.")
     fixed: dict[PointName, Point] = Field(
         default={}, description="Points [x, y] of the frame, which is link 0."

@@ -105,7 +105,7 @@ def _read(assignment: str) -> tuple[list[Step], object]:
         if match:
             steps.append(_selector(match))
         elif match := _KEY.match(assignment, at):
-            steps.append(match.group().strip("\"'"))
+            steps.append(_plain(match.group()))
         else:
             raise _refusal(assignment, "the path cannot be read", "write it as mechanism.links[id=3].mass=50")
         at = match.end()
@@ -113,6 +113,10 @@ def _read(assignment: str) -> tuple[list[Step], object]:
         if rest.startswith("="):
             return steps, _value(assignment, rest[1:])
         at += assignment[at:].startswith(".")
+
+
+def _plain(key: str) -> str:
+    return key[1:-1] if key[0] in "\"'" else key
 
 
 def _selector(match: re.Match[str]) -> Step:

@@ -133,7 +133,11 @@ class Name(_Reader):
 
 def _unit_pattern(unit: str) -> str:
     """Return a regex of one unit that takes ``·`` and the raised digits as well."""
-    return re.escape(unit).replace(r"\*", "[*·]").replace(r"\^2", "(\\^2|²)").replace(r"\^3", "(\\^3|³)")
+    # A unit that begins with a digit (1/s) keeps its distance from the number.
+    gap = r"\s" if unit[0].isdigit() else ""
+    return gap + re.escape(unit).replace(r"\*", "[*·]").replace(r"\^2", "(\\^2|²)").replace(
+        r"\^3", "(\\^3|³)"
+    )
 
 
 def _stranger(name: str) -> str:

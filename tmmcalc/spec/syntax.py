@@ -10,25 +10,22 @@ from tmmcalc.errors import Fault, SpecError
 
 _PLACE = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", re.DOTALL)
 
-# Slips seen on the line itself come first: what stands on the line tells more than the parser's words.
+_TWO_BRACKETS = "several links or joints begin, each of them, with two brackets: [[mechanism.links]]"
+
+# Slips seen on the line itself: what stands there tells more than the parser's words. Groups fill the remedy.
 _LINE_REMEDIES = (
-    (
-        r"^[^=#]*=\s*[+-]?[\d.]+(e[+-]?\d+)?\s*([A-Za-zµ°][^,\]}#\s]*)",
-        'a quantity with a unit stands in quotes: "200 mm"',
-    ),
-    (r"=\s*[+-]?\d+,\d", "numbers have a decimal point: 0.5"),
-    (r"=\s*\.\d|\[\s*\.\d|,\s*\.\d", "a number begins with a digit: 0.5"),
-    (r"=\s*[+-]?\d+\.(\D|$)", "a number has a digit after its point: 2.0"),
-    (r"=\s*[+-]?0\d", "a number has no leading zeros"),
-    (r"^\s*[\w.\"-]*'\w*\s*=", 'a key with a prime stands in double quotes: "B\'" = [0, 0]'),
+    (r"=\s*([+-]?\d+),(\d+)\s*(?:#.*)?$", r"numbers have a decimal point: \1.\2"),
+    (r"=\s*([+-]?[\d.]+)\s*([A-Za-zµ°][^,\]}#\s]*)", r'a quantity with a unit stands in quotes: "\1 \2"'),
+    (r"[=\[,]\s*(\.\d+)", r"a number begins with a digit: 0\1"),
+    (r"[=\[,]\s*([+-]?\d+\.)(?:\D|$)", r"a number has a digit after its point: \g<1>0"),
+    (r"[=\[,]\s*[+-]?0\d", "a number has no leading zeros"),
+    (r"^\s*(\w+')\s*=", r'a key with a prime stands in double quotes: "\1" = [0, 0]'),
     (r"[“”„«»]", 'quotes are the plain ones: "'),
-    (r"=\s*(True|False|yes|no)\b", "write true or false"),
-    (r"=\s*[A-Za-z]", 'a text stands in quotes: "revolute"'),
-    (r"^\s*[\w.-]+\s*:", 'a key and its value are joined by =: speed = "55 rpm"'),
+    (r"=\s*(?:True|False|yes|no)\b", "write true or false"),
+    (r"=\s*([A-Za-z]\w*)\s*(?:#.*)?$", r'a text stands in quotes: "\1"'),
+    (r"^\s*([\w.-]+)\s*:", r"a key and its value are joined by =: \1 = ..."),
 )
 _MESSAGE_REMEDIES = (
-    ("overwrite a value", "each key stands once in its table"),
-    ("twice", "each table stands once; several links or joints begin with two brackets: [[mechanism.links]]"),
     ("Cannot mutate immutable", "a list or table closed by its bracket takes no more elements"),
     ("Expected '='", 'write key = value, such as speed = "55 rpm"'),
     ("Unclosed array", "close the list with ]"),
@@ -74,10 +71,12 @@ def _fault(text: str, message: str) -> Fault:
 
 def _remedy(line: str, what: str) -> str:
     code = re.sub(r'"[^"]*"', '""', line)
-    for fragment, remedy in _MESSAGE_REMEDIES[:2]:
-        if fragment in what:
-            return remedy
+    if "overwrite" in what or "twice" in what:
+        is_header = line.lstrip().startswith("[")
+        return (
+            f"each table stands once; {_TWO_BRACKETS}" if is_header else "each key stands once in its table"
+        )
     for pattern, remedy in _LINE_REMEDIES:
-        if re.search(pattern, code):
-            return remedy
+        if match := re.search(pattern, code):
+            return match.expand(remedy)
     return next((remedy for fragment, remedy in _MESSAGE_REMEDIES if fragment in what), "")

@@ -239,7 +239,9 @@ def _unit_fault(text: str, reading: _Reading, dimensions: tuple[str, ...]) -> Un
     own = [unit for dimension in dimensions for unit in UNITS[dimension]]
     guess = nearest(reading.unit, own) or nearest(reading.unit, list(_DIMENSION_OF))
     remedy = f'did you mean "{guess}"? ' if guess else ""
-    return UnitError(f"{show(text)}: unknown unit '{reading.unit}'", f"{remedy}known here: {', '.join(own)}")
+    return UnitError(
+        f"{show(text)}: unknown unit {show(reading.unit)}", f"{remedy}known here: {', '.join(own)}"
+    )
 
 
 def _wanted(dimensions: tuple[str, ...]) -> str:

@@ -12,7 +12,7 @@ from pydantic import ValidationError
 
 from .findings import Finding
 from .joints import NAME_TAG, POINT_TAG
-from .phrases import Path, either, listing, nearest, show, show_path
+from .phrases import Path, either, listing, nearest, show
 from .root import Spec
 from .table import Table
 from .units import UnitError
@@ -190,11 +190,11 @@ def _other(item: Item, path: Path) -> Finding:
 
 
 def _unknown_key(item: Item, path: Path) -> Finding:
-    key, table = str(path[-1]), _table_name(path[:-1])
+    key, table = str(path[-1]), _pattern(path[:-1])
     known = _keys_at(item["loc"])
     if joint := _of_other_joint(item["loc"], key):
         return Finding(path, *joint)
-    message = f"unknown key {show(key)}{f' in {table}' if table else ''}"
+    message = f"unknown key {show(key)}{f' in {_header(table)}' if table else ''}"
     if guess := nearest(key, known):
         return Finding(path, message, f'did you mean "{guess}"?')
     homes = [_header(home) for home, keys in _homes() if key in keys]
@@ -218,10 +218,6 @@ def _of_other_joint(loc: Path, key: str) -> tuple[str, str] | None:
         line = 'guide = { through = "B" } and, where it needs one, slider = { through = "A" }'
         return f"a prismatic joint has no {key}", f"its lines are {line}"
     return None
-
-
-def _table_name(path: Path) -> str:
-    return _header(_pattern(path)) if path and not isinstance(path[-1], int) else show_path(path)
 
 
 def _header(pattern: str) -> str:

@@ -31,8 +31,9 @@ def inputs(spec: Spec) -> Mechanism:
 
 
 def solve(mechanism: Mechanism, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Kinematics:
-    """Solve all positions by the method of the settings."""
-    return solve_kinematics(mechanism, upstream["structure"], Method(**settings))
+    """Solve all positions by the method of the settings; a step or decimals of 0 mean the default and none."""
+    method = Method(settings["method"], settings["step"] or None, settings["decimals"] or None)
+    return solve_kinematics(mechanism, upstream["structure"], method)
 
 
 def dump(result: Kinematics) -> Record:

@@ -3,7 +3,7 @@
 A dyad is a two-link Assur group: an inner joint between its links a and b and one outer joint of each
 with the chain that is already solved. One file a kind: RRR, RRP, RPR, PRP, RPP (the letters are the
 outer joint of a, the inner joint, the outer joint of b; PRR and PPR are RRP and RPP with a and b
-exchanged). A kind is a frozen dataclass of its metric with
+exchanged). A kind is a named tuple of its metric with
 
 1. ``margin(port1, port2)``: a smooth function of the ports, negative exactly where the dyad does not
    assemble [-];
@@ -24,10 +24,6 @@ from tmmcalc.linkage.plane import Plane, Real
 
 class Dyad(Protocol):
     """One kind of dyad with its metric; ports and placements are those of the kind."""
-
-    @property
-    def unknowns(self) -> tuple[str, str]:
-        """Names of the two unknown rates, for messages and tables."""
 
     def margin(self, port1: Any, port2: Any) -> Real:
         """Smooth function, negative exactly where the links do not reach [-]; shape (n,)."""

@@ -8,7 +8,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -28,14 +27,11 @@ class PRPPlaced(NamedTuple):
     inner: Plane
 
 
-@dataclass(frozen=True)
-class PRP:
+class PRP(NamedTuple):
     """PRP with the offsets ``h1``, ``h2`` [m] of the inner pin from the guide lines."""
 
     h1: float = 0.0
     h2: float = 0.0
-
-    unknowns = ("ds_a", "ds_b")
 
     def margin(self, port1: Guide, port2: Guide) -> Real:
         """Two lines always meet unless parallel: squared sine of the angle between them."""

@@ -8,7 +8,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -26,15 +25,12 @@ class RPPPlaced(NamedTuple):
     offset: Plane
 
 
-@dataclass(frozen=True)
-class RPP:
+class RPP(NamedTuple):
     """RPP with the inner direction ``d`` (unit, in guide axes) and the offsets ``h1``, ``h2`` [m]."""
 
     d: complex = 1j
     h1: float = 0.0
     h2: float = 0.0
-
-    unknowns = ("ds_b", "ds_a")
 
     def margin(self, port1: Point, port2: Guide) -> Real:
         """Squared sine of the constant angle between the two lines."""

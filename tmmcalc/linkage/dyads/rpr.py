@@ -11,7 +11,6 @@ one geometry with the direction reversed.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -27,14 +26,11 @@ class RPRPlaced(NamedTuple):
     s: Real
 
 
-@dataclass(frozen=True)
-class RPR:
+class RPR(NamedTuple):
     """RPR with the offset ``h`` [m] of the line from pivot to pivot and the variant (textbook 2.5.4, (2.19))."""
 
     h: float = 0.0
     variant: int = 1
-
-    unknowns = ("omega", "ds")
 
     def margin(self, port1: Point, port2: Point) -> Real:
         """(Q^2 - h^2)/Q^2; negative where the pivots are nearer than the offset."""

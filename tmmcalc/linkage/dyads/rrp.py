@@ -11,7 +11,6 @@ Variant +1 ("right"): B lies ahead of P1 in the direction of the guide; -1 ("lef
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -29,15 +28,12 @@ class RRPPlaced(NamedTuple):
     offset: Plane  # G -> B [m]
 
 
-@dataclass(frozen=True)
-class RRP:
+class RRP(NamedTuple):
     """RRP with rod length ``l`` [m], offset ``h`` [m] and the variant (textbook 2.5.2, (2.2) to (2.6))."""
 
     l: float
     h: float = 0.0
     variant: int = 1
-
-    unknowns = ("omega_a", "ds")
 
     def _in_guide(self, port1: Point, port2: Guide) -> Plane:
         return (port1.r - port2.r) * np.conj(port2.e)

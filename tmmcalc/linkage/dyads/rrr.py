@@ -10,7 +10,6 @@ Variant +1: B lies to the left of the directed line P1 -> P2, so P1, B, P2 are p
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -25,15 +24,12 @@ class RRRPlaced(NamedTuple):
     b: Plane
 
 
-@dataclass(frozen=True)
-class RRR:
+class RRR(NamedTuple):
     """RRR with lengths ``l_a``, ``l_b`` [m] and the variant +1 or -1 (textbook 2.5.3, (2.8) to (2.17))."""
 
     l_a: float
     l_b: float
     variant: int = 1
-
-    unknowns = ("omega_a", "omega_b")
 
     def margin(self, port1: Point, port2: Point) -> Real:
         """Squared sine of the angle at B; negative where q is outside [|l_a - l_b|, l_a + l_b]."""

@@ -23,7 +23,7 @@ def check_sketch(outline: Outline) -> Iterator[Finding]:
             guess = did_you_mean(name, outline.names)
             yield Finding(
                 ("mechanism", "assembly", "sketch", name),
-                f"no link has a point '{name}'",
+                f"no link has a point {show(name)}",
                 f"{guess} the points are: {listing(outline.names)}".strip(),
             )
 
@@ -44,7 +44,7 @@ def check_variants(outline: Outline) -> Iterator[Finding]:
         links = (int(match[1]), int(match[2]))
         pair = frozenset(links)
         if pair in seen:
-            yield Finding(path, f"'{key}' is the group of '{seen[pair]}' again", "remove one of them")
+            yield Finding(path, f"{show(key)} is the group of '{seen[pair]}' again", "remove one of them")
         seen.setdefault(pair, key)
         yield from _check_pair(outline, links, path)
 

@@ -32,11 +32,11 @@ def check_joint(outline: Outline) -> Iterator[Finding]:
     known = f"the joints with the frame are: {listing(with_frame)}"
     if joint is None:
         guess = did_you_mean(name, with_frame)
-        yield Finding((*_INPUT, "joint"), f"there is no joint '{name}'", f"{guess} {known}".strip())
+        yield Finding((*_INPUT, "joint"), f"there is no joint {show(name)}", f"{guess} {known}".strip())
     elif joint.links and FRAME not in joint.links:
         yield Finding(
             (*_INPUT, "joint"),
-            f"joint '{name}' connects links {joint.links[0]} and {joint.links[1]}, neither is the frame",
+            f"joint {show(name)} connects links {joint.links[0]} and {joint.links[1]}, neither is the frame",
             known,
         )
 
@@ -87,7 +87,9 @@ def check_prismatic_input(outline: Outline) -> Iterator[Finding]:
     motion, grid = subtable(outline.table, "input"), subtable(outline.table, "grid")
     name = f'the input joint "{joint.name}" is prismatic'
     if "span" not in grid and not {"working", "idle"} & {*grid}:
-        yield Finding(_GRID, f"missing key: {name}, so the grid needs a span", 'add span = "200 mm"')
+        yield Finding(
+            (*_GRID, "span"), f"missing key: {name}, so the grid needs a span", 'add span = "200 mm"'
+        )
     if motion.get("start", "extreme") == "extreme":
         written = 'start is "extreme"' if "start" in motion else "missing key"
         yield Finding(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.phrases import Path, listing, nearest
+from tmmcalc.spec.phrases import Path, listing, nearest, show
 
 from .outline import FRAME, Outline, RawJoint, link_words, subtable
 
@@ -20,7 +20,7 @@ def check_names(outline: Outline) -> Iterator[Finding]:
             line = outline.at_line((*first[joint.name].path, "name"))
             yield Finding(
                 (*joint.path, "name"),
-                f"'{joint.name}' is already the name of another joint{line}",
+                f"{show(joint.name)} is already the name of another joint{line}",
                 "give each joint a name of its own; several joints at one pin name it with point = "
                 f'"{joint.name}"',
             )
@@ -65,23 +65,44 @@ def check_pins(outline: Outline) -> Iterator[Finding]:
                 "point and points together: the pin is named once",
                 "keep point if both links call the pin the same, points if they differ",
             )
-        elif joint.links and joint.pins and outline.connects(joint):
-            for place, (link, pin) in enumerate(zip(joint.links, joint.pins, strict=True)):
-                if not outline.has_point(link, pin):
-                    yield _missing_pin(outline, joint, place, link, pin)
+        elif outline.connects(joint):
+            yield from _missing_pins(outline, joint)
 
 
-def _missing_pin(outline: Outline, joint: RawJoint, place: int, link: int, pin: str) -> Finding:
-    path: Path = (*joint.path, "points", place)
-    if "points" not in joint.table:
-        path = (*joint.path, "point" if "point" in joint.table else "name")
-    default = (
-        "" if {"point", "points"} & {*joint.table} else "; without point = ... the pin has the joint's name"
-    )
+def _missing_pins(outline: Outline, joint: RawJoint) -> Iterator[Finding]:
+    absent = [
+        (place, link, pin)
+        for place, (link, pin) in enumerate(zip(joint.links or (), joint.pins or (), strict=False))
+        if not outline.has_point(link, pin)
+    ]
+    if len(absent) == 2 and "points" not in joint.table:
+        yield _pin_of_neither(outline, joint, absent[0][2], (absent[0][1], absent[1][1]))
+        return
+    for place, link, pin in absent:
+        path: Path = (*joint.path, "points", place) if "points" in joint.table else _pin_path(joint)
+        message = f"{link_words(link)} has no point {show(pin)}, the pin of this joint{_default(joint)}"
+        yield Finding(path, message, point_remedy(outline, link, pin))
+
+
+def _pin_of_neither(outline: Outline, joint: RawJoint, pin: str, links: tuple[int, int]) -> Finding:
+    a, b = links
+    shared = [name for name in outline.points.get(a) or () if name in (outline.points.get(b) or ())]
+    meant = f'did you mean point = "{shared[0]}", which both have? or ' if shared else ""
     return Finding(
-        path,
-        f"{link_words(link)} has no point '{pin}', the pin of this joint{default}",
-        point_remedy(outline, link, pin),
+        _pin_path(joint),
+        f"neither {link_words(a)} nor {link_words(b)} has a point {show(pin)}, the pin of this joint"
+        f"{_default(joint)}",
+        f"{meant}add {pin} = [x, y] to the points of both",
+    )
+
+
+def _pin_path(joint: RawJoint) -> Path:
+    return (*joint.path, "point" if "point" in joint.table else "name")
+
+
+def _default(joint: RawJoint) -> str:
+    return (
+        "" if {"point", "points"} & {*joint.table} else "; without point = ... the pin has the joint's name"
     )
 
 
@@ -113,6 +134,6 @@ def _through(outline: Outline, joint: RawJoint, role: str, link: int, other: int
         remedy = f"if {link_words(other)} carries the guide, write links = [{link}, {other}], slider first"
     yield Finding(
         (*joint.path, role, "through"),
-        f"{link_words(link)}, the {role} of this joint, has no point '{point}'",
+        f"{link_words(link)}, the {role} of this joint, has no point {show(point)}",
         remedy,
     )

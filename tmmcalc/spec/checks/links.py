@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 from tmmcalc.spec.findings import Finding
+from tmmcalc.spec.phrases import Path, show
 from tmmcalc.spec.units import UnitError, parse
 
 from .outline import FRAME, Outline, RawLink
@@ -37,12 +38,12 @@ def check_reserved_names(outline: Outline) -> Iterator[Finding]:
         yield from _reserved(link.table.get("points"), (*link.path, "points"))
 
 
-def _reserved(points: object, path: tuple[str | int, ...]) -> Iterator[Finding]:
+def _reserved(points: object, path: Path) -> Iterator[Finding]:
     for name in points if isinstance(points, dict) else ():
         if _CENTRE.fullmatch(name):
             yield Finding(
                 (*path, name),
-                f"'{name}' is a reserved name: S and a number is the centre of mass of that link",
+                f"{show(name)} is a reserved name: S and a number is the centre of mass of that link",
                 'give the centre of mass as center = [x, y], or call the point otherwise, such as "P"',
             )
 
@@ -84,7 +85,7 @@ def check_lengths(outline: Outline) -> Iterator[Finding]:
         if link.id is None:
             continue
         joints = [joint for joint in outline.joints if joint.links and link.id in joint.links]
-        pins = [pin for joint in joints if outline.connects(joint) and (pin := joint.pin_on(link.id))]
+        pins = [pin for joint in joints if outline.is_pinned(joint) and (pin := joint.pin_on(link.id))]
         if len(joints) < 2 or len(pins) < len(joints):
             continue
         places = [_place((link.points or {}).get(pin)) for pin in pins]
@@ -99,19 +100,28 @@ def check_lengths(outline: Outline) -> Iterator[Finding]:
 
 def check_ambiguous(outline: Outline) -> Iterator[Finding]:
     """A name that stands on two moving links is one point: the pin that joins them."""
+    if not (outline.ids_complete and outline.joints_complete):
+        return  # the joint that is at fault may be the one that joins them
     groups = _Groups(outline)
+    jointed = {id_ for joint in outline.joints for id_ in joint.links or ()}
     first: dict[str, int] = {}
     for link in outline.links:
-        if link.id is None or outline.points.get(link.id) is not link.points:
+        if link.id is None or link.id not in jointed:
             continue
         for name in link.points or ():
+            if _CENTRE.fullmatch(name):
+                continue  # a point of this name has that fault alone
             if name in first and not groups.same((first[name], name), (link.id, name)):
-                yield Finding(
-                    (*link.path, "points", name),
-                    f"point '{name}' is on link {first[name]} and on link {link.id}, and no revolute joint makes them one",
-                    f"rename one of them, or join them: a revolute joint with links = [{first[name]}, {link.id}]",
-                )
+                yield _ambiguous((*link.path, "points", name), name, first[name], link.id)
             first.setdefault(name, link.id)
+
+
+def _ambiguous(path: Path, name: str, first: int, second: int) -> Finding:
+    return Finding(
+        path,
+        f"{show(name)} is a point of link {first} and of link {second}, but no revolute joint makes them one",
+        f"rename one of them, or add the revolute joint with links = [{first}, {second}]",
+    )
 
 
 class _Groups:
@@ -123,7 +133,7 @@ class _Groups:
             if joint.links is None or joint.kind == "prismatic":
                 continue
             a, b = joint.links
-            if joint.pins and outline.has_point(a, joint.pins[0]) and outline.has_point(b, joint.pins[1]):
+            if joint.pins and outline.is_pinned(joint):
                 self._join((a, joint.pins[0]), (b, joint.pins[1]))
                 continue
             # The joint has a fault of its own; whichever pin was meant, do not report its name again.

@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import Any
 
 from tmmcalc.spec.phrases import Path
+from tmmcalc.spec.quantities import NAME
 
 FRAME = 0
 Raw = dict[str, Any]
@@ -84,9 +85,9 @@ class Outline:
 
     @cached_property
     def ids_complete(self) -> bool:
-        """Whether every link could be read: only then can a link be said to be absent."""
+        """Whether every link has a number of its own: only then can a link be said to be absent."""
         listed = self.table.get("links")
-        return isinstance(listed, list) and len(listed) == sum(link.id is not None for link in self.links) > 0
+        return isinstance(listed, list) and len(listed) == sum(id_ > FRAME for id_ in self.ids) > 0
 
     @cached_property
     def joints_complete(self) -> bool:
@@ -113,6 +114,12 @@ class Outline:
     def connects(self, joint: RawJoint) -> bool:
         """Return whether a joint names two different links that exist."""
         return joint.links is not None and len({*joint.links} & {*self.ids}) == 2
+
+    def is_pinned(self, joint: RawJoint) -> bool:
+        """Return whether a joint is revolute and both its links have its pin."""
+        if joint.links is None or joint.pins is None or not self.connects(joint):
+            return False
+        return all(self.has_point(link, pin) for link, pin in zip(joint.links, joint.pins, strict=True))
 
     def joint_named(self, name: str) -> RawJoint | None:
         """Return the first joint of this name."""
@@ -182,4 +189,7 @@ def _pins(table: Raw, name: str | None) -> tuple[str, str] | None:
         both = isinstance(pair, list) and len(pair) == 2 and all(isinstance(pin, str) for pin in pair)
         return (pair[0], pair[1]) if both else None
     pin = table.get("point", name)
-    return (pin, pin) if isinstance(pin, str) else None
+    # What is no name has that fault alone; a joint with a guide is prismatic, whatever its kind says.
+    if not isinstance(pin, str) or not NAME.fullmatch(pin) or "guide" in table:
+        return None
+    return pin, pin

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.phrases import Path, did_you_mean, listing
+from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
 
 from .outline import FRAME, Outline, Raw, is_integer, tables
 
@@ -44,7 +44,7 @@ def _check_choice(output: Raw, path: Path) -> Iterator[Finding]:
 
 
 def _check_point(outline: Outline, name: str, path: Path) -> Iterator[Finding]:
-    if None in outline.points.values():
+    if None in outline.points.values() or not outline.ids_complete:
         return
     moving = sorted(
         {name for link, points in outline.points.items() if link != FRAME for name in points or ()}
@@ -57,12 +57,14 @@ def _check_point(outline: Outline, name: str, path: Path) -> Iterator[Finding]:
         )
         guess = did_you_mean(name, moving)
         yield Finding(
-            path, f"no link has a point '{name}'{hint}", f"{guess} the points are: {listing(moving)}".strip()
+            path,
+            f"no link has a point {show(name)}{hint}",
+            f"{guess} the points are: {listing(moving)}".strip(),
         )
     elif name in (outline.points[FRAME] or ()) and (name not in moving or _is_pinned(outline, name)):
         yield Finding(
             path,
-            f"'{name}' is a point of the frame and does not move",
+            f"{show(name)} is a point of the frame and does not move",
             f"name a point of a moving link: {listing(point for point in moving if point != name)}",
         )
 
@@ -85,10 +87,12 @@ def _check_joint(outline: Outline, name: str, path: Path) -> Iterator[Finding]:
     prismatic = [str(joint.name) for joint in outline.joints if joint.kind == "prismatic"]
     known = f"the prismatic joints are: {listing(prismatic)}"
     if joint is None:
-        yield Finding(path, f"there is no joint '{name}'", f"{did_you_mean(name, prismatic)} {known}".strip())
+        yield Finding(
+            path, f"there is no joint {show(name)}", f"{did_you_mean(name, prismatic)} {known}".strip()
+        )
     elif joint.kind == "revolute":
         yield Finding(
             path,
-            f"joint '{name}' is revolute; an output joint is prismatic",
+            f"joint {show(name)} is revolute; an output joint is prismatic",
             f'{known}; or write point = "{name}" for the pin, link = ... for an angle',
         )

@@ -1,0 +1,128 @@
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from pydantic_core import PydanticUndefined
+
+from tmmcalc.errors import SpecError, UsageError
+from tmmcalc.spec import Spec, load_spec, parse_spec, templates
+from tmmcalc.spec import wording as wording_module
+from tmmcalc.spec.loader import LARGEST_FILE
+
+
+def test_every_ready_spec_loads() -> None:
+    for name in templates.names():
+        spec = load_spec(templates.path(name))
+        assert isinstance(spec, Spec)
+        assert templates.description(name), name
+
+
+def test_shaper_values(shaper: str) -> None:
+    mechanism = parse_spec(shaper).mechanism
+    assert mechanism.links[3].points == {"C": [0.0, 0.0], "D": [0.29, 0.0]}
+    assert mechanism.links[2].mass == 55.0
+    assert mechanism.links[0].mass is None
+    assert mechanism.input.start == "extreme"
+    assert mechanism.gravity == 9.81
+
+
+def test_byte_order_mark_and_crlf(tmp_path: Path, shaper: str) -> None:
+    file = tmp_path / "spec.toml"
+    file.write_bytes(b"\xef\xbb\xbf" + shaper.replace("\n", "\r\n").encode())
+    assert load_spec(str(file)) == parse_spec(shaper)
+
+
+@pytest.mark.parametrize(
+    ("content", "fragment"),
+    [
+        (None, "there is no file"),
+        ("directory", "is a directory"),
+        (b"title = '\xff'", "is not UTF-8 text (line 1)"),
+        ("text".encode("utf-16"), "is not UTF-8"),
+        (b"#" * (LARGEST_FILE + 1), "too large for a spec"),
+    ],
+)
+def test_unreadable_file_is_a_usage_error(tmp_path: Path, content: bytes | str | None, fragment: str) -> None:
+    file = tmp_path / "spec.toml"
+    if content == "directory":
+        file.mkdir()
+    elif isinstance(content, bytes):
+        file.write_bytes(content)
+    with pytest.raises(UsageError) as caught:
+        load_spec(file)
+    assert fragment in str(caught.value)
+    assert str(file) in str(caught.value)
+
+
+def test_odd_file_names_are_usage_errors() -> None:
+    for name in ("a\0b", "x" * 5000, "/dev/zero", "no/such/folder/spec.toml"):
+        with pytest.raises(UsageError):
+            load_spec(name)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a = " + "[" * 20000,
+        "a = " + "[" * 200 + "]" * 200,
+        "a = " + "{ b = " * 150 + "1" + " }" * 150,
+        "[" + ".".join(["a"] * 5000) + "]",
+        "a = " + "9" * 5000,
+        "a = 2001-02-30",
+    ],
+)
+def test_hostile_text_is_a_spec_error(text: str) -> None:
+    with pytest.raises(SpecError):
+        parse_spec(text)
+
+
+def test_message_names_the_file_and_counts_the_faults(shaper: str) -> None:
+    with pytest.raises(
+        SpecError, match=r"ram\.toml: 2 faults\n  line 51: mechanism\.links\[2\]\.mass: -3 is"
+    ):
+        parse_spec(shaper.replace("mass = 55", "mass = -3").replace("mass = 12", "mass = -1"), "ram.toml")
+
+
+def test_every_required_key_has_its_words() -> None:
+    tables = [("", Spec), *_tables()]
+    required = {
+        f"{name}.{key}".lstrip(".")
+        for name, table in tables
+        for key, field in table.model_fields.items()
+        if field.default is PydanticUndefined and field.default_factory is None
+    }
+    assert required == wording_module.MISSING.keys()
+
+
+def test_every_key_is_described() -> None:
+    for _, table in [("", Spec), *_tables()]:
+        assert all(field.description for field in table.model_fields.values()), table
+        assert table.__doc__
+
+
+def _tables() -> list[tuple[str, type[Spec]]]:
+    found, todo = [], [("", Spec)]
+    while todo:
+        name, table = todo.pop()
+        for key, field in table.model_fields.items():
+            for sub in wording_module._tables_in(field.annotation):
+                found.append((f"{name}.{key}".lstrip("."), sub))
+                todo.append(found[-1])
+    return found
+
+
+def test_a_good_spec_loads_nothing_that_only_faults_need() -> None:
+    code = (
+        "import sys, tmmcalc.spec; late = set(sys.modules)\n"
+        "assert 'pydantic' not in late\n"
+        "from tmmcalc.spec import load_spec, templates; load_spec(templates.path('shaper'))\n"
+        "names = {'difflib', 'numpy', 'scipy', 'tmmcalc.spec.wording', 'tmmcalc.spec.source'}\n"
+        "print(sorted(names & set(sys.modules)))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=Path.cwd()
+    )
+    assert done.stdout.strip() == "[]"

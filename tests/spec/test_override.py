@@ -1,0 +1,85 @@
+from __future__ import annotations
+
+import tomllib
+from typing import Any
+
+import pytest
+
+from tmmcalc.errors import SpecError, UsageError
+from tmmcalc.spec import parse_spec
+from tmmcalc.spec.override import apply
+
+
+def value_at(data: Any, path: tuple[str | int, ...]) -> Any:
+    for step in path:
+        data = data[step]
+    return data
+
+
+@pytest.mark.parametrize(
+    ("assignment", "path", "value"),
+    [
+        ("mechanism.grid.positions=36", ("mechanism", "grid", "positions"), 36),
+        (" mechanism.grid.positions = 36 ".strip(), ("mechanism", "grid", "positions"), 36),
+        ("mechanism.links[2].points.C=[1.0, 0]", ("mechanism", "links", 2, "points", "C"), [1.0, 0]),
+        ("mechanism.links[2].points.C[1]=0.5", ("mechanism", "links", 2, "points", "C", 1), 0.5),
+        ("mechanism.links[id=3].mass=50", ("mechanism", "links", 2, "mass"), 50),
+        ('mechanism.links[id = 3].mass="50 kg"', ("mechanism", "links", 2, "mass"), "50 kg"),
+        ("mechanism.joints[name=D0].guide.angle=1", ("mechanism", "joints", 6, "guide", "angle"), 1),
+        ('mechanism.joints[name="D0"].name="E0"', ("mechanism", "joints", 6, "name"), "E0"),
+        ('mechanism.fixed."B\'"=[0, 0]', ("mechanism", "fixed", "B'"), [0, 0]),
+        ('mechanism.assembly.variants."2-3"=-1', ("mechanism", "assembly", "variants", "2-3"), -1),
+        ('project.title="a=b [c]"', ("project", "title"), "a=b [c]"),
+    ],
+)
+def test_assignment(shaper: str, assignment: str, path: tuple[str | int, ...], value: object) -> None:
+    data = tomllib.loads(shaper)
+    changed, paths = apply(data, [assignment])
+    assert paths == [path]
+    assert value_at(changed, path) == value
+    assert data == tomllib.loads(shaper)
+
+
+@pytest.mark.parametrize(
+    ("assignment", "fragment"),
+    [
+        ("mechanism.grid.positions", "the path cannot be read"),
+        ("=3", "the path cannot be read"),
+        ("mechanism..grid=3", "the path cannot be read"),
+        ("mechanism.links[=3", "the path cannot be read"),
+        ("mechanism.input.speed=60 rpm", "'60 rpm' is not a TOML value"),
+        ("mechanism.input.speed=", "is not a TOML value"),
+        ("mechanism.grid.positions=1\nother = 2", "is not a TOML value"),
+        ("mechanism.grid.positions=" + "[" * 5000, "is not a TOML value"),
+        ("mechanism.links[9].mass=1", "mechanism.links has no element [9]"),
+        ("mechanism.links[-1].mass=1", "mechanism.links has no element [-1]"),
+        ("mechanism.links[id=9].mass=1", "mechanism.links has no element with id = 9"),
+        ("mechanism.joints[kind=revolute].name=1", "5 elements with kind = 'revolute'"),
+        ("mechanism.links.mass=1", "mechanism.links is not a table"),
+        ("mechanism.grid[0]=1", "mechanism.grid is not a list"),
+        ("project.title.sub=1", "project.title is not a table"),
+    ],
+)
+def test_fault_names_the_assignment(shaper: str, assignment: str, fragment: str) -> None:
+    with pytest.raises(UsageError) as caught:
+        apply(tomllib.loads(shaper), [assignment])
+    assert fragment in str(caught.value)
+    assert "override '" in str(caught.value)
+    assert caught.value.remedy
+
+
+def test_loader_applies_overrides_and_says_so_in_faults(shaper: str) -> None:
+    assert parse_spec(shaper, overrides=["mechanism.grid.positions=36"]).mechanism.grid.positions == 36
+    with pytest.raises(SpecError) as caught:
+        parse_spec(shaper, overrides=["mechanism.links[id=3].mass=-50"])
+    (fault,) = caught.value.faults
+    assert fault.line is None
+    assert (
+        fault.message
+        == "-50 is negative; a mass is at least 0 (link 3) (set by an override, not in the file)"
+    )
+
+
+def test_a_new_table_is_made(shaper: str) -> None:
+    spec = parse_spec(shaper, overrides=['mechanism.assembly.sketch.C=["330 mm", 0.965]'])
+    assert spec.mechanism.assembly.sketch == {"C": [0.33, 0.965]}

@@ -1,0 +1,95 @@
+from __future__ import annotations
+
+import json
+import re
+import tomllib
+from collections.abc import Iterator
+from typing import Any
+
+from tmmcalc.spec.schema import json_schema, schema_text
+
+
+def nodes(node: Any) -> Iterator[dict[str, Any]]:
+    if isinstance(node, dict):
+        yield node
+    for item in node.values() if isinstance(node, dict) else node if isinstance(node, list) else ():
+        yield from nodes(item)
+
+
+def accepts(schema: dict[str, Any], value: Any, root: dict[str, Any]) -> bool:
+    """The few keywords that the schema uses."""
+    if "$ref" in schema:
+        return accepts(root["$defs"][schema["$ref"].rsplit("/", 1)[1]], value, root)
+    if "anyOf" in schema or "oneOf" in schema:
+        return any(accepts(kind, value, root) for kind in schema.get("anyOf", schema.get("oneOf")))
+    if "const" in schema and value != schema["const"]:
+        return False
+    if "enum" in schema and value not in schema["enum"]:
+        return False
+    kinds = {
+        "object": dict,
+        "array": list,
+        "string": str,
+        "integer": int,
+        "number": int | float,
+        "boolean": bool,
+    }
+    if "type" in schema and (
+        not isinstance(value, kinds[schema["type"]]) or (value is True and schema["type"] != "boolean")
+    ):
+        return False
+    if isinstance(value, str):
+        return re.search(schema.get("pattern", ""), value) is not None
+    if isinstance(value, list):
+        size = schema.get("minItems", 0) <= len(value) <= schema.get("maxItems", len(value))
+        return size and all(accepts(schema["items"], item, root) for item in value)
+    if isinstance(value, dict):
+        known, patterns = schema.get("properties", {}), schema.get("patternProperties", {})
+        parts = {
+            key: known.get(key) or next((p for r, p in patterns.items() if re.search(r, key)), None)
+            for key in value
+        }
+        return (
+            all(part is not None and accepts(part, value[key], root) for key, part in parts.items())
+            and set(schema.get("required", ())) <= value.keys()
+        )
+    return schema.get("minimum", -1e300) <= value if isinstance(value, int | float) else True
+
+
+def test_text_is_stable_json() -> None:
+    assert json.loads(schema_text()) == json_schema()
+    assert schema_text() == schema_text()
+    assert json_schema()["$schema"] == "https://json-schema.org/draft/2020-12/schema"
+
+
+def test_no_keyword_that_editors_or_toml_do_not_know() -> None:
+    for node in nodes(json_schema()):
+        assert "prefixItems" not in node
+        assert node.get("type") != "null"
+        assert "discriminator" not in node
+
+
+def test_every_key_has_a_description() -> None:
+    for node in nodes(json_schema()):
+        for key, value in node.get("properties", {}).items():
+            assert isinstance(value, dict)
+            assert value.get("description"), key
+
+
+def test_tables_are_closed() -> None:
+    for node in nodes(json_schema()):
+        if node.get("type") == "object":
+            assert node["additionalProperties"] is False
+
+
+def test_shaper_is_accepted(shaper: str) -> None:
+    schema = json_schema()
+    assert accepts(schema, tomllib.loads(shaper), schema)
+    for old, new in [
+        ('"55 rpm"', '"55 kg"'),
+        ("id = 1", "id = 0"),
+        ("mass = 55", "mas = 55"),
+        ('name = "A"', 'name = "1"'),
+    ]:
+        assert old in shaper
+        assert not accepts(schema, tomllib.loads(shaper.replace(old, new, 1)), schema), new

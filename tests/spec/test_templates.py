@@ -1,0 +1,36 @@
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tmmcalc.errors import UsageError
+from tmmcalc.spec import templates
+
+
+def test_shaper_is_there() -> None:
+    assert "shaper" in templates.names()
+    assert templates.text("shaper").startswith("#:schema")
+    assert templates.description("shaper").startswith("Shaper: a crank and slotted link")
+
+
+@pytest.mark.parametrize("name", ["shapr", "../pyproject", "/etc/passwd", "shaper.toml", ""])
+def test_unknown_name(name: str) -> None:
+    with pytest.raises(UsageError, match="there is no ready spec") as caught:
+        templates.text(name)
+    assert "shaper" in caught.value.remedy
+
+
+def test_package_folder_comes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    package = tmp_path / "tmmcalc"
+    monkeypatch.setattr(templates, "_PACKAGE", package)
+    with pytest.raises(UsageError, match="no ready specs"):
+        templates.names()
+    (tmp_path / "configs").mkdir()
+    (tmp_path / "configs" / "outside.toml").write_text("x = 1\n# late\n")
+    assert templates.names() == ["outside"]
+    assert templates.description("outside") == ""
+    (package / "configs" / "extreme").mkdir(parents=True)
+    (package / "configs" / "extreme" / "hard.toml").write_text("#:schema x\n# Hard one.\n")
+    assert templates.names() == ["extreme/hard"]
+    assert templates.description("extreme/hard") == "Hard one."

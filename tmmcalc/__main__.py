@@ -1,0 +1,5 @@
+"""``python -m tmmcalc``."""
+
+from tmmcalc.cli import main
+
+main()

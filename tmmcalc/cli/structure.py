@@ -1,0 +1,41 @@
+"""``tmmcalc structure``."""
+
+from __future__ import annotations
+
+from tmmcalc.cli.options import Csv, Depfile, Form, Format, Fresh, FromStage, Out, Quiet, Set, SpecFile, Store
+from tmmcalc.cli.work import Job, show, title
+from tmmcalc.errors import StructureError
+
+
+def command(
+    spec: SpecFile,
+    form: Form = Format.table,
+    out: Out = None,
+    store: Store = True,
+    fresh: Fresh = False,
+    from_stage: FromStage = None,
+    csv: Csv = None,
+    depfile: Depfile = None,
+    quiet: Quiet = False,
+    overrides: Set = None,
+) -> None:
+    """Structural analysis: mobility, Assur groups in order of assembly, structural formula.
+
+    Groups of class III and higher are named with their links; exit code 3 says that they cannot be solved yet.
+
+    Example: tmmcalc structure configs/shaper.toml
+    """
+    job = Job(spec, out, store, fresh, from_stage, csv, depfile, quiet=quiet, overrides=overrides or ())
+    scene = job.spec()
+    result = job.run(scene, "structure").results["structure"]
+    from tmmcalc.report.linkage import structure_document
+
+    show(structure_document(result, title(scene, spec, "structure")), form)
+    higher = [group for group in result.groups if not group.kind]
+    if higher:
+        names = ", ".join(f"{g.name} of class {g.class_number}, order {g.order}" for g in higher)
+        raise StructureError(
+            f"recognised, but not solvable yet: {names}",
+            where="structure",
+            remedy="drive another link, if the task allows: the class depends on the input link",
+        )

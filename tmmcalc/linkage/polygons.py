@@ -1,0 +1,283 @@
+"""Velocity and acceleration polygons of one position: named vertices and the vectors between them.
+
+The polygons of the grapho-analytical method (textbook 2.7), taken from the analytic values. A vertex is the tip
+of the absolute velocity or acceleration of a point, drawn from the pole; points of the frame lie in the pole.
+
+    v_B = v_A + v_BA                        two points of one link, (2.31)
+    a_B = a_A + a_BA^n + a_BA^t             vertex n_k between the parts, k the link, (2.32), (2.33)
+    v_An = v_Ak + v_n-k                     slider n on guide k, coinciding points A_n and A_k, (2.34)
+    a_An = a_Ak + a_n-k + a^K               vertex k between the parts, a^K = 2 omega_k x v_n-k, (2.35)
+
+Point ``D`` has the vertex ``d``. The pin ``A`` of slider 2 on the moving guide 3 has two: ``a2``, and ``a3`` for
+the point of link 3 that coincides with it. A name that is taken keeps its capital letter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from tmmcalc.linkage.chain import compile_chain
+from tmmcalc.linkage.model import FRAME, Joint, Mechanism
+from tmmcalc.linkage.pins import Pin, find_pins
+from tmmcalc.linkage.plane import LinkMotion
+from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.structure import Group
+
+Kind = Literal["absolute", "relative", "normal", "tangential", "sliding", "coriolis"]
+
+
+@dataclass(frozen=True)
+class Vector:
+    """A vector of a polygon from one vertex to another; ``link`` is the one that turns, or the slider."""
+
+    tail: str
+    head: str
+    kind: Kind
+    link: int
+
+
+@dataclass(frozen=True)
+class Polygon:
+    """Vertices by name, the pole among them at 0, and the vectors; [m/s] or [m/s^2]."""
+
+    pole: str
+    vertices: dict[str, complex]
+    vectors: tuple[Vector, ...]
+
+    def value(self, vector: Vector) -> complex:
+        """The vector itself, head less tail."""
+        return self.vertices[vector.head] - self.vertices[vector.tail]
+
+
+@dataclass(frozen=True)
+class VectorPolygons:
+    """Both polygons of a position, the points in the pole, and omega [rad/s] and eps [rad/s^2] of turning links."""
+
+    position: int
+    velocity: Polygon
+    acceleration: Polygon
+    fixed: tuple[str, ...]
+    omega: dict[int, float]
+    eps: dict[int, float]
+
+
+def polygons(mechanism: Mechanism, result: Kinematics, position: int) -> VectorPolygons:
+    """The polygons of the position with this index, at the speed and acceleration of the result.
+
+    Every dyad of a class II mechanism is covered. Derivatives are the exact ones of the chain, whatever the method
+    of the result. Raises `IndexError` for an index that the result does not have.
+    """
+    chain = compile_chain(mechanism, result.structure, result.variants)
+    motions = chain.evaluate(np.atleast_1d(result.x[position])).motions
+    plan = _Plan(mechanism, result, {k: _in_time(motion, result) for k, motion in motions.items()})
+    plan.name_vertices()
+    for group in result.structure.groups:
+        plan.add_group(group)
+    plan.add_crank()
+    plan.add_sliding()
+    plan.add_rest()
+    return plan.finished(position)
+
+
+@dataclass(frozen=True)
+class _State:
+    """Motion of a link in time: place, velocity, acceleration of its base point and its rotation."""
+
+    base: complex
+    r: complex
+    v: complex
+    a: complex
+    u: complex
+    omega: float
+    eps: float
+
+    def arm(self, p: complex) -> complex:
+        return (p - self.base) * self.u
+
+    def point(self, p: complex) -> tuple[complex, complex]:
+        """Velocity and acceleration of the point p of the link."""
+        d = self.arm(p)
+        return self.v + 1j * self.omega * d, self.a + (1j * self.eps - self.omega**2) * d
+
+    def own(self, place: complex) -> complex:
+        """The point of the link that lies at this place, in the link's axes."""
+        return self.base + (place - self.r) / self.u
+
+
+def _in_time(motion: LinkMotion, result: Kinematics) -> _State:
+    r, u = (complex(np.ravel(z)[0]) for z in (motion.r, motion.u))
+    v, a = (complex(np.ravel(z)[0]) for z in result.in_time(motion.v, motion.a))
+    omega, eps = (float(np.ravel(z)[0]) for z in result.in_time(motion.omega, motion.eps))
+    return _State(motion.base, r, v, a, u, omega, eps)
+
+
+class _Plan:
+    """The two polygons while they grow."""
+
+    def __init__(self, mechanism: Mechanism, result: Kinematics, states: dict[int, _State]) -> None:
+        self.mechanism = mechanism
+        self.result = result
+        self.states = states
+        self.pins = find_pins(mechanism)
+        self.turning = _turning(mechanism)
+        self.sliding = [j for j in mechanism.joints if j.kind == "prismatic" and FRAME not in j.links]
+        self.names: dict[Pin, str] = {}
+        self.guides: dict[str, tuple[Pin, str]] = {}  # joint -> the slider's pin, the vertex of the guide's point
+        self.velocity: dict[str, complex] = {"p": 0j}
+        self.acceleration: dict[str, complex] = {"pi": 0j}
+        self.v_vectors: list[Vector] = []
+        self.a_vectors: list[Vector] = []
+
+    def name_vertices(self) -> None:
+        """One vertex for every pin and point that moves, one more for the guide's point of a moving slider."""
+        taken = {"p", "pi", *(f"n{link.id}" for link in self.mechanism.links), *self._coriolis_names()}
+        for joint in self.sliding:
+            pin = self._slider_pin(joint)
+            if pin not in self.names:
+                self._add(pin, _free(f"{pin.name.lower()}{joint.links[0]}", taken), joint.links[0])
+            vertex = _free(f"{pin.name.lower()}{joint.links[1]}", taken)
+            self.guides[joint.name] = (pin, vertex)
+            guide = self.states[joint.links[1]]
+            self.velocity[vertex], self.acceleration[vertex] = guide.point(guide.own(self._place(pin)))
+        for pin in self.pins:
+            if pin not in self.names and not pin.fixed:
+                self._add(pin, _free(pin.name.lower(), taken, pin.name), next(iter(pin.at)))
+
+    def _coriolis_names(self) -> list[str]:
+        turning = [j for j in self.sliding if j.links[1] in self.turning]
+        return ["k"] if len(turning) == 1 else [f"k{j.links[0]}" for j in turning]
+
+    def _slider_pin(self, joint: Joint) -> Pin:
+        """The point of the slider that is compared with the guide: its pin, else a point of its line."""
+        own = [pin for pin in self.pins if joint.links[0] in pin.at]
+        pivots = [pin for pin in own if pin.joints]
+        there = [pin for pin in own if pin.at[joint.links[0]] == joint.points[0]]
+        candidates = [pin for pin in there if pin.joints] or pivots or there
+        return candidates[0] if candidates else Pin(joint.name, {joint.links[0]: joint.points[0]}, ())
+
+    def _place(self, pin: Pin) -> complex:
+        link, p = next(iter(pin.at.items()))
+        state = self.states[link]
+        return state.r + state.arm(p)
+
+    def _add(self, pin: Pin, vertex: str, link: int) -> None:
+        self.names[pin] = vertex
+        self.velocity[vertex], self.acceleration[vertex] = self.states[link].point(pin.at[link])
+
+    def add_group(self, group: Group) -> None:
+        """The turning links of a dyad: from the attachment point to the inner joint."""
+        inner = self.mechanism.joint(group.inner[0])
+        for link, outer in zip(group.links, (self.mechanism.joint(name) for name in group.outer), strict=True):
+            if link not in self.turning or outer.kind != "revolute":
+                continue
+            base = self._pin_of(outer)
+            if inner.kind == "revolute":
+                pin = self._pin_of(inner)
+                self._turn(link, base, self.names[pin], pin.at[link])
+            elif link == inner.links[1]:
+                pin, vertex = self.guides[inner.name]
+                self._turn(link, base, vertex, self.states[link].own(self._place(pin)))
+
+    def add_crank(self) -> None:
+        """The parts of the acceleration of the crank pin, which are two only if the crank is accelerated."""
+        drive = self.mechanism.joint(self.result.input_joint)
+        if not self.result.turns or not self.result.acceleration:
+            return
+        link = self.result.structure.input_link
+        pivot = self._pin_of(drive)
+        pins = [pin for pin in self.pins if link in pin.at and pin is not pivot and pin.joints]
+        if pins:
+            self._turn(link, pivot, self.names[pins[0]], pins[0].at[link])
+
+    def _turn(self, link: int, base: Pin, head: str, p: complex) -> None:
+        """Normal and tangential part of the acceleration of point p of a link about its attachment point."""
+        state = self.states[link]
+        tail, pole = self._vertex(base, "p"), self._vertex(base, "pi")
+        arm = state.arm(p) - state.arm(base.at[link])
+        self.acceleration[f"n{link}"] = self.acceleration[pole] - state.omega**2 * arm
+        if not base.fixed:
+            self.v_vectors.append(Vector(tail, head, "relative", link))
+        self.a_vectors.append(Vector(pole, f"n{link}", "normal", link))
+        self.a_vectors.append(Vector(f"n{link}", head, "tangential", link))
+
+    def _vertex(self, pin: Pin, pole: str) -> str:
+        return pole if pin.fixed else self.names[pin]
+
+    def _pin_of(self, joint: Joint) -> Pin:
+        return next(pin for pin in self.pins if joint.name in pin.joints)
+
+    def add_sliding(self) -> None:
+        """Relative velocity; relative and Coriolis acceleration, the latter with its head in the slider's vertex."""
+        coriolis = iter(self._coriolis_names())
+        for joint in self.sliding:
+            slider, guide = joint.links
+            pin, tail = self.guides[joint.name]
+            head = self.names[pin]
+            self.v_vectors.append(Vector(tail, head, "sliding", slider))
+            if guide not in self.turning:
+                self.a_vectors.append(Vector(tail, head, "sliding", slider))
+                continue
+            k = next(coriolis)
+            relative = self.velocity[head] - self.velocity[tail]
+            self.acceleration[k] = self.acceleration[head] - 2j * self.states[guide].omega * relative
+            self.a_vectors.append(Vector(tail, k, "sliding", slider))
+            self.a_vectors.append(Vector(k, head, "coriolis", slider))
+
+    def add_rest(self) -> None:
+        """Other points of a link hang on its base: the lines of similarity; then the rays from the poles."""
+        for link in sorted(self.turning & self.states.keys()):
+            for tail, head in self._similar(link):
+                for vectors in (self.v_vectors, self.a_vectors):
+                    if not any({v.tail, v.head} == {tail, head} for v in vectors):
+                        vectors.append(Vector(tail, head, "relative", link))
+        points = [(vertex, next(iter(pin.at))) for pin, vertex in self.names.items()]
+        points += [(vertex, self.mechanism.joint(name).links[1]) for name, (_, vertex) in self.guides.items()]
+        for vertex, link in points:
+            self.v_vectors.append(Vector("p", vertex, "absolute", link))
+            self.a_vectors.append(Vector("pi", vertex, "absolute", link))
+
+    def _similar(self, link: int) -> Iterator[tuple[str, str]]:
+        """Pairs of vertices of a floating link, from its first pin to every other point."""
+        own = [pin for pin in self.pins if link in pin.at]
+        if any(pin.fixed for pin in own):
+            return
+        own.sort(key=lambda pin: not pin.joints)
+        vertices = [self.names[pin] for pin in own]
+        vertices += [v for name, (_, v) in self.guides.items() if self.mechanism.joint(name).links[1] == link]
+        for head in vertices[1:]:
+            yield vertices[0], head
+
+    def finished(self, position: int) -> VectorPolygons:
+        """Freeze the plan."""
+        links = sorted(self.turning & self.states.keys())
+        return VectorPolygons(
+            position,
+            Polygon("p", self.velocity, tuple(self.v_vectors)),
+            Polygon("pi", self.acceleration, tuple(self.a_vectors)),
+            tuple(pin.name.lower() for pin in self.pins if pin.fixed and pin.joints),
+            {link: self.states[link].omega for link in links},
+            {link: self.states[link].eps for link in links},
+        )
+
+
+def _turning(mechanism: Mechanism) -> set[int]:
+    """Links that can turn: all that prismatic joints alone do not tie to the frame."""
+    still, grown = {FRAME}, True
+    while grown:
+        ties = [set(j.links) for j in mechanism.joints if j.kind == "prismatic" and set(j.links) & still]
+        grown = bool(set().union(*ties) - still)
+        still = still.union(*ties)
+    return {link.id for link in mechanism.links} - still
+
+
+def _free(name: str, taken: set[str], otherwise: str = "") -> str:
+    """The name, or its other form, or that with primes; and note it as taken."""
+    chosen = name if name not in taken else otherwise or name
+    while chosen in taken:
+        chosen += "'"
+    taken.add(chosen)
+    return chosen
