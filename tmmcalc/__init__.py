@@ -28,17 +28,28 @@ if TYPE_CHECKING:
         TmmError,
         UsageError,
     )
+    from tmmcalc.linkage.dyad import DyadMotion, solve_dyad
+    from tmmcalc.linkage.dyads import PRP, RPP, RPR, RRP, RRR
+    from tmmcalc.linkage.plane import Guide, Point
     from tmmcalc.linkage.results import Kinematics, Method
     from tmmcalc.linkage.structure import Structure
     from tmmcalc.spec import Spec, load_spec, parse_spec
 
 __all__ = [
+    "PRP",
+    "RPP",
+    "RPR",
+    "RRP",
+    "RRR",
     "AccuracyError",
     "AssemblyError",
+    "DyadMotion",
+    "Guide",
     "Kinematics",
     "LimitError",
     "Method",
     "NoSolutionError",
+    "Point",
     "SingularityError",
     "Spec",
     "SpecError",
@@ -50,12 +61,16 @@ __all__ = [
     "load_spec",
     "parse_spec",
     "run",
+    "solve_dyad",
     "solve_kinematics",
     "solve_structure",
 ]
 
 _HOMES = {
     "tmmcalc.api": ("run", "solve_kinematics", "solve_structure"),
+    "tmmcalc.linkage.dyad": ("DyadMotion", "solve_dyad"),
+    "tmmcalc.linkage.dyads": ("PRP", "RPP", "RPR", "RRP", "RRR"),
+    "tmmcalc.linkage.plane": ("Guide", "Point"),
     "tmmcalc.linkage.results": ("Kinematics", "Method"),
     "tmmcalc.linkage.structure": ("Structure",),
     "tmmcalc.spec": ("Spec", "load_spec", "parse_spec"),

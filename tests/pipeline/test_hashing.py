@@ -95,26 +95,20 @@ def test_everything_that_a_result_depends_on_counts():
 def test_a_mechanism_can_be_hashed_and_its_numbers_count():
     links = (Link(1, {"O": 0j, "A": 0.2 + 0j}),)
     joints = (Joint("O", "revolute", (0, 1), (0j, 0j)),)
-    one = Mechanism(
-        Link(0, {"O": 0.62j}), links, joints, Input("O", 5.76), assembly=Assembly({}, {(2, 3): 1})
-    )
+    one = Mechanism(Link(0, {"O": 0.62j}), links, joints, Input("O", 5.76), assembly=Assembly({}, {(2, 3): 1}))
     other = replace(one, input=Input("O", 5.77))
     flipped = replace(one, assembly=Assembly({}, {(2, 3): -1}))
     assert len({content_hash(m) for m in (one, other, flipped)}) == 3
 
 
-@pytest.mark.parametrize(
-    "value", [object(), len, A, ..., np.array([object()]), {"a": [object()]}, np.longdouble(1)]
-)
+@pytest.mark.parametrize("value", [object(), len, A, ..., np.array([object()]), {"a": [object()]}, np.longdouble(1)])
 def test_what_is_not_plain_is_refused(value):
     with pytest.raises(TypeError, match="not a plain value"):
         content_hash(value)
 
 
 def test_hash_does_not_depend_on_the_process():
-    code = (
-        "from tmmcalc.pipeline.hashing import content_hash as h; print(h(({'b', 'a', 'c'}, 'x', -0.0, 1j)))"
-    )
+    code = "from tmmcalc.pipeline.hashing import content_hash as h; print(h(({'b', 'a', 'c'}, 'x', -0.0, 1j)))"
     seen = {
         subprocess.check_output([sys.executable, "-c", code], env={**os.environ, "PYTHONHASHSEED": seed})
         for seed in ("1", "2")

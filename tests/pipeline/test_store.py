@@ -71,13 +71,8 @@ def test_record_comes_back_bit_for_bit(tmp_path: Path):
 
 
 PLAIN = st.recursive(
-    st.booleans()
-    | st.integers()
-    | st.floats(allow_nan=False)
-    | st.text(st.characters(exclude_categories=["Cs"])),
-    lambda part: (
-        st.lists(part, max_size=3) | st.dictionaries(st.text("aé.'\" ", max_size=3), part, max_size=3)
-    ),
+    st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(st.characters(exclude_categories=["Cs"])),
+    lambda part: st.lists(part, max_size=3) | st.dictionaries(st.text("aé.'\" ", max_size=3), part, max_size=3),
     max_leaves=12,
 )
 
@@ -116,9 +111,7 @@ def test_numpy_scalars_tuples_and_enums_become_plain():
     assert repr(plain_table(mixed, "scalars")) == repr(plain)
 
 
-@pytest.mark.parametrize(
-    "value", [None, 1j, object(), np.complex128(1j), np.array([1j]), {1: 2}, [{"a": None}]]
-)
+@pytest.mark.parametrize("value", [None, 1j, object(), np.complex128(1j), np.array([1j]), {1: 2}, [{"a": None}]])
 def test_what_toml_cannot_hold_is_refused_with_its_name(value):
     with pytest.raises(TypeError, match=r"scalars\.x"):
         plain_table({"x": value}, "scalars")
@@ -175,9 +168,7 @@ def test_unchanged_files_are_not_touched(tmp_path: Path):
     before = {path: path.stat() for path in store.files("path")}
     saved(tmp_path)
     after = {path: path.stat() for path in store.files("path")}
-    assert [(s.st_mtime_ns, s.st_ino) for s in before.values()] == [
-        (s.st_mtime_ns, s.st_ino) for s in after.values()
-    ]
+    assert [(s.st_mtime_ns, s.st_ino) for s in before.values()] == [(s.st_mtime_ns, s.st_ino) for s in after.values()]
 
 
 def test_memory_layout_does_not_matter(tmp_path: Path):

@@ -24,7 +24,9 @@ Out = Annotated[
     Path | None,
     typer.Option("-o", "--out", help="Folder of the stage files (default: <spec>.out here).", show_default=False),
 ]
-Store = Annotated[bool, typer.Option("--store/--no-store", help="Write the stage files, and load those that are valid.")]
+Store = Annotated[
+    bool, typer.Option("--store/--no-store", help="Write the stage files, and load those that are valid.")
+]
 Fresh = Annotated[bool, typer.Option("--fresh", help="Compute all stages, whatever is stored.")]
 FromStage = Annotated[
     str | None, typer.Option("--from", metavar="STAGE", help="Compute this stage and all after it.", show_default=False)
@@ -33,11 +35,14 @@ Csv = Annotated[
     bool | None, typer.Option("--csv/--no-csv", help="Write CSV files (default: up to 2000 rows).", show_default=False)
 ]
 Depfile = Annotated[
-    Path | None, typer.Option("--depfile", metavar="FILE", help="Write a Makefile rule of what was read.", show_default=False)
+    Path | None,
+    typer.Option("--depfile", metavar="FILE", help="Write a Makefile rule of what was read.", show_default=False),
 ]
 Strict = Annotated[bool, typer.Option("--strict", help="Fail with exit code 5 if there is a warning.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing on standard error but errors.")]
 Set = Annotated[
     list[str] | None,
-    typer.Option("--set", metavar="KEY=VALUE", help="Override a value of the spec; may be repeated.", show_default=False),
+    typer.Option(
+        "--set", metavar="KEY=VALUE", help="Override a value of the spec; may be repeated.", show_default=False
+    ),
 ]

@@ -20,7 +20,9 @@ def command(
     stage: Annotated[str, typer.Argument(help=f"Stage to draw: {', '.join(DRAWN)}.")] = "kinematics",
     out: Annotated[
         Path | None,
-        typer.Option("-o", "--out", help="Picture, by suffix svg, png or pdf (default: <spec>.svg).", show_default=False),
+        typer.Option(
+            "-o", "--out", help="Picture, by suffix svg, png or pdf (default: <spec>.svg).", show_default=False
+        ),
     ] = None,
     positions: Annotated[
         str | None,
@@ -49,8 +51,6 @@ def command(
     file = out or Path(f"{spec.stem}.svg")
     chosen = rows_of(positions, result.labels)
     marked = rows_of(polygons, result.labels)
-    draw_kinematics(
-        to_linkage(scene.mechanism), result, file, positions=chosen, polygons=marked[0] if marked else None
-    )
+    draw_kinematics(to_linkage(scene.mechanism), result, file, positions=chosen, polygons=marked[0] if marked else None)
     if not quiet:
         say(f"wrote {file}")

@@ -1,0 +1,1 @@
+"""Planar linkages: structure, kinematics of dyads, assembly intervals, extremes, quality."""

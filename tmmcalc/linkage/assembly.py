@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -96,7 +97,7 @@ def _cut(chain: Chain, k: int, interval: Interval, turn: float | None) -> list[I
     reasons = {float(r): _limit(chain, k, float(r)) for r in roots}
     before = {limit.x: limit for limit in interval.limits}
     parts = []
-    for i, (a, b) in enumerate(zip(edges, edges[1:], strict=False)):
+    for i, (a, b) in enumerate(pairwise(edges)):
         inside = m[0] >= 0 if i == 0 else m[change[i - 1] + 1] >= 0
         if inside:
             ends = tuple(d[end] for end in (a, b) for d in (reasons, before) if end in d)

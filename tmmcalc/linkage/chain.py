@@ -14,9 +14,10 @@ import numpy as np
 
 from tmmcalc.errors import StructureError
 from tmmcalc.linkage import solvers
+from tmmcalc.linkage.dyads import Dyad
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
 from tmmcalc.linkage.mounts import Motions, Rates, Slide, Slides
-from tmmcalc.linkage.plane import LinkMotion, Real, frame
+from tmmcalc.linkage.plane import LinkMotion, Plane, Real, frame
 from tmmcalc.linkage.steps import Step, build, seat
 from tmmcalc.linkage.structure import Structure
 
@@ -64,7 +65,7 @@ class Chain(NamedTuple):
         for step in self.steps[:steps]:
             ports = step.ports(motions)
             placed = step.dyad.place(*ports)
-            step.move(motions, slides, ports, placed, _rates(step, ports, placed, method) if order else _STILL)
+            step.move(motions, slides, ports, placed, rates(step.dyad, ports, placed, method) if order else _STILL)
             ports_of.append(ports)
             placed_of.append(placed)
         return Configuration(motions, slides, ports_of, placed_of)
@@ -78,7 +79,7 @@ class Chain(NamedTuple):
             one = np.ones_like(x)
             slides[joint.name] = Slide(x, one, np.zeros_like(x))
             u = np.asarray(at.direction / own.direction)
-            velocity = np.asarray(sense + 0j) * one if order else zero
+            velocity: Plane = sense * one if order else zero
             return LinkMotion(own.point, at.point + x * sense, velocity, zero, u, zero, zero, still, still)
         u = np.empty(x.shape, np.result_type(x.dtype, np.complex64))
         np.cos(x, out=u.real)
@@ -94,9 +95,8 @@ class Chain(NamedTuple):
         return np.broadcast_to(self.steps[step].dyad.margin(*ports), x.shape)
 
 
-def _rates(step: Step, ports: tuple[Any, Any], placed: Any, method: solvers.Method) -> Rates:
-    """Stages 2 and 3 of a dyad."""
-    dyad = step.dyad
+def rates(dyad: Dyad, ports: tuple[Any, Any], placed: Any, method: solvers.Method) -> Rates:
+    """Stages 2 and 3 of a dyad: its two rates and their derivatives."""
     solve = method(*dyad.columns(placed))
     x, y = solve(dyad.velocity(*ports, placed))
     return Rates(x, y, *solve(dyad.acceleration(*ports, placed, x, y)))

@@ -14,12 +14,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from fnmatch import fnmatchcase
-from typing import NamedTuple
+from functools import partial
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from tmmcalc.errors import UsageError
-from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.results import Kinematics
 
 
@@ -69,77 +70,91 @@ def _units(result: Kinematics, dimensionless: bool) -> _Units:
 
 
 Quantity = tuple[str, tuple[str, float], Callable[[], Real]]
+DEGREES = ("deg", float(np.rad2deg(1.0)))
 
 
 def columns(result: Kinematics, *, dimensionless: bool = False) -> list[Column]:
     """All columns of a result in their usual order; raises `UsageError` for dimensionless driven sliders."""
     units = _units(result, dimensionless)
-    phi = ("phi", ("deg", np.rad2deg(1.0)) if result.turns else units.length, lambda: result.phi)
     everything = (
-        phi,
+        ("phi", DEGREES if result.turns else units.length, lambda: result.phi),
         *_output_columns(result, units),
         *_link_columns(result, units),
         *_point_columns(result, units),
         *_slide_columns(result, units),
     )
-    return [Column(name, unit, _scaled(make, factor)) for name, (unit, factor), make in everything]
+    return [Column(name, unit, partial(_scaled, make, factor)) for name, (unit, factor), make in everything]
 
 
-def _scaled(make: Callable[[], Real], factor: float) -> Callable[[], Real]:
-    return make if factor == 1.0 else lambda: make() * factor
+def _scaled(make: Callable[[], Real], factor: float) -> Real:
+    return make() if factor == 1.0 else make() * factor
 
 
 def _per(unit: tuple[str, float], per: str, order: int) -> tuple[str, float]:
     return f"{unit[0]}/{per}{'^2' if order == 2 else ''}", unit[1]
 
 
+class _Stack(NamedTuple):
+    """Values and both transfer functions of several quantities, one a row, and the result they belong to."""
+
+    result: Kinematics
+    value: Plane | Real
+    rate: Plane | Real
+    rate2: Plane | Real
+
+    def row(self, k: int, order: int, part: Callable[[Any], Any] = np.real) -> Callable[[], Real]:
+        """Row k of the value (0), of the first (1) or second (2) transfer function."""
+        return lambda: part((self.value, self.rate, self.rate2)[order][k])
+
+    def in_time(self, k: int, order: int, part: Callable[[Any], Any] = np.real) -> Callable[[], Real]:
+        """Row k of the velocity (1) or acceleration (2)."""
+        return lambda: part(self.result.in_time(self.rate[k], self.rate2[k])[order - 1])
+
+
 def _output_columns(result: Kinematics, units: _Units) -> Iterator[Quantity]:
+    rows = _Stack(result, result.s, result.ds, result.dds)
     for k, (name, angular) in enumerate(zip(result.outputs, result.angular, strict=True)):
-        value = ("deg", float(np.rad2deg(1.0))) if angular else units.length
         own = ("rad", 1.0) if angular else units.length
-        velocity, acceleration = (
-            (units.omega, units.eps) if angular else (units.velocity, units.acceleration)
-        )
-        yield f"S_{name}", value, lambda k=k: result.s[k]
-        yield f"vS_{name}", velocity, lambda k=k: result.in_time(result.ds[k], result.dds[k])[0]
-        yield f"aS_{name}", acceleration, lambda k=k: result.in_time(result.ds[k], result.dds[k])[1]
-        yield f"dS_{name}", _per(own, units.per, 1), lambda k=k: result.ds[k]
-        yield f"ddS_{name}", _per(own, units.per, 2), lambda k=k: result.dds[k]
+        velocity, acceleration = (units.omega, units.eps) if angular else (units.velocity, units.acceleration)
+        yield f"S_{name}", DEGREES if angular else own, rows.row(k, 0)
+        yield f"vS_{name}", velocity, rows.in_time(k, 1)
+        yield f"aS_{name}", acceleration, rows.in_time(k, 2)
+        yield f"dS_{name}", _per(own, units.per, 1), rows.row(k, 1)
+        yield f"ddS_{name}", _per(own, units.per, 2), rows.row(k, 2)
 
 
 def _link_columns(result: Kinematics, units: _Units) -> Iterator[Quantity]:
     t = result.trace
+    rows = _Stack(result, t.angle, t.dangle, t.ddangle)
     for k, link in enumerate(t.link_ids):
-        yield f"angle_{link}", ("deg", float(np.rad2deg(1.0))), lambda k=k: t.angle[k]
-        yield f"omega_{link}", units.omega, lambda k=k: result.in_time(t.dangle[k], t.ddangle[k])[0]
-        yield f"eps_{link}", units.eps, lambda k=k: result.in_time(t.dangle[k], t.ddangle[k])[1]
-        yield f"dangle_{link}", _per(("rad", 1.0), units.per, 1), lambda k=k: t.dangle[k]
-        yield f"ddangle_{link}", _per(("rad", 1.0), units.per, 2), lambda k=k: t.ddangle[k]
+        yield f"angle_{link}", DEGREES, rows.row(k, 0)
+        yield f"omega_{link}", units.omega, rows.in_time(k, 1)
+        yield f"eps_{link}", units.eps, rows.in_time(k, 2)
+        yield f"dangle_{link}", _per(("rad", 1.0), units.per, 1), rows.row(k, 1)
+        yield f"ddangle_{link}", _per(("rad", 1.0), units.per, 2), rows.row(k, 2)
 
 
 def _point_columns(result: Kinematics, units: _Units) -> Iterator[Quantity]:
     t = result.trace
+    rows = _Stack(result, t.r, t.dr, t.ddr)
     for k, name in enumerate(t.point_names):
         for axis, part in (("x", np.real), ("y", np.imag)):
-            yield f"{axis}_{name}", units.length, lambda k=k, part=part: part(t.r[k])
-            yield f"v{axis}_{name}", units.velocity, lambda k=k, part=part: part(result.in_time(t.dr[k], t.ddr[k])[0])
-            yield (
-                f"a{axis}_{name}",
-                units.acceleration,
-                lambda k=k, part=part: part(result.in_time(t.dr[k], t.ddr[k])[1]),
-            )
-            yield f"d{axis}_{name}", _per(units.length, units.per, 1), lambda k=k, part=part: part(t.dr[k])
-            yield f"dd{axis}_{name}", _per(units.length, units.per, 2), lambda k=k, part=part: part(t.ddr[k])
+            yield f"{axis}_{name}", units.length, rows.row(k, 0, part)
+            yield f"v{axis}_{name}", units.velocity, rows.in_time(k, 1, part)
+            yield f"a{axis}_{name}", units.acceleration, rows.in_time(k, 2, part)
+            yield f"d{axis}_{name}", _per(units.length, units.per, 1), rows.row(k, 1, part)
+            yield f"dd{axis}_{name}", _per(units.length, units.per, 2), rows.row(k, 2, part)
 
 
 def _slide_columns(result: Kinematics, units: _Units) -> Iterator[Quantity]:
     t = result.trace
+    rows = _Stack(result, t.s, t.ds, t.dds)
     for k, name in enumerate(t.joint_names):
-        yield f"s_{name}", units.length, lambda k=k: t.s[k]
-        yield f"v_{name}", units.velocity, lambda k=k: result.in_time(t.ds[k], t.dds[k])[0]
-        yield f"a_{name}", units.acceleration, lambda k=k: result.in_time(t.ds[k], t.dds[k])[1]
-        yield f"ds_{name}", _per(units.length, units.per, 1), lambda k=k: t.ds[k]
-        yield f"dds_{name}", _per(units.length, units.per, 2), lambda k=k: t.dds[k]
+        yield f"s_{name}", units.length, rows.row(k, 0)
+        yield f"v_{name}", units.velocity, rows.in_time(k, 1)
+        yield f"a_{name}", units.acceleration, rows.in_time(k, 2)
+        yield f"ds_{name}", _per(units.length, units.per, 1), rows.row(k, 1)
+        yield f"dds_{name}", _per(units.length, units.per, 2), rows.row(k, 2)
 
 
 def select(available: Sequence[Column], patterns: Sequence[str]) -> list[Column]:
@@ -151,9 +166,7 @@ def select(available: Sequence[Column], patterns: Sequence[str]) -> list[Column]
     for pattern in patterns:
         found = [column for column in available if fnmatchcase(column.name, pattern)]
         if not found:
-            raise UsageError(
-                f"no column is called {pattern!r}", where="--columns", remedy=_nearest(available, pattern)
-            )
+            raise UsageError(f"no column is called {pattern!r}", where="--columns", remedy=_nearest(available, pattern))
         chosen += [column for column in found if column not in chosen]
     return chosen
 

@@ -31,7 +31,7 @@ def differentiate(chain: Chain, x: Real, step: float, decimals: int | None = Non
     r, dr, ddr = _differences(before.r, here.r, after.r, step)
     angles = [here.angle + _wrapped(t.angle - here.angle) for t in (before, here, after)]
     s, ds, dds = _differences(before.s, here.s, after.s, step)
-    angle, dangle, ddangle = _differences(*angles, step)
+    angle, dangle, ddangle = _differences(angles[0], angles[1], angles[2], step)
     return replace(here, r=r, dr=dr, ddr=ddr, angle=angle, dangle=dangle, ddangle=ddangle, s=s, ds=ds, dds=dds)
 
 
@@ -46,9 +46,10 @@ def _wrapped(angle: Real) -> Real:
 def _rounded(positions: Trace, decimals: int | None, unit: float) -> Trace:
     if decimals is None:
         return positions
+    points = np.round(positions.r / unit, decimals).astype(complex) * unit
     return replace(
         positions,
-        r=np.round(positions.r / unit, decimals) * unit,
+        r=points,
         s=np.round(positions.s / unit, decimals) * unit,
         angle=np.round(positions.angle, decimals),
     )

@@ -232,10 +232,7 @@ def _extremes(
 
     in_range = in_time(samples[1], samples[2])
     guesses = [
-        (kind, sign, i)
-        for kind in (0, 1)
-        for sign in (-1, 1)
-        for i in _candidates(in_range[kind], sign, periodic)
+        (kind, sign, i) for kind in (0, 1) for sign in (-1, 1) for i in _candidates(in_range[kind], sign, periodic)
     ]
     kinds = np.array([kind for kind, _, _ in guesses])
 

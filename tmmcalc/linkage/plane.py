@@ -8,13 +8,14 @@ constants of the frame are 0-d arrays and broadcast.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-Real = NDArray[np.float64]
-Plane = NDArray[np.complex128]
+# double precision, or extended where the rounding error is measured
+Real = NDArray[np.floating[Any]]
+Plane = NDArray[np.complexfloating[Any, Any]]
 
 
 def cross(a: Plane | complex, b: Plane | complex) -> Real:
@@ -52,6 +53,11 @@ class Guide(NamedTuple):
     e: Plane
     omega: Real
     eps: Real
+
+    @classmethod
+    def along(cls, point: Point, gamma: float | Real, omega: float | Real = 0.0, eps: float | Real = 0.0) -> Guide:
+        """The line through a moving point at the angle gamma [rad] that turns with omega and eps."""
+        return cls(*point, np.exp(1j * np.asarray(gamma)), np.asarray(omega), np.asarray(eps))
 
 
 class LinkMotion(NamedTuple):

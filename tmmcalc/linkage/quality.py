@@ -111,9 +111,7 @@ def assess(chain: Chain, dense: Survey) -> tuple[GroupQuality, ...]:
     return tuple(_quality(chain, k, measures, worst) for k in range(len(chain.steps)))
 
 
-def _quality(
-    chain: Chain, k: int, measures: list[_Measure], worst: list[tuple[float, float]]
-) -> GroupQuality:
+def _quality(chain: Chain, k: int, measures: list[_Measure], worst: list[tuple[float, float]]) -> GroupQuality:
     own = [w for measure, w in zip(measures, worst, strict=True) if measure.k == k]
     transmission, regularity = own[0], own[-1]
     return GroupQuality(

@@ -13,9 +13,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.linkage.chain import Chain
-from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.trace import Trace, trace
 
 CHOSEN = 24  # positions computed again
@@ -37,16 +38,20 @@ class ErrorEstimate:
 def estimate(chain: Chain, x: Real, evaluate: Callable[[Real], Trace]) -> ErrorEstimate:
     """Estimate the error of ``evaluate``, a way to compute the trace, over the positions ``x`` (n,)."""
     chosen = x[_choice(chain, x)]
-    found = evaluate(chosen)
     if not WIDER:
-        factor = float(np.max(1 / _regularity(chain, chosen)))
-        return ErrorEstimate(*(64 * EPS * factor**k for k in (1, 2, 3)), "amplification of the rounding unit")
-    exact = trace(chain, chosen.astype(np.longdouble))
-    pairs = ((found.r, exact.r), (found.dr, exact.dr), (found.ddr, exact.ddr))
-    return ErrorEstimate(*(MARGIN * _relative(a, b) for a, b in pairs), "extended precision (64-bit mantissa)")
+        k = float(np.max(1 / _regularity(chain, chosen)))
+        rounding = 64 * EPS
+        return ErrorEstimate(rounding * k, rounding * k**2, rounding * k**3, "amplification of the rounding unit")
+    found, exact = evaluate(chosen), trace(chain, chosen.astype(np.longdouble))
+    return ErrorEstimate(
+        MARGIN * _relative(found.r, exact.r),
+        MARGIN * _relative(found.dr, exact.dr),
+        MARGIN * _relative(found.ddr, exact.ddr),
+        "extended precision (64-bit mantissa)",
+    )
 
 
-def _relative(found: np.ndarray, exact: np.ndarray) -> float:
+def _relative(found: Plane, exact: Plane) -> float:
     """Largest difference over the largest value, never below the rounding of one operation."""
     scale = float(np.max(np.abs(exact), initial=0.0))
     if scale == 0:
@@ -60,7 +65,7 @@ def _regularity(chain: Chain, x: Real) -> Real:
     return np.min([np.broadcast_to(row, x.shape) for row in rows], axis=0) if rows else np.ones_like(x)
 
 
-def _choice(chain: Chain, x: Real) -> np.ndarray:
+def _choice(chain: Chain, x: Real) -> NDArray[np.intp]:
     """Indices of the least regular positions and of an even spread."""
     if len(x) <= CHOSEN:
         return np.arange(len(x))

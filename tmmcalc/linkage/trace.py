@@ -82,7 +82,8 @@ def trace(chain: Chain, x: Real, method: solvers.Method = solvers.closed, order:
         _store(configuration, what, r[..., rows], angle[..., rows], s[..., rows], order)
     if chain.turns:
         angle[0, what.links.index(chain.structure.input_link)] = x
-    return Trace(tuple(name for name, _, _ in what.points), *r, what.links, *angle, what.joints, *s)
+    names = tuple(name for name, _, _ in what.points)
+    return Trace(names, r[0], r[1], r[2], what.links, angle[0], angle[1], angle[2], what.joints, s[0], s[1], s[2])
 
 
 def _store(configuration: Configuration, what: Layout, r: Plane, angle: Real, s: Real, order: int) -> None:

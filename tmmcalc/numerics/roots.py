@@ -7,11 +7,12 @@ Every iteration evaluates all unfinished problems in one call, so a function tha
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
+Values = NDArray[np.floating[Any]]
 Indices = NDArray[np.intp]
 Problems = Callable[[Values, Indices], Values]
 

@@ -46,9 +46,7 @@ def csv_bytes(table: Table) -> bytes:
     """
     columns = [column.tolist() for column in table.columns]
     if len(columns) != len(table.header) or len({len(column) for column in columns}) > 1:
-        raise ValueError(
-            f"{len(table.header)} headers over columns of {[len(column) for column in columns]} rows"
-        )
+        raise ValueError(f"{len(table.header)} headers over columns of {[len(column) for column in columns]} rows")
     lines = [",".join(_cell(name) for name in table.header)]
     lines += [",".join(map(repr, row)) for row in zip(*columns, strict=True)]
     return "\n".join([*lines, ""]).encode()

@@ -37,9 +37,7 @@ def escaped(name: str) -> str:
     """
     bad = next((sign for sign in name if sign in _UNSPEAKABLE), None)
     if bad is not None:
-        raise UsageError(
-            f"{name!r}: a Makefile rule cannot hold {bad!r}", remedy="rename the file or omit --depfile"
-        )
+        raise UsageError(f"{name!r}: a Makefile rule cannot hold {bad!r}", remedy="rename the file or omit --depfile")
     text = f"./{name}" if name.startswith("~") else name
     return "".join(_sign(text, at) for at in range(len(text)))
 

@@ -117,9 +117,6 @@ def _manifest(text: str) -> Manifest:
             error=tables.get("error", {}),
             counters=tables.get("counters", {}),
         ),
-        {
-            kind: Seal(value.get("size", 0), value.get("sha256", ""))
-            for kind, value in tables.get("files", {}).items()
-        },
+        {kind: Seal(value.get("size", 0), value.get("sha256", "")) for kind, value in tables.get("files", {}).items()},
         tables.get("table", {}).get("rows"),
     )

@@ -51,9 +51,7 @@ def plan(spec: object, target: str | None = None, stages: Mapping[str, Stage] = 
     if target in barred:
         barred = {name: barred.get(name, f"only {target} needs it, which is left out") for name in asked}
     running = asked - set(barred)
-    return Plan(
-        target, tuple(_step(stage, target, asked, barred, running, stages) for stage in stages.values())
-    )
+    return Plan(target, tuple(_step(stage, target, asked, barred, running, stages) for stage in stages.values()))
 
 
 def known_stage(name: str, stages: Mapping[str, Stage]) -> Stage:

@@ -102,9 +102,7 @@ class _Run:
             return self._computed(stage, inputs), Event(stage.name, "computed", "not stored")
         provenance = self.archive.provenance(stage, inputs, self.options[stage.name])
         forced = self.forced.get(stage.name)
-        return self.archive.outcome(
-            stage, provenance, forced, lambda: self._computed(stage, inputs), self.tell
-        )
+        return self.archive.outcome(stage, provenance, forced, lambda: self._computed(stage, inputs), self.tell)
 
     def _computed(self, stage: Stage, inputs: object) -> Outcome:
         upstream = {need: self.outcomes[need].result for need in stage.needs}

@@ -90,9 +90,7 @@ class Store:
                 return Missing(_change(stored.provenance, wanted))
             return self._verified(stored)
 
-    def save(
-        self, provenance: Provenance, record: Record, table: Table | None, csv: bool | None = None
-    ) -> None:
+    def save(self, provenance: Provenance, record: Record, table: Table | None, csv: bool | None = None) -> None:
         """Write the files of a stage, data first and manifest last; unchanged files are not touched.
 
         ``record`` must be plain. ``csv`` True or False forces or forbids the CSV, None writes it up to
@@ -153,9 +151,7 @@ def csv_wanted(rows: int, csv: bool | None) -> bool:
     return rows <= CSV_ROWS if csv is None else csv
 
 
-def _contents(
-    provenance: Provenance, record: Record, table: Table | None, csv: bool | None
-) -> dict[str, bytes | None]:
+def _contents(provenance: Provenance, record: Record, table: Table | None, csv: bool | None) -> dict[str, bytes | None]:
     """Return the bytes of every file of a stage, None for one that is not to be; the manifest comes last."""
     listed = table is not None and csv_wanted(table.rows, csv)
     data = {

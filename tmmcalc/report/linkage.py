@@ -60,7 +60,7 @@ def kinematics_document(
     toml). Without either the columns that a reader looks at first come first and the terminal cuts the rest.
     """
     available = columns(result, dimensionless=dimensionless)
-    chosen = select(available, patterns) if patterns else available if everything else _first(available)
+    chosen = select(available, patterns) if patterns else available if everything else _first(result, available)
     keep = range(len(result.labels)) if rows is None else rows
     view = View(
         ["i", *(c.header for c in chosen)],
@@ -76,10 +76,11 @@ def _picked(column: Column, rows: Sequence[int]) -> list[float]:
     return [float(values[k]) for k in rows]
 
 
-def _first(available: list[Column]) -> list[Column]:
-    """The input coordinate, outputs, link angles and rates, then all others but the transfer functions."""
-    in_time = [c for c in available if not c.name.startswith("d")]
-    return sorted(in_time, key=lambda c: (c.name != "phi", not c.name.startswith(("S_", "vS_", "aS_"))))
+def _first(result: Kinematics, available: list[Column]) -> list[Column]:
+    """The input coordinate, outputs, links and the rest; no transfer functions, and not the given input link."""
+    given = {f"{kind}_{result.structure.input_link}" for kind in ("angle", "omega", "eps")}
+    shown = [c for c in available if not c.name.startswith("d") and c.name not in given]
+    return sorted(shown, key=lambda c: (c.name != "phi", not c.name.startswith(("S_", "vS_", "aS_"))))
 
 
 def _angle(result: Kinematics, x: float) -> tuple[str, dict[str, float]]:
@@ -193,7 +194,9 @@ def comparison_document(mechanism: Mechanism, result: Kinematics, title: str) ->
         share = 100 * difference / largest if largest else difference
         columns_ += [a.tolist(), b.tolist(), share.tolist()]
         worst, mean = float(abs(difference).max()), float(abs(difference).mean())
-        text = f"max {number(worst)} {ours.unit} ({number(float(abs(share).max()), 3)} %), mean {number(mean)} {ours.unit}"
+        text = (
+            f"max {number(worst)} {ours.unit} ({number(float(abs(share).max()), 3)} %), mean {number(mean)} {ours.unit}"
+        )
         values = {f"difference_{ours.name}_max[{ours.unit}]": worst, f"difference_{ours.name}_mean[{ours.unit}]": mean}
         facts.append(Fact(f"difference of {ours.name}", text, values))
     return Document(title, tuple(facts), (), View(_distinct(headers), columns_))

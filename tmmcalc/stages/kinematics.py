@@ -54,7 +54,7 @@ def load(record: Record) -> Kinematics:
     r, dr, ddr, angle, dangle, ddangle, s, ds, dds = own
     points, links, joints = (tuple(rows[name]) for name in ("points", "links", "joints"))
     trace = Trace(points, r, dr, ddr, links, angle, dangle, ddangle, joints, s, ds, dds)
-    given = {
+    given: dict[str, Any] = {
         "labels": tuple(arrays["label"].tolist()),
         "x": arrays["x"],
         **{name: arrays[f"output_{name}"] for name in _OUTPUT_ARRAYS},

@@ -1,9 +1,9 @@
 """Dyad PRP: two sliders on two guides, joined by a revolute joint.
 
-        G1 ---s1---[B]--->  e1         B = G1 + (s1 + i h1) e1 = G2 + (s2 + i h2) e2
-                   /
-                  / s2
-                G2                     one assembly; singular where the guides are parallel
+G1 ---s1---[B]--->  e1         B = G1 + (s1 + i h1) e1 = G2 + (s2 + i h2) e2
+           /
+          / s2
+        G2                     one assembly; singular where the guides are parallel
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Dyad RPP: a pivoted block on a slider that itself slides on a guide (PPR is its mirror form).
 
-              P1
-               |  e2 = d e1            P1 = G + (s1 + i h1) e1 + (s2 + i h2) e2
-            s2 |
-        G --s1-+------>  e1            one assembly; singular where d is parallel to the guide
+      P1
+       |  e2 = d e1            P1 = G + (s1 + i h1) e1 + (s2 + i h2) e2
+    s2 |
+G --s1-+------>  e1            one assembly; singular where d is parallel to the guide
 """
 
 from __future__ import annotations

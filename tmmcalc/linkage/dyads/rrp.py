@@ -65,7 +65,8 @@ class RRP(NamedTuple):
     def acceleration(self, port1: Point, port2: Guide, placed: RRPPlaced, x: Real, y: Real) -> Plane:
         """Transport and Coriolis acceleration of B less that of P1, and the rod's normal part, in guide axes."""
         transport = port2.a + (1j * port2.eps - port2.omega**2) * placed.offset - port1.a
-        return transport * np.conj(port2.e) + 2j * port2.omega * y + x**2 * (placed.along + 1j * placed.across)
+        relative: Plane = x**2 * placed.along + 1j * (x**2 * placed.across + 2 * port2.omega * y)
+        return transport * np.conj(port2.e) + relative
 
     def regularity(self, placed: RRPPlaced, reach: float) -> Real:
         """|cos| of the angle between rod and guide."""

@@ -1,0 +1,141 @@
+"""A dyad on its own: ports in, motions of both links out.
+
+For single groups, textbook exercises, and mechanisms whose source chain is solved elsewhere. Each link has its
+origin in its outer joint (a slider: in the inner pin) and its x axis along its vector: from the outer to the
+inner joint, or along the guide.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tmmcalc.errors import AssemblyError, SingularityError
+from tmmcalc.linkage.chain import rates
+from tmmcalc.linkage.dyads import PRP, RPP, RPR, RRP, RRR, Dyad
+from tmmcalc.linkage.mounts import Motions, Mount, PRPMount, RPPMount, RPRMount, RRPMount, RRRMount, Sites, Slide
+from tmmcalc.linkage.plane import Guide, LinkMotion, Point, Real
+from tmmcalc.linkage.quality import SINGULAR
+from tmmcalc.linkage.solvers import closed
+
+A, B, SOURCE_1, SOURCE_2 = 1, 2, 3, 4
+
+
+@dataclass(frozen=True)
+class DyadMotion:
+    """Motion of the links a and b, coordinates of the prismatic joints in the order of the kind's letters.
+
+    ``a.point(p)`` and ``b.point(p)`` give any point p [m] of a link; ``inner`` is the inner joint of RRR, RRP, PRP.
+    """
+
+    a: LinkMotion
+    b: LinkMotion
+    slides: tuple[Slide, ...]
+    inner: Point | None
+
+    @property
+    def phi_a(self) -> Real:
+        """Angle of the x axis of link a [rad], in (-pi, pi]."""
+        return np.angle(self.a.u)
+
+    @property
+    def phi_b(self) -> Real:
+        """Angle of the x axis of link b [rad], in (-pi, pi]."""
+        return np.angle(self.b.u)
+
+
+def solve_dyad(dyad: Dyad, port1: Point | Guide, port2: Point | Guide) -> DyadMotion:
+    """Positions, velocities and accelerations of one dyad from the states of its outer joints.
+
+    ``port1`` belongs to link a, ``port2`` to link b: a `Point` where the kind has an outer revolute joint, a `Guide`
+    where it has a prismatic one; arrays of shape (n,) or scalars. Derivatives are with respect to the variable of
+    the ports. Raises `AssemblyError` where the links do not reach and `SingularityError` at a dead point.
+
+    >>> p1 = Point(0.1 + 0.2j, 0.3 - 0.4j, 0.5 + 0.1j)
+    >>> p2 = Point(0.9 + 0.4j, -0.2 + 0.1j, 0.3j)
+    >>> round(float(solve_dyad(RRR(0.7, 0.5, -1), p1, p2).a.omega), 8)
+    0.45695885
+    """
+    name = type(dyad).__name__
+    port1, port2 = _arrays(port1), _arrays(port2)
+    _check_assembly(dyad, port1, port2, f"dyad {name}")
+    placed = dyad.place(port1, port2)
+    reach = float(np.max(np.abs(placed.q))) if isinstance(dyad, RPR) else 0.0
+    _check_regular(dyad.regularity(placed, reach), f"dyad {name}")
+    motions: Motions = {k: _carrier(port) for k, port in ((SOURCE_1, port1), (SOURCE_2, port2))}
+    slides: dict[str, Slide] = {}
+    sites = Sites((A, B), (SOURCE_1, SOURCE_2), port1, port2)
+    _mount(dyad).move(sites, motions, slides, placed, rates(dyad, (port1, port2), placed, closed))
+    inner = motions[A].point(_inner(dyad)) if isinstance(dyad, RRR | RRP | PRP) else None
+    return DyadMotion(motions[A], motions[B], tuple(slides[key] for key in sorted(slides)), inner)
+
+
+def _arrays(port: Point | Guide) -> Any:
+    """The port with arrays in place of scalars."""
+    return type(port)(*(np.asarray(v) for v in port))
+
+
+def _check_assembly(dyad: Dyad, port1: Any, port2: Any, where: str) -> None:
+    margin = dyad.margin(port1, port2)
+    if np.any(~(margin >= 0)):
+        k = int(np.argmin(np.atleast_1d(margin)))
+        raise AssemblyError(
+            f"does not assemble at position {k}: margin {float(np.min(margin)):.4g} is below 0",
+            where=where,
+            value=float(np.min(margin)),
+            limit=0.0,
+            remedy="change the lengths or the places of the outer joints",
+        )
+
+
+def _check_regular(regularity: Real, where: str) -> None:
+    least = float(np.min(regularity))
+    if not least >= SINGULAR:
+        raise SingularityError(
+            f"dead point at position {int(np.argmin(np.atleast_1d(regularity)))}: regularity {least:.3g} "
+            f"is below {SINGULAR:g}, velocities are not defined",
+            where=where,
+            value=least,
+            limit=SINGULAR,
+            remedy="keep clear of positions where the links stand in line, or guides are parallel",
+        )
+
+
+def _carrier(port: Point | Guide) -> LinkMotion:
+    """The motion of a source link with its origin in the port and its x axis along the guide."""
+    if isinstance(port, Point):
+        zero, still = np.zeros((), np.complex128), np.zeros(())
+        return LinkMotion(0j, *port, np.ones((), np.complex128), zero, zero, still, still)
+    turning = 1j * port.omega
+    return LinkMotion(
+        0j,
+        port.r,
+        port.v,
+        port.a,
+        port.e,
+        turning * port.e,
+        (1j * port.eps - port.omega**2) * port.e,
+        port.omega,
+        port.eps,
+    )
+
+
+def _inner(dyad: RRR | RRP | PRP) -> complex:
+    return complex(dyad.l_a) if isinstance(dyad, RRR) else complex(dyad.l) if isinstance(dyad, RRP) else 0j
+
+
+def _mount(dyad: Dyad) -> Mount:
+    """Constants of links whose axes stand along their vectors; slides are named by their letter's place."""
+    if isinstance(dyad, RRR):
+        return RRRMount(0j, 0j, complex(dyad.l_a), complex(dyad.l_b))
+    if isinstance(dyad, RRP):
+        return RRPMount(0j, complex(dyad.l), complex(dyad.l), 0j, 1 + 0j, 0.0, "2", 1)
+    if isinstance(dyad, RPR):
+        return RPRMount(0j, 0j, 1 + 0j, 1 + 0j, 0.0, "1", 1)
+    if isinstance(dyad, PRP):
+        return PRPMount(0j, 0j, 1 + 0j, 1 + 0j, 0.0, 0.0, ("0", "2"), (1, 1))
+    if isinstance(dyad, RPP):
+        return RPPMount(0j, 0j, dyad.d, 1 + 0j, 0.0, 0.0, "1", "2", (1, 1))
+    raise TypeError(f"{type(dyad).__name__} is not a dyad")

@@ -1,0 +1,196 @@
+"""Diagrams of the outputs over the input coordinate: displacement, velocity, acceleration, one under another."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
+
+from tmmcalc.linkage.model import Output
+from tmmcalc.linkage.outputs import OutputSummary, coordinate_of, default_outputs
+from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.trace import unwrapped
+from tmmcalc.report.numbers import number
+from tmmcalc.report.pictures.cycle import Motion, along, closed
+from tmmcalc.report.pictures.labels import Labels
+from tmmcalc.report.pictures.style import CURVES
+
+DOTTED = 72  # more positions than this are not marked one by one
+Row = tuple[Real, Real, Real]
+
+
+@dataclass(frozen=True)
+class Curve:
+    """One output: S, v, a over the dense cycle and at the positions, in SI."""
+
+    name: str  # index of the symbols: the point or link, with the direction if there are two of a point
+    angular: bool
+    dense: Row
+    nodes: Row
+    summary: OutputSummary | None
+    style: dict[str, Any]
+
+
+def columns_of(result: Kinematics, cycle: Motion) -> list[list[Curve]]:
+    """Outputs that share their panels: linear ones in one column, angular ones in another."""
+    outputs = default_outputs(cycle.chain)
+    curves = [_curve(result, cycle, k, output, outputs) for k, output in enumerate(outputs)]
+    groups = ([c for c in curves if c.angular is angular] for angular in (False, True))
+    return [_restyled(group) for group in groups if group]
+
+
+def _restyled(group: list[Curve]) -> list[Curve]:
+    return [Curve(*list(vars(c).values())[:-1], CURVES[k % len(CURVES)]) for k, c in enumerate(group)]
+
+
+def _curve(result: Kinematics, cycle: Motion, k: int, output: Output, outputs: Sequence[Output]) -> Curve:
+    raw = coordinate_of(cycle.chain, output, cycle.configuration)
+    value, rate, rate2 = (np.broadcast_to(v, cycle.x.shape) for v in raw)
+    value = unwrapped(value) if output.link is not None else value
+    twice = sum(other.name == output.name for other in outputs) > 1
+    name = f"{output.name}, {number(math.degrees(output.direction), 4)}°" if twice else output.name
+    summary = result.summaries[k] if k < len(result.summaries) else None
+    nodes = (result.s[k], *result.in_time(result.ds[k], result.dds[k]))
+    dense = (value - value[0], *result.in_time(rate, rate2))
+    return Curve(name, output.link is not None, dense, nodes, summary, {})
+
+
+def draw_diagrams(panels: Sequence[Axes], result: Kinematics, cycle: Motion, curves: Sequence[Curve]) -> None:
+    """Draw the curves of one column on its three panels; texts follow by `label_diagrams`."""
+    full = closed(cycle.chain)
+    x, x_nodes = (_coordinate(result, v) for v in (cycle.x - result.x[0], result.phi))
+    for kind, axes in enumerate(panels):
+        factor, label = _quantity(curves, kind)
+        for curve in curves:
+            axes.plot(x, curve.dense[kind] * factor, linewidth=1.3, zorder=4, **curve.style)
+            if len(x_nodes) <= DOTTED:
+                dots = {"markersize": 2.4, "color": curve.style["color"], "zorder": 5, "linestyle": ""}
+                axes.plot(x_nodes, curve.nodes[kind] * factor, "o", **dots)
+        _frame(axes, label, x, result, last=kind == 2)
+    for curve in curves:
+        for centre in _dead_centres(result, curve, full):
+            for axes in panels:
+                axes.axvline(centre, linestyle=(0, (4, 3)), linewidth=0.7, color=curve.style["color"], zorder=2)
+    if len(curves) > 1:
+        lines = [line for line in panels[0].lines if len(line.get_xdata()) == len(x)]
+        names = [f"${_symbol(curve, 0)}$" for curve in curves]
+        place = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.07), "ncols": len(curves)}
+        panels[0].legend(lines, names, handlelength=3, borderaxespad=0, **place)
+
+
+def _coordinate(result: Kinematics, phi: Real) -> Real:
+    return np.degrees(phi) if result.turns else phi * 1000
+
+
+def _frame(axes: Axes, label: str, x: Real, result: Kinematics, last: bool) -> None:
+    axes.axhline(0, color="#333333", linewidth=0.8, zorder=1.5)
+    axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
+    axes.set_axisbelow(True)
+    axes.set_xlim(x[0], x[-1])
+    axes.margins(y=0.2)
+    axes.set_ylabel(label)
+    if result.turns:
+        turn = abs(x[-1] - x[0])
+        axes.xaxis.set_major_locator(MultipleLocator(next((s for s in (5, 10, 15, 30) if turn / s <= 13), 60)))
+    axes.yaxis.set_major_locator(MaxNLocator(6))
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda v, _: number(v, 4).replace("-", "\N{MINUS SIGN}")))
+    axes.tick_params(length=2.5, labelbottom=last)
+    if last:
+        axes.set_xlabel("$\\varphi$, °" if result.turns else "$s - s_0$, mm")
+
+
+def _quantity(curves: Sequence[Curve], kind: int) -> tuple[float, str]:
+    """Factor from SI and label of a panel."""
+    symbol = _symbol(curves[0], kind) if len(curves) == 1 else _letter(curves[0], kind)
+    if curves[0].angular:
+        return ((180 / math.pi, 1.0, 1.0)[kind], f"${symbol}$, {('°', 'rad/s', 'rad/s²')[kind]}")
+    small = max(float(np.max(np.abs(c.dense[0]))) for c in curves) < 2.0
+    if kind == 0 and small:
+        return 1000.0, f"${symbol}$, mm"
+    return 1.0, f"${symbol}$, {('m', 'm/s', 'm/s²')[kind]}"
+
+
+def _letter(curve: Curve, kind: int) -> str:
+    return ("\\Delta\\varphi", "\\omega", "\\varepsilon")[kind] if curve.angular else "Sva"[kind]
+
+
+def _symbol(curve: Curve, kind: int) -> str:
+    return f"{_letter(curve, kind)}_{{\\mathrm{{{curve.name.replace(' ', '~').replace('°', '^{{\\circ}}')}}}}}"
+
+
+def _dead_centres(result: Kinematics, curve: Curve, full: bool) -> list[float]:
+    if curve.summary is None:
+        return []
+    turned = [along(result, centre.x, full) for centre in curve.summary.dead_centres]
+    return [float(_coordinate(result, np.array(v))) for v in turned]
+
+
+def label_diagrams(panels: Sequence[Axes], result: Kinematics, cycle: Motion, curves: Sequence[Curve]) -> None:
+    """Mark and name extreme values and dead centres; the layout of the figure must be settled."""
+    full = closed(cycle.chain)
+    x = _coordinate(result, cycle.x - result.x[0])
+    for kind, axes in enumerate(panels):
+        factor, _ = _quantity(curves, kind)
+        labels = Labels(axes)
+        for curve in curves:
+            labels.avoid(x + 1j * curve.dense[kind] * factor, 0.7)
+            for centre in _dead_centres(result, curve, full):
+                labels.avoid([complex(centre, v) for v in axes.get_ylim()], 0.3)
+        for curve in curves:
+            for at, value in _extremes(result, curve, kind, full):
+                _mark(axes, labels, curve, complex(at, value * factor))
+    _name_dead_centres(panels[0], result, curves, full)
+
+
+def _mark(axes: Axes, labels: Labels, curve: Curve, at: complex) -> None:
+    color = curve.style["color"]
+    axes.plot(at.real, at.imag, "D", markersize=3.6, markerfacecolor="white", color=color, zorder=6, clip_on=False)
+    prefer = 1j if at.imag >= 0 else -1j
+    text = number(at.imag, 4).replace("-", "\N{MINUS SIGN}")
+    labels.put(text, [at], size=7, prefer=prefer, gaps=(1.1, 1.8, 2.8, 4.0), color=color)
+
+
+def _extremes(result: Kinematics, curve: Curve, kind: int, full: bool) -> list[tuple[float, float]]:
+    """Diagram coordinate and SI value of the extremes of one quantity."""
+    summary = curve.summary
+    if summary is None:
+        return []
+    if kind == 0:
+        centres = summary.dead_centres
+        values = [float(np.interp(0, [0], [0])) for _ in centres]
+        sense = math.copysign(1.0, result.speed)
+        places = [along(result, centre.x, full) for centre in centres]
+        phi = np.abs(np.linspace(0, 1, len(curve.dense[0])))
+        del sense, phi
+        values = [centre.value - _start(summary, curve, result) for centre in centres]
+    else:
+        pair = summary.velocity if kind == 1 else summary.acceleration
+        places = [along(result, extreme.x, full) for extreme in pair]
+        values = [extreme.value for extreme in pair]
+    at = [float(_coordinate(result, np.array(v))) for v in places]
+    return list(zip(at, values, strict=True))
+
+
+def _start(summary: OutputSummary, curve: Curve, result: Kinematics) -> float:
+    return 0.0
+
+
+def _name_dead_centres(axes: Axes, result: Kinematics, curves: Sequence[Curve], full: bool) -> None:
+    """The coordinates of the dead centres above the uppermost panel, each once."""
+    span = abs(axes.get_xlim()[1] - axes.get_xlim()[0])
+    written: list[float] = []
+    for curve in curves:
+        for centre in _dead_centres(result, curve, full):
+            if all(abs(centre - other) > span * 0.075 for other in written):
+                written.append(centre)
+                text = f"{number(round(centre, 2), 6)}{'°' if result.turns else ''}".replace("-", "\N{MINUS SIGN}")
+                style = {"fontsize": 6.5, "ha": "center", "va": "bottom", "color": curve.style["color"]}
+                axes.annotate(text, (centre, 1.0), (0, 2), "data", textcoords="offset points", **style) if False else (
+                    axes.text(centre, 1.015, text, transform=axes.get_xaxis_transform(), **style)
+                )

@@ -1,0 +1,298 @@
+"""The kinematic scheme to scale: one position with main lines, others thin, paths of the points, names."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import FuncFormatter, MaxNLocator
+
+from tmmcalc.linkage.model import FRAME, Joint
+from tmmcalc.linkage.pins import Pin, find_pins
+from tmmcalc.linkage.plane import Plane
+from tmmcalc.linkage.results import Kinematics
+from tmmcalc.report.numbers import number
+from tmmcalc.report.pictures import symbols
+from tmmcalc.report.pictures.bodies import Body, Segment, bodies, centre_of_block, hangs_on_frame, travel
+from tmmcalc.report.pictures.board import Board
+from tmmcalc.report.pictures.cycle import Motion, motion_at
+from tmmcalc.report.pictures.style import BLOCK, INK, MARGIN, MARK, PATH, PLATE, THIN
+
+Z_PATH, Z_OTHERS = 1, 2
+LARGE = 3.0  # a mechanism larger than this is dimensioned in m, a smaller one in mm
+
+
+def draw_scheme(axes: Axes, result: Kinematics, cycle: Motion, positions: Sequence[int]) -> None:
+    """Draw on an axes whose place is settled; the first of ``positions`` has main lines."""
+    scheme = _Scheme(axes, result, cycle, positions)
+    scheme.paths()
+    scheme.others()
+    scheme.frame()
+    scheme.links()
+    scheme.joints()
+    scheme.drive()
+    scheme.names()
+    _dimension(axes, scheme.board, scheme.size)
+
+
+class _Scheme:
+    """One scheme while it is drawn."""
+
+    def __init__(self, axes: Axes, result: Kinematics, cycle: Motion, positions: Sequence[int]) -> None:
+        self.result, self.cycle, self.positions = result, cycle, positions
+        self.mechanism = cycle.chain.mechanism
+        self.pins = find_pins(self.mechanism)
+        self.motion = motion_at(cycle.chain, result.x[list(positions)])
+        self.rough = bodies(self.mechanism, self.pins, cycle, 0.0)
+        content = self._content()
+        self.size = max(np.ptp(content.real), np.ptp(content.imag))
+        self.board = Board(axes, content, MARGIN)
+        self.bodies = bodies(self.mechanism, self.pins, cycle, (BLOCK[0] / 2 + 2) * self.board.mu)
+        self.middle = complex(np.mean([self.place(b.link, p) for b in self.bodies for p in b.corners]))
+
+    def place(self, link: int, p: complex, k: int = 0) -> complex:
+        """Place of a point of a link in the k-th drawn position."""
+        return complex(self.motion.place(link, p)[k])
+
+    def placed(self, link: int, points: Sequence[complex], k: int = 0) -> list[complex]:
+        """Places of points of a link."""
+        return [self.place(link, p, k) for p in points]
+
+    def _content(self) -> Plane:
+        """Everything that must fit: frame points, guides, and all lines of the links over the drawn range."""
+        fixed = [np.array([pin.at[FRAME]]) for pin in self.pins if pin.fixed]
+        moving = [motion.place(b.link, p) for b in self.rough for p in b.corners for motion in (self.cycle, self.motion)]
+        moving += [self.cycle.place(*next(iter(pin.at.items()))) for pin in self.pins if not pin.fixed]
+        return np.concatenate([*fixed, *moving])
+
+    def paths(self) -> None:
+        """Paths of the named points over the whole cycle."""
+        for pin in self.pins:
+            if not pin.fixed and not pin.centre:
+                path = self.cycle.place(*next(iter(pin.at.items())))
+                style = {"linewidth": 0.7, "linestyle": (0, (6, 1.5, 1, 1.5)), "color": PATH, "zorder": Z_PATH}
+                self.board.line(path, weight=0.08, **style)
+
+    def others(self) -> None:
+        """The other positions thin, numbered along the circle of the crank pin."""
+        segments = [
+            self.placed(body.link, segment, k)
+            for k in range(1, len(self.positions))
+            for body in self.rough
+            for segment in body.segments
+        ]
+        self.board.lines(segments, weight=0.02, colors=THIN, linewidths=0.35, zorder=Z_OTHERS)
+        if self.result.turns and len(self.positions) > 1:
+            self._number_positions()
+
+    def _number_positions(self) -> None:
+        pivot, pin = self._crank()
+        if pin is None:
+            return
+        last: list[complex] = []
+        order = sorted(range(len(self.positions)), key=lambda k: self.positions[k])
+        for k in order:
+            at = self.place(self.result.structure.input_link, pin)
+            at = self.place(self.result.structure.input_link, pin, k)
+            text = at + (at - pivot) / abs(at - pivot) * 2.3 * self.board.mu
+            if all(abs(text - other) > 2.6 * self.board.mu for other in last):
+                last.append(text)
+                label = self.result.labels[self.positions[k]]
+                style = {"fontsize": 5, "ha": "center", "va": "center", "color": "#555555", "zorder": Z_PATH}
+                self.board.axes.text(text.real, text.imag, label, **style)
+                self.board.labels.avoid([text - 0.8 * self.board.mu, text + 0.8 * self.board.mu], 0.8)
+
+    def _crank(self) -> tuple[complex, complex | None]:
+        """Place of the crank's pivot, and the crank pin in the axes of the crank."""
+        link = self.result.structure.input_link
+        drive = self.mechanism.joint(self.result.input_joint)
+        pivot = drive.points[drive.links.index(FRAME)]
+        own = [pin.at[link] for pin in self.pins if link in pin.at and pin.joints and not pin.fixed]
+        return pivot, max(own, key=lambda p: abs(self.place(link, p) - pivot), default=None)
+
+    def frame(self) -> None:
+        """Pivots on their supports, guides and sleeves of the frame."""
+        for pin in self.pins:
+            if pin.fixed and pin.joints:
+                symbols.pivot(self.board, pin.at[FRAME], self._free_side(pin))
+            elif pin.fixed and not self._on_guide(pin):
+                at = pin.at[FRAME]
+                self.board.axes.plot(at.real, at.imag, "+", color=INK, markersize=5, markeredgewidth=0.7)
+        for joint in self.mechanism.joints:
+            if joint.kind == "prismatic" and joint.links[1] == FRAME:
+                self._guide(joint)
+            elif joint.kind == "prismatic" and joint.links[0] == FRAME:
+                link = joint.links[1]
+                direction = joint.directions[1] * complex(self.motion.turn(link)[0])
+                at = centre_of_block(joint, self.pins)
+                symbols.sleeve(self.board, at, direction, self._outward(at, direction))
+
+    def _on_guide(self, pin: Pin) -> bool:
+        """Points of the frame that only carry a guide's line need no sign of their own."""
+        return any(
+            joint.kind == "prismatic" and joint.links[1] == FRAME and joint.points[1] == pin.at[FRAME]
+            for joint in self.mechanism.joints
+        )
+
+    def _guide(self, joint: Joint) -> None:
+        q, e = joint.points[1], joint.directions[1]
+        low, high = travel(joint, self.pins, self.cycle)
+        ends = (q + low * e, q + high * e)
+        symbols.guide(self.board, ends, self._outward(sum(ends) / 2, e))
+
+    def _outward(self, at: complex, direction: complex) -> complex:
+        """The side of a guide that looks away from the mechanism; below or right of one through its middle."""
+        normal = -1j * direction
+        lower = normal if (normal.imag, -normal.real) <= (-normal.imag, normal.real) else -normal
+        away = ((at - self.middle) * np.conj(lower)).real
+        return lower if away > -0.08 * self.size else -lower
+
+    def _free_side(self, pin: Pin) -> complex:
+        """Where the support of a pivot covers no link: below, or else above, left, right."""
+        at, rays = pin.at[FRAME], []
+        for body in self.bodies:
+            for segment in body.segments:
+                rays += _rays(at, self.placed(body.link, segment), 4 * self.board.mu)
+        sides = (-1j, 1j, -1 + 0j, 1 + 0j)
+        blocked = [max(((ray * np.conj(side)).real for ray in rays), default=-1.0) for side in sides]
+        return next((side for side, cosine in zip(sides, blocked, strict=True) if cosine < 0.8), -1j)
+
+    def links(self) -> None:
+        """The links with main lines."""
+        for body in self.bodies:
+            z = symbols.Z_SLOT if body.slots else symbols.Z_LINK
+            if body.plate:
+                corners = self.placed(body.link, body.plate)
+                self.board.area(corners, facecolor=PLATE, linewidth=1.6, zorder=z - 0.5, alpha=0.9)
+            for slot in body.slots:
+                self.board.line(self.placed(body.link, slot), linewidth=1.8, zorder=symbols.Z_SLOT)
+            for bar in body.bars:
+                self.board.line(self.placed(body.link, bar), linewidth=1.8, zorder=symbols.Z_LINK)
+            for one in body.blocks:
+                direction = one.direction * complex(self.motion.turn(body.link)[0])
+                symbols.block(self.board, self.place(body.link, one.centre), direction)
+            for at, first, second in _corners(body):
+                turn = complex(self.motion.turn(body.link)[0])
+                symbols.weld(self.board, self.place(body.link, at), first * turn, second * turn)
+
+    def joints(self) -> None:
+        """Moving pins, loose points, centres of mass."""
+        for pin in self.pins:
+            if pin.fixed:
+                continue
+            at = self._place_of(pin)
+            if pin.joints:
+                symbols.pin(self.board, at)
+            elif pin.centre:
+                symbols.centre_of_mass(self.board, at)
+            elif not self._at_block(pin):
+                self.board.circle(at, 0.55, facecolor=INK, zorder=symbols.Z_PIN)
+
+    def _at_block(self, pin: Pin) -> bool:
+        return any(pin.at.get(body.link) == one.centre for body in self.bodies for one in body.blocks)
+
+    def _place_of(self, pin: Pin) -> complex:
+        return self.place(*next(iter(pin.at.items())))
+
+    def drive(self) -> None:
+        """The arrow of the input."""
+        joint, link = self.mechanism.joint(self.result.input_joint), self.result.structure.input_link
+        sense = math.copysign(1.0, self.result.speed)
+        if self.result.turns:
+            pivot, pin = self._crank()
+            arm = self.place(link, pin) - pivot if pin is not None else complex(self.motion.turn(link)[0])
+            radius = min(max(0.5 * abs(arm), 5 * self.board.mu), 9 * self.board.mu)
+            at = symbols.sense_arrow(self.board, pivot, arm, radius, sense)
+            self.board.labels.put(f"$\\omega_{{{link}}}$", [at], color=MARK, prefer=at - pivot)
+            return
+        side = joint.links.index(link)
+        e = joint.directions[1] * (complex(self.motion.turn(link)[0]) if side == 1 else 1)
+        forward = e * sense * (1 if side == 0 else -1)
+        at = self.place(link, joint.points[side]) - self._outward(self.place(link, joint.points[side]), e) * (
+            BLOCK[1] * self.board.mu
+        )
+        name = symbols.straight_arrow(self.board, at, forward)
+        self.board.labels.put(f"$v_{{{link}}}$", [name], color=MARK)
+
+    def names(self) -> None:
+        """Names of points, then numbers of links, each where it covers least."""
+        labels = self.board.labels
+        for pin in sorted(self.pins, key=lambda pin: pin.centre):
+            at = pin.at[FRAME] if pin.fixed else self._place_of(pin)
+            size = 6.5 if pin.centre else 8.5
+            labels.put(_subscript(pin.name), [at], size=size, style="italic", gaps=(1.3, 2.2, 3.2, 4.5))
+        for body in self.bodies:
+            labels.put(str(body.link), list(self._beside(body)), size=6.5, ring=True, gaps=(2.0, 3.0, 4.5, 6.5))
+
+    def _beside(self, body: Body) -> Iterator[complex]:
+        """Anchors for the number of a link."""
+        if body.plate:
+            yield sum(self.placed(body.link, body.plate)) / len(body.plate)
+        segments = body.bars or body.slots
+        if segments:
+            longest = max(segments, key=lambda s: abs(s[1] - s[0]))
+            a, b = self.placed(body.link, longest)
+            yield from (a + t * (b - a) for t in (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8))
+        elif body.blocks:
+            yield self.place(body.link, body.blocks[0].centre)
+        elif not body.plate:
+            yield self.place(body.link, 0j)
+
+
+def _subscript(name: str) -> str:
+    """Digits of a point's name are its index."""
+    return name
+
+
+def _rays(at: complex, segment: Sequence[complex], reach: float) -> list[complex]:
+    """Unit directions in which a line leaves a point that it passes within ``reach``."""
+    a, b = segment
+    if a == b:
+        return []
+    t = float(np.clip(((at - a) / (b - a)).real, 0, 1))
+    if abs(a + t * (b - a) - at) > reach:
+        return []
+    return [(p - at) / abs(p - at) for p in (a, b) if abs(p - at) > reach / 4]
+
+
+def _corners(body: Body) -> Iterator[tuple[complex, complex, complex]]:
+    """Where two bars of a link meet at an angle: the point, and the directions of both from there."""
+    lines: tuple[Segment, ...] = (*body.bars, *body.slots)
+    for one, other in combinations(lines, 2):
+        for at in (*one, *other):
+            ends = [_far_end(at, segment) for segment in (one, other)]
+            if all(end is not None for end in ends):
+                first, second = (end - at for end in ends if end is not None)
+                if abs(math.sin(cmath.phase(second / first))) > 0.05:
+                    yield at, first / abs(first), second / abs(second)
+                break
+
+
+def _far_end(at: complex, segment: Segment) -> complex | None:
+    """The end of a segment farther from a point that lies on it; None if the point lies off it."""
+    a, b = segment
+    t = ((at - a) / (b - a)) if a != b else 1j
+    if abs(t.imag) > 1e-6 or not -1e-6 <= t.real <= 1 + 1e-6:
+        return None
+    return max(segment, key=lambda p: abs(p - at))
+
+
+def _dimension(axes: Axes, board: Board, size: float) -> None:
+    """Axes in mm or m."""
+    unit, factor = ("m", 1.0) if size > LARGE else ("mm", 1000.0)
+    for axis, name in ((axes.xaxis, "x"), (axes.yaxis, "y")):
+        axis.set_major_locator(MaxNLocator(7, steps=[1, 2, 2.5, 5, 10]))
+        axis.set_major_formatter(FuncFormatter(lambda v, _: number(round(v * factor, 9))))
+        axis.set_label_text(f"{name}, {unit}")
+    axes.tick_params(length=2.5)
+
+
+def title(result: Kinematics, position: int, mu: float) -> str:
+    """Which position the main lines show, and the scale on paper."""
+    along = result.phi[position]
+    where = f"$\\varphi$ = {number(math.degrees(along), 5)}°" if result.turns else f"s = {number(along, 5)} m"
+    return f"Position {result.labels[position]}, {where}      $\\mu_l$ = {number(mu, 4)} m/mm"
