@@ -46,7 +46,7 @@ def _wrapped(angle: Real) -> Real:
 def _rounded(positions: Trace, decimals: int | None, unit: float) -> Trace:
     if decimals is None:
         return positions
-    points = np.round(positions.r / unit, decimals).astype(complex) * unit
+    points = (positions.r / unit).round(decimals) * unit
     return replace(
         positions,
         r=points,

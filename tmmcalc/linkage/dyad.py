@@ -74,7 +74,7 @@ def solve_dyad(dyad: Dyad, port1: Point | Guide, port2: Point | Guide) -> DyadMo
 
 def _arrays(port: Point | Guide) -> Any:
     """The port with arrays in place of scalars."""
-    return type(port)(*(np.asarray(v) for v in port))
+    return port._make(np.asarray(value) for value in port)
 
 
 def _check_assembly(dyad: Dyad, port1: Any, port2: Any, where: str) -> None:

@@ -64,7 +64,8 @@ def solve_kinematics(
     outputs = default_outputs(chain)
     summaries = tuple(summarise(chain, output, dense, start) for output in outputs)
     along, labels = distances(mechanism.grid, span, summaries[0] if summaries else None, start)
-    x = start + sense * along
+    phi = sense * along
+    x = start + phi
     evaluate = partial(_evaluate, chain, method=method, unit=crank_length(chain) or 1.0)
     values = evaluate(x)
     _check_positions(chain, x, values)
@@ -79,6 +80,7 @@ def solve_kinematics(
         acceleration=mechanism.input.acceleration,
         crank_length=crank_length(chain),
         labels=labels,
+        phi=phi,
         x=x,
         trace=values,
         outputs=tuple(output.name for output in outputs),

@@ -48,6 +48,7 @@ class Kinematics:
     acceleration: float  # [rad/s^2] or [m/s^2]
     crank_length: float | None  # l_1 [m], the unit of dimensionless results; None for a driven slider
     labels: tuple[str, ...]  # (n,) position labels
+    phi: Real  # (n,) input coordinate counted from position 0 [rad or m]
     x: Real  # (n,) input coordinate [rad or m]
     trace: Trace  # points, links, prismatic joints at x
     outputs: tuple[str, ...]  # (O,)
@@ -63,11 +64,7 @@ class Kinematics:
     error: ErrorEstimate
     counters: dict[str, int]
 
-    @property
-    def phi(self) -> Real:
-        """Input coordinate counted from position 0, (n,) [rad or m]."""
-        return self.x - self.x[0]
-
     def in_time(self, rate: np.ndarray, rate2: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Velocity and acceleration from first and second transfer function: v = S' w, a = S'' w^2 + S' eps."""
-        return rate * self.speed, rate2 * self.speed**2 + rate * self.acceleration
+        steady = rate2 * self.speed**2
+        return rate * self.speed, steady + rate * self.acceleration if self.acceleration else steady

@@ -15,7 +15,8 @@ from tmmcalc.linkage import solvers
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.plane import Plane, Real
 
-BLOCK = 6144  # rows: the arrays of one block, about 100 kB each, stay in the second-level cache
+# rows: temporaries of 64 kB stay in cache, and below the 128 kB at which malloc maps fresh pages for every one
+BLOCK = 4096
 TURN = 2 * np.pi
 
 
@@ -73,9 +74,10 @@ def trace(chain: Chain, x: Real, method: solvers.Method = solvers.closed, order:
     what = layout(chain)
     n = len(x)
     kind = np.result_type(x.dtype, np.complex64)
-    r = np.zeros((3, len(what.points), n), kind)
-    angle = np.zeros((3, len(what.links), n), x.dtype)
-    s = np.zeros((3, len(what.joints), n), x.dtype)
+    make = np.empty if order else np.zeros
+    r = make((3, len(what.points), n), kind)
+    angle = make((3, len(what.links), n), x.dtype)
+    s = make((3, len(what.joints), n), x.dtype)
     for at in range(0, n, BLOCK):
         rows = slice(at, min(at + BLOCK, n))
         configuration = chain.evaluate(x[rows], order=order, method=method)
@@ -93,16 +95,27 @@ def _store(configuration: Configuration, what: Layout, r: Plane, angle: Real, s:
         r[0, row] = point.r
         if order:
             r[1, row], r[2, row] = point.v, point.a
-    for row, link in enumerate(what.links):
-        motion = motions[link]
-        np.arctan2(motion.u.imag, motion.u.real, out=angle[0, row])
-        if order:
-            angle[1, row], angle[2, row] = motion.omega, motion.eps
+    _store_angles(configuration, what, angle, order)
     for row, joint in enumerate(what.joints):
         slide = configuration.slides[joint]
         s[0, row] = slide.s
         if order:
             s[1, row], s[2, row] = slide.ds, slide.dds
+
+
+def _store_angles(configuration: Configuration, what: Layout, angle: Real, order: int) -> None:
+    """Angles of all links; of links that turn together, only the first pays for an arc tangent."""
+    leaders: dict[int, int] = {}
+    for row, link in enumerate(what.links):
+        motion = configuration.motions[link]
+        if order:
+            angle[1, row], angle[2, row] = motion.omega, motion.eps
+        leader = leaders.setdefault(id(motion.omega), row) if order else row
+        if leader == row:
+            np.arctan2(motion.u.imag, motion.u.real, out=angle[0, row])
+        else:
+            between = motion.u.flat[0] / configuration.motions[what.links[leader]].u.flat[0]
+            np.add(angle[0, leader], np.angle(between), out=angle[0, row])
 
 
 def unwrapped(angle: Real) -> Real:

@@ -48,7 +48,8 @@ def csv_bytes(table: Table) -> bytes:
     if len(columns) != len(table.header) or len({len(column) for column in columns}) > 1:
         raise ValueError(f"{len(table.header)} headers over columns of {[len(column) for column in columns]} rows")
     lines = [",".join(_cell(name) for name in table.header)]
-    lines += [",".join(map(repr, row)) for row in zip(*columns, strict=True)]
+    written = [[_cell(v) for v in c] if c and isinstance(c[0], str) else map(repr, c) for c in columns]
+    lines += [",".join(row) for row in zip(*written, strict=True)]
     return "\n".join([*lines, ""]).encode()
 
 

@@ -25,6 +25,4 @@ class GridTable(Table):
     extra: list[InputCoordinate] = Field(
         default=[], description="Additional positions of the input, counted from position 0."
     )
-    extremes: bool = Field(
-        default=False, description="Whether the dead centres of the outputs are added as positions."
-    )
+    extremes: bool = Field(default=False, description="Whether the dead centres of the outputs are added as positions.")

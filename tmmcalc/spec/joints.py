@@ -15,9 +15,7 @@ def _form(value: object) -> str:
     return NAME_TAG if isinstance(value, str) else POINT_TAG
 
 
-Place = Annotated[
-    Annotated[PointName, Tag(NAME_TAG)] | Annotated[Point, Tag(POINT_TAG)], Discriminator(_form)
-]
+Place = Annotated[Annotated[PointName, Tag(NAME_TAG)] | Annotated[Point, Tag(POINT_TAG)], Discriminator(_form)]
 
 
 class GuideTable(Table):

@@ -50,16 +50,12 @@ def read_text(path: str | FilePath) -> str:
         with FilePath(path).open("rb") as file:
             content = file.read(LARGEST_FILE + 1)
     except FileNotFoundError:
-        raise UsageError(
-            f"there is no file {path}", remedy="check the name, or start from a ready spec"
-        ) from None
+        raise UsageError(f"there is no file {path}", remedy="check the name, or start from a ready spec") from None
     except IsADirectoryError:
         raise UsageError(f"{path} is a directory", remedy="name the spec file in it") from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise UsageError(
-            f"{path} cannot be read: {reason}", remedy="check the name and the permissions"
-        ) from None
+        raise UsageError(f"{path} cannot be read: {reason}", remedy="check the name and the permissions") from None
     if len(content) > LARGEST_FILE:
         raise UsageError(f"{path} is larger than {LARGEST_FILE // 10**6} MB, too large for a spec")
     try:

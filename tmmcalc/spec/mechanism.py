@@ -18,15 +18,11 @@ class MechanismTable(Table):
     """A planar linkage of one input: its frame, links, joints and positions."""
 
     gravity: Gravity = Field(default=9.81, description="Acceleration of free fall; 0 leaves the weights out.")
-    gravity_direction: Angle = Field(
-        default=-math.pi / 2, description="Direction of gravity, from the x axis."
-    )
+    gravity_direction: Angle = Field(default=-math.pi / 2, description="Direction of gravity, from the x axis.")
     grid: GridTable = Field(default_factory=GridTable, description="Positions of the input.")
     input: InputTable = Field(description="The joint of the input link with the frame, and its motion.")
     outputs: list[OutputTable] = Field(default=[], description="Output coordinates of the mechanism.")
-    fixed: dict[PointName, Point] = Field(
-        default={}, description="Points [x, y] of the frame, which is link 0."
-    )
+    fixed: dict[PointName, Point] = Field(default={}, description="Points [x, y] of the frame, which is link 0.")
     links: list[LinkTable] = Field(min_length=1, description="The moving links.")
     joints: list[JointTable] = Field(min_length=1, description="The joints between the links.")
     assembly: AssemblyTable = Field(

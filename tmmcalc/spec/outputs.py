@@ -11,16 +11,10 @@ from .table import Table
 class OutputTable(Table):
     """One output coordinate: of a point along a direction, of a link (its angle) or of a prismatic joint."""
 
-    point: PointName | None = Field(
-        default=None, description="Point whose displacement along direction is the output."
-    )
-    direction: Angle = Field(
-        default=0.0, description="Direction along which the point is followed, from the x axis."
-    )
+    point: PointName | None = Field(default=None, description="Point whose displacement along direction is the output.")
+    direction: Angle = Field(default=0.0, description="Direction along which the point is followed, from the x axis.")
     link: int | None = Field(default=None, ge=1, description="Link whose angle is the output.")
-    joint: JointName | None = Field(
-        default=None, description="Prismatic joint whose coordinate is the output."
-    )
+    joint: JointName | None = Field(default=None, description="Prismatic joint whose coordinate is the output.")
     resistance: Literal["positive", "negative"] | None = Field(
         default=None, description="Sense of the useful resistance along the output coordinate."
     )

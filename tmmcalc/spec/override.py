@@ -81,11 +81,7 @@ def _resolve(here: Any, step: Step, path: Path, assignment: str) -> str | int:
 
 def _find(here: list[Any], where: _Where, path: Path, assignment: str) -> int:
     values = [item.get(where.key) if isinstance(item, dict) else None for item in here]
-    found = [
-        index
-        for index, value in enumerate(values)
-        if type(value) is type(where.value) and value == where.value
-    ]
+    found = [index for index, value in enumerate(values) if type(value) is type(where.value) and value == where.value]
     if len(found) == 1:
         return found[0]
     count = "no element" if not found else f"{len(found)} elements"

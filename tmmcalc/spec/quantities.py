@@ -32,9 +32,7 @@ class _Reader:
     def describe(self) -> dict[str, Any]:
         raise NotImplementedError
 
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> core_schema.CoreSchema:
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
         return core_schema.no_info_plain_validator_function(self.read)
 
     def __get_pydantic_json_schema__(
@@ -63,13 +61,9 @@ class Quantity(_Reader):
         except UnitError as fault:
             raise self._with_word(fault, value) from None
         if self.at_least_zero and number < 0:
-            raise UnitError(
-                f"{show(value)} is negative; {self._noun()} is at least 0", "write it without the minus"
-            )
+            raise UnitError(f"{show(value)} is negative; {self._noun()} is at least 0", "write it without the minus")
         if self.nonzero and number == 0:
-            raise UnitError(
-                f"{show(value)} is zero; {self._noun()} other than 0 is needed here", self._example()
-            )
+            raise UnitError(f"{show(value)} is zero; {self._noun()} other than 0 is needed here", self._example())
         return number
 
     def describe(self) -> dict[str, Any]:
@@ -116,9 +110,7 @@ class Name(_Reader):
     def read(self, value: object) -> str:
         """Return the name; raise UnitError with the character that does not belong there."""
         if not isinstance(value, str):
-            raise UnitError(
-                f"{show(value)} is not a name", f'write the name of a {self.noun} in quotes, such as "A"'
-            )
+            raise UnitError(f"{show(value)} is not a name", f'write the name of a {self.noun} in quotes, such as "A"')
         if NAME.fullmatch(value):
             return value
         raise UnitError(
@@ -135,9 +127,7 @@ def _unit_pattern(unit: str) -> str:
     """Return a regex of one unit that takes ``·`` and the raised digits as well."""
     # A unit that begins with a digit (1/s) keeps its distance from the number.
     gap = r"\s" if unit[0].isdigit() else ""
-    return gap + re.escape(unit).replace(r"\*", "[*·]").replace(r"\^2", "(\\^2|²)").replace(
-        r"\^3", "(\\^3|³)"
-    )
+    return gap + re.escape(unit).replace(r"\*", "[*·]").replace(r"\^2", "(\\^2|²)").replace(r"\^3", "(\\^3|³)")
 
 
 def _stranger(name: str) -> str:

@@ -39,11 +39,7 @@ def _plain(node: Any) -> Any:
 
 
 def _is_noise(key: str, value: Any) -> bool:
-    return (
-        (key == "title" and isinstance(value, str))
-        or key == "discriminator"
-        or (key == "default" and value is None)
-    )
+    return (key == "title" and isinstance(value, str)) or key == "discriminator" or (key == "default" and value is None)
 
 
 def _without_null(node: dict[str, Any]) -> dict[str, Any]:

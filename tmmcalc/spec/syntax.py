@@ -48,9 +48,7 @@ def read_toml(text: str, file: str) -> dict[str, Any]:
     except RecursionError:
         raise SpecError(file, [too_deep()]) from None
     except ValueError as error:  # an integer of thousands of digits, a date such as 30 February
-        raise SpecError(
-            file, [Fault("", None, f"not valid TOML: {error}", "correct the number or date")]
-        ) from None
+        raise SpecError(file, [Fault("", None, f"not valid TOML: {error}", "correct the number or date")]) from None
 
 
 def too_deep() -> Fault:
@@ -73,9 +71,7 @@ def _remedy(line: str, what: str) -> str:
     code = re.sub(r'"[^"]*"', '""', line)
     if "overwrite" in what or "twice" in what:
         is_header = line.lstrip().startswith("[")
-        return (
-            f"each table stands once; {_TWO_BRACKETS}" if is_header else "each key stands once in its table"
-        )
+        return f"each table stands once; {_TWO_BRACKETS}" if is_header else "each key stands once in its table"
     for pattern, remedy in _LINE_REMEDIES:
         if match := re.search(pattern, code):
             return match.expand(remedy)

@@ -30,9 +30,7 @@ def path(name: str) -> Path:
     known = names()
     if name not in known:
         guess = did_you_mean(name, known)
-        raise UsageError(
-            f"there is no ready spec '{name}'", remedy=f"{guess} there are: {listing(known)}".strip()
-        )
+        raise UsageError(f"there is no ready spec '{name}'", remedy=f"{guess} there are: {listing(known)}".strip())
     return folder() / f"{name}.toml"
 
 

@@ -229,9 +229,7 @@ def _convert(text: str, reading: _Reading, factor: Factor, dimensions: tuple[str
 def _unit_fault(text: str, reading: _Reading, dimensions: tuple[str, ...]) -> UnitError:
     if not reading.unit:
         si = either(DIMENSIONS[dimension].si for dimension in dimensions)
-        return UnitError(
-            f"{show(text)} has no unit", f"{_advice(dimensions)}; a number without quotes is in {si}"
-        )
+        return UnitError(f"{show(text)} has no unit", f"{_advice(dimensions)}; a number without quotes is in {si}")
     if re.match(r",\d", reading.unit):
         return UnitError(f"{show(text)} has a decimal comma", f'write a point: "{text.replace(",", ".", 1)}"')
     if re.match(r"[\d.,/]", reading.unit):
@@ -239,9 +237,7 @@ def _unit_fault(text: str, reading: _Reading, dimensions: tuple[str, ...]) -> Un
     own = [unit for dimension in dimensions for unit in UNITS[dimension]]
     guess = nearest(reading.unit, own) or nearest(reading.unit, list(_DIMENSION_OF))
     remedy = f'did you mean "{guess}"? ' if guess else ""
-    return UnitError(
-        f"{show(text)}: unknown unit {show(reading.unit)}", f"{remedy}known here: {', '.join(own)}"
-    )
+    return UnitError(f"{show(text)}: unknown unit {show(reading.unit)}", f"{remedy}known here: {', '.join(own)}")
 
 
 def _wanted(dimensions: tuple[str, ...]) -> str:

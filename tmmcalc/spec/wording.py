@@ -67,9 +67,7 @@ def findings(error: ValidationError) -> list[Finding]:
         if item["type"] == "extra_forbidden":
             meant.add(_meant(item))
         found.append(_finding(item))
-    return [
-        finding for finding in found if not (finding.path in meant and finding.message.startswith("missing"))
-    ]
+    return [finding for finding in found if not (finding.path in meant and finding.message.startswith("missing"))]
 
 
 def _finding(item: Item) -> Finding:
@@ -156,30 +154,22 @@ def _not_whole(item: Item, path: Path) -> Finding:
     whole = isinstance(value, float) and value.is_integer()
     digits = str(int(value)) if whole else value.strip() if isinstance(value, str) else ""
     plain = digits.removeprefix("-").isdecimal() and len(digits) < 20
-    return Finding(
-        path, f"{show(value)} is not a whole number", f"write {digits}" if plain else "write a whole number"
-    )
+    return Finding(path, f"{show(value)} is not a whole number", f"write {digits}" if plain else "write a whole number")
 
 
 def _not_bool(item: Item, path: Path) -> Finding:
-    return Finding(
-        path, f"{show(item['input'])} is neither true nor false", "write true or false, without quotes"
-    )
+    return Finding(path, f"{show(item['input'])} is neither true nor false", "write true or false, without quotes")
 
 
 def _not_listed(item: Item, path: Path) -> Finding:
     expected = item["ctx"]["expected"].replace("'", '"')
-    return Finding(
-        path, f"{show(item['input'])} is not allowed here; the value is {expected}", f"write {expected}"
-    )
+    return Finding(path, f"{show(item['input'])} is not allowed here; the value is {expected}", f"write {expected}")
 
 
 def _too_small(item: Item, path: Path) -> Finding:
     limit, value, pattern = item["ctx"]["ge"], item["input"], _pattern(path)
     if value == 0 and pattern == "mechanism.links.id":
-        return Finding(
-            path, "0 is the frame, not a moving link", "its points stand in [mechanism.fixed]; count from 1"
-        )
+        return Finding(path, "0 is the frame, not a moving link", "its points stand in [mechanism.fixed]; count from 1")
     if value == 0 and pattern == "mechanism.outputs.link":
         return Finding(path, "link 0 is the frame and does not move", "name a moving link")
     return Finding(path, f"{show(value)} is less than {limit}, the least allowed", f"write {limit} or more")
@@ -232,10 +222,7 @@ def _keys_at(loc: Path) -> list[str]:
             tables = [t for t in tables if "kind" in t.model_fields and _kind_of(t) == step]
         elif isinstance(step, str):
             tables = [
-                sub
-                for t in tables
-                if step in t.model_fields
-                for sub in _tables_in(t.model_fields[step].annotation)
+                sub for t in tables if step in t.model_fields for sub in _tables_in(t.model_fields[step].annotation)
             ]
     return [key for table in tables for key in table.model_fields]
 

@@ -38,10 +38,10 @@ def solve(mechanism: Mechanism, upstream: Mapping[str, Any], settings: Mapping[s
 
 def dump(result: Kinematics) -> Record:
     """Arrays go to npz: x (n,), outputs s, ds, dds (O, n), points r (P, n), links angle (L, n), joints (J, n)."""
-    arrays: dict[str, np.ndarray] = {"label": np.array(result.labels), "x": result.x}
+    arrays: dict[str, np.ndarray] = {"label": np.array(result.labels), "phi": result.phi, "x": result.x}
     arrays |= {f"output_{name}": getattr(result, name) for name in _OUTPUT_ARRAYS}
     arrays |= {name: getattr(result.trace, own) for name, own in zip(TRACE_ARRAYS, _TRACE_FIELDS, strict=True)}
-    left_out = {"labels", "x", *_OUTPUT_ARRAYS, "trace", "error", "counters"}
+    left_out = {"labels", "phi", "x", *_OUTPUT_ARRAYS, "trace", "error", "counters"}
     scalars = {name: plain(value) for name, value in vars(result).items() if name not in left_out and value is not None}
     names = {"points": result.trace.point_names, "links": result.trace.link_ids, "joints": result.trace.joint_names}
     return Record({**scalars, "rows": plain(names)}, arrays, plain(result.error), result.counters)
@@ -56,6 +56,7 @@ def load(record: Record) -> Kinematics:
     trace = Trace(points, r, dr, ddr, links, angle, dangle, ddangle, joints, s, ds, dds)
     given: dict[str, Any] = {
         "labels": tuple(arrays["label"].tolist()),
+        "phi": arrays["phi"],
         "x": arrays["x"],
         **{name: arrays[f"output_{name}"] for name in _OUTPUT_ARRAYS},
         "trace": trace,

@@ -23,10 +23,8 @@ class Board:
 
     def __init__(self, axes: Axes, content: Plane, margin: float) -> None:
         """Scale the axes, whose place must be settled, so that the content keeps a margin [mm]."""
-        figure = axes.figure.get_figure(root=True)
-        assert figure is not None
         box = axes.get_window_extent()
-        width, height = (v * MM / figure.dpi for v in (box.width, box.height))
+        width, height = (v * MM / axes.figure.dpi for v in (box.width, box.height))
         low, high = _corners(content)
         need = max((high - low).real / (width - 2 * margin), (high - low).imag / (height - 2 * margin))
         self.axes = axes

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tmmcalc.linkage.model import FRAME, Joint, Link, Mechanism
+from tmmcalc.linkage.model import Joint, Link, Mechanism
 from tmmcalc.linkage.pins import Pin
 from tmmcalc.report.pictures.cycle import Motion
 
@@ -71,15 +71,11 @@ def travel(joint: Joint, pins: tuple[Pin, ...], cycle: Motion) -> tuple[float, f
 def _body(mechanism: Mechanism, link: Link, pins: tuple[Pin, ...], cycle: Motion, reach: float) -> Body:
     own = [pin for pin in pins if link.id in pin.at]
     sliding = [j for j in mechanism.joints if j.kind == "prismatic" and link.id in j.links]
-    blocks = tuple(
-        Block(j, centre_of_block(j, pins), j.directions[0]) for j in sliding if j.links[0] == link.id
-    )
+    blocks = tuple(Block(j, centre_of_block(j, pins), j.directions[0]) for j in sliding if j.links[0] == link.id)
     vertices = [pin.at[link.id] for pin in own if pin.joints]
     vertices += [b.centre for b in blocks if b.centre not in vertices]
     named = [pin.at[link.id] for pin in own if not pin.centre]
-    slots = tuple(
-        _slot(j, named, *travel(j, pins, cycle), reach) for j in sliding if j.links[1] == link.id
-    )
+    slots = tuple(_slot(j, named, *travel(j, pins, cycle), reach) for j in sliding if j.links[1] == link.id)
     plate, bars = _solid(vertices)
     body = Body(link.id, plate, bars, slots, blocks)
     return _beneath(_tied(body, vertices, named))
@@ -145,8 +141,9 @@ def _beneath(body: Body) -> Body:
 
 
 def _parallel(bar: Segment, slot: Segment) -> bool:
-    length = abs(slot[1] - slot[0]) or 1.0
-    return all(abs(((p - slot[0]) / (slot[1] - slot[0])).imag) * length <= 1e-9 for p in bar) if slot[1] != slot[0] else False
+    """Whether a bar lies on the line of a slot."""
+    along = slot[1] - slot[0]
+    return along != 0 and all(abs(((p - slot[0]) * along.conjugate()).imag) <= 1e-9 * abs(along) for p in bar)
 
 
 def _distance(p: complex, segment: Segment) -> tuple[float, complex]:
@@ -179,8 +176,3 @@ def _inside(p: complex, plate: tuple[complex, ...]) -> bool:
     corners = np.array(plate)
     edges = np.roll(corners, -1) - corners
     return bool(np.all((edges.conjugate() * (p - corners)).imag >= 0))
-
-
-def hangs_on_frame(joint: Joint) -> bool:
-    """Whether a joint has the frame as one of its links."""
-    return FRAME in joint.links

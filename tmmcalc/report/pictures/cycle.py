@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,7 +14,6 @@ from tmmcalc.linkage.results import Kinematics
 
 SAMPLES = 721  # every half degree of a full turn
 TURN = 2 * math.pi
-DRAWN = 24  # positions drawn by default
 
 
 @dataclass(frozen=True)
@@ -70,24 +68,3 @@ def along(result: Kinematics, x: float, full: bool) -> float:
         distance %= TURN
         distance = 0.0 if TURN - distance < 1e-9 else distance
     return sense * distance
-
-
-def chosen(result: Kinematics, positions: Sequence[int] | None, polygons: int | None, full: bool) -> list[int]:
-    """Positions to draw, the highlighted one first."""
-    if positions:
-        return list(dict.fromkeys(positions))
-    main = polygons if polygons is not None else _telling(result, full)
-    count = len(result.x)
-    others = range(count) if count <= DRAWN + 1 else np.linspace(0, count - 1, DRAWN + 1).astype(int).tolist()
-    return [main, *(k for k in others if k != main)]
-
-
-def _telling(result: Kinematics, full: bool) -> int:
-    """The position nearest to the middle of the working stroke of the first output, else to a quarter of the way."""
-    phi = result.phi
-    first = result.summaries[0] if result.summaries else None
-    if first is not None and first.working_angle is not None:
-        start = along(result, first.dead_centres[0].x, full)
-        target = start + math.copysign(first.working_angle / 2, result.speed)
-        return int(np.argmax(np.cos(phi - target)))
-    return int(np.argmin(np.abs(phi - phi[np.argmax(np.abs(phi))] / 4)))

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 
 from tmmcalc.linkage.model import Output
@@ -17,11 +18,12 @@ from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.trace import unwrapped
 from tmmcalc.report.numbers import number
-from tmmcalc.report.pictures.cycle import Motion, along, closed
-from tmmcalc.report.pictures.labels import Labels
+from tmmcalc.report.pictures.cycle import TURN, Motion, along, closed
+from tmmcalc.report.pictures.labels import Labels, signed
 from tmmcalc.report.pictures.style import CURVES
 
 DOTTED = 72  # more positions than this are not marked one by one
+NARROW = 0.08  # names of dead centres that stand closer than this part of the range would touch
 Row = tuple[Real, Real, Real]
 
 
@@ -33,6 +35,7 @@ class Curve:
     angular: bool
     dense: Row
     nodes: Row
+    start: float  # coordinate of the output in position 0
     summary: OutputSummary | None
     style: dict[str, Any]
 
@@ -46,7 +49,7 @@ def columns_of(result: Kinematics, cycle: Motion) -> list[list[Curve]]:
 
 
 def _restyled(group: list[Curve]) -> list[Curve]:
-    return [Curve(*list(vars(c).values())[:-1], CURVES[k % len(CURVES)]) for k, c in enumerate(group)]
+    return [replace(c, style=CURVES[k % len(CURVES)]) for k, c in enumerate(group)]
 
 
 def _curve(result: Kinematics, cycle: Motion, k: int, output: Output, outputs: Sequence[Output]) -> Curve:
@@ -54,11 +57,11 @@ def _curve(result: Kinematics, cycle: Motion, k: int, output: Output, outputs: S
     value, rate, rate2 = (np.broadcast_to(v, cycle.x.shape) for v in raw)
     value = unwrapped(value) if output.link is not None else value
     twice = sum(other.name == output.name for other in outputs) > 1
-    name = f"{output.name}, {number(math.degrees(output.direction), 4)}°" if twice else output.name
+    name = rf"{output.name},{number(math.degrees(output.direction), 4)}^\circ" if twice else output.name
     summary = result.summaries[k] if k < len(result.summaries) else None
     nodes = (result.s[k], *result.in_time(result.ds[k], result.dds[k]))
     dense = (value - value[0], *result.in_time(rate, rate2))
-    return Curve(name, output.link is not None, dense, nodes, summary, {})
+    return Curve(name, output.link is not None, dense, nodes, float(value[0]), summary, {})
 
 
 def draw_diagrams(panels: Sequence[Axes], result: Kinematics, cycle: Motion, curves: Sequence[Curve]) -> None:
@@ -78,10 +81,9 @@ def draw_diagrams(panels: Sequence[Axes], result: Kinematics, cycle: Motion, cur
             for axes in panels:
                 axes.axvline(centre, linestyle=(0, (4, 3)), linewidth=0.7, color=curve.style["color"], zorder=2)
     if len(curves) > 1:
-        lines = [line for line in panels[0].lines if len(line.get_xdata()) == len(x)]
-        names = [f"${_symbol(curve, 0)}$" for curve in curves]
-        place = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.07), "ncols": len(curves)}
-        panels[0].legend(lines, names, handlelength=3, borderaxespad=0, **place)
+        lines = [Line2D([], [], label=f"${_symbol(curve, 0)}$", linewidth=1.3, **curve.style) for curve in curves]
+        place: dict[str, Any] = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.07), "ncols": len(curves)}
+        panels[0].legend(handles=lines, handlelength=3, borderaxespad=0, **place)
 
 
 def _coordinate(result: Kinematics, phi: Real) -> Real:
@@ -99,7 +101,7 @@ def _frame(axes: Axes, label: str, x: Real, result: Kinematics, last: bool) -> N
         turn = abs(x[-1] - x[0])
         axes.xaxis.set_major_locator(MultipleLocator(next((s for s in (5, 10, 15, 30) if turn / s <= 13), 60)))
     axes.yaxis.set_major_locator(MaxNLocator(6))
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda v, _: number(v, 4).replace("-", "\N{MINUS SIGN}")))
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 4)))
     axes.tick_params(length=2.5, labelbottom=last)
     if last:
         axes.set_xlabel("$\\varphi$, °" if result.turns else "$s - s_0$, mm")
@@ -121,7 +123,7 @@ def _letter(curve: Curve, kind: int) -> str:
 
 
 def _symbol(curve: Curve, kind: int) -> str:
-    return f"{_letter(curve, kind)}_{{\\mathrm{{{curve.name.replace(' ', '~').replace('°', '^{{\\circ}}')}}}}}"
+    return f"{_letter(curve, kind)}_{{\\mathrm{{{curve.name}}}}}"
 
 
 def _dead_centres(result: Kinematics, curve: Curve, full: bool) -> list[float]:
@@ -152,45 +154,44 @@ def _mark(axes: Axes, labels: Labels, curve: Curve, at: complex) -> None:
     color = curve.style["color"]
     axes.plot(at.real, at.imag, "D", markersize=3.6, markerfacecolor="white", color=color, zorder=6, clip_on=False)
     prefer = 1j if at.imag >= 0 else -1j
-    text = number(at.imag, 4).replace("-", "\N{MINUS SIGN}")
+    text = signed(at.imag, 4)
     labels.put(text, [at], size=7, prefer=prefer, gaps=(1.1, 1.8, 2.8, 4.0), color=color)
 
 
 def _extremes(result: Kinematics, curve: Curve, kind: int, full: bool) -> list[tuple[float, float]]:
     """Diagram coordinate and SI value of the extremes of one quantity."""
-    summary = curve.summary
-    if summary is None:
+    if curve.summary is None:
         return []
     if kind == 0:
-        centres = summary.dead_centres
-        values = [float(np.interp(0, [0], [0])) for _ in centres]
-        sense = math.copysign(1.0, result.speed)
-        places = [along(result, centre.x, full) for centre in centres]
-        phi = np.abs(np.linspace(0, 1, len(curve.dense[0])))
-        del sense, phi
-        values = [centre.value - _start(summary, curve, result) for centre in centres]
-    else:
-        pair = summary.velocity if kind == 1 else summary.acceleration
-        places = [along(result, extreme.x, full) for extreme in pair]
-        values = [extreme.value for extreme in pair]
-    at = [float(_coordinate(result, np.array(v))) for v in places]
-    return list(zip(at, values, strict=True))
+        places = _dead_centres(result, curve, full)
+        values = (_travelled(curve, centre.value) for centre in curve.summary.dead_centres)
+        return [(at, s) for at, s in zip(places, values, strict=True) if abs(s) > 1e-9 * np.ptp(curve.dense[0])]
+    pair = curve.summary.velocity if kind == 1 else curve.summary.acceleration
+    turned = np.array([along(result, extreme.x, full) for extreme in pair])
+    return list(zip(_coordinate(result, turned).tolist(), (extreme.value for extreme in pair), strict=True))
 
 
-def _start(summary: OutputSummary, curve: Curve, result: Kinematics) -> float:
-    return 0.0
+def _travelled(curve: Curve, value: float) -> float:
+    """Displacement at a dead centre from its coordinate; an angle on the branch of the curve."""
+    s = value - curve.start
+    if curve.angular:
+        low, high = float(curve.dense[0].min()), float(curve.dense[0].max())
+        s += TURN * round(((low + high) / 2 - s) / TURN)
+    return s
 
 
 def _name_dead_centres(axes: Axes, result: Kinematics, curves: Sequence[Curve], full: bool) -> None:
-    """The coordinates of the dead centres above the uppermost panel, each once."""
+    """The coordinates of the dead centres above the uppermost panel; of two neighbours each gives way to its side."""
     span = abs(axes.get_xlim()[1] - axes.get_xlim()[0])
-    written: list[float] = []
-    for curve in curves:
-        for centre in _dead_centres(result, curve, full):
-            if all(abs(centre - other) > span * 0.075 for other in written):
-                written.append(centre)
-                text = f"{number(round(centre, 2), 6)}{'°' if result.turns else ''}".replace("-", "\N{MINUS SIGN}")
-                style = {"fontsize": 6.5, "ha": "center", "va": "bottom", "color": curve.style["color"]}
-                axes.annotate(text, (centre, 1.0), (0, 2), "data", textcoords="offset points", **style) if False else (
-                    axes.text(centre, 1.015, text, transform=axes.get_xaxis_transform(), **style)
-                )
+    found = sorted(
+        (abs(centre), centre, curve.style["color"]) for curve in curves for centre in _dead_centres(result, curve, full)
+    )
+    kept = [item for k, item in enumerate(found) if k == 0 or item[0] - found[k - 1][0] > 1e-3 * span]
+    ways = [item[0] for item in kept]
+    for k, (way, centre, color) in enumerate(kept):
+        before = k > 0 and way - ways[k - 1] < NARROW * span
+        after = k + 1 < len(ways) and ways[k + 1] - way < NARROW * span
+        side = "center" if before == after else "left" if before else "right"
+        text = f"{signed(round(centre, 2), 6)}{'°' if result.turns else ''}"
+        style = {"fontsize": 6.5, "ha": side, "va": "bottom", "color": color}
+        axes.text(centre, 1.015, text, transform=axes.get_xaxis_transform(), **style)

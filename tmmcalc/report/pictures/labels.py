@@ -7,19 +7,23 @@ covers least. The layout of the figure must be settled before.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.font_manager import FontProperties
+from matplotlib.patheffects import withStroke
 from matplotlib.textpath import TextPath
 
 from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.report.numbers import number
 from tmmcalc.report.pictures.style import INK
 
 MM = 25.4
 NEAR = 20.0  # what lies farther from an anchor cannot be covered [mm]
 STEP = 0.5  # spacing of the points that stand for a line [mm]
+RING = 0.33  # radius of the ring around a number, mm to a point of its size
 AROUND = np.exp(1j * np.radians([45, 135, -45, -135, 90, 0, 180, -90, 22, 68, 112, 158, -22, -68, -112, -158]))
 
 
@@ -27,10 +31,8 @@ class Labels:
     """The texts of one axes."""
 
     def __init__(self, axes: Axes) -> None:
-        figure = axes.figure.get_figure(root=True)
-        assert figure is not None
         self.axes = axes
-        self._to_mm = MM / figure.dpi
+        self._to_mm = MM / axes.figure.dpi
         self._points: list[Plane] = []
         self._weights: list[Real] = []
         self._taken: list[tuple[float, float, float, float]] = []
@@ -49,7 +51,7 @@ class Labels:
         """Keep clear of this line (data coordinates), the more the greater the weight."""
         z = self._paper(np.atleast_1d(np.asarray(list(line), dtype=complex)))
         pieces = [z[:1]]
-        for a, b in zip(z[:-1], z[1:], strict=True):
+        for a, b in pairwise(z):
             count = max(1, int(abs(b - a) / STEP))
             pieces.append(a + (b - a) * np.arange(1, count + 1) / count)
         points = np.concatenate(pieces)
@@ -68,7 +70,7 @@ class Labels:
         **style: Any,
     ) -> None:
         """Write a text near one of the anchors (data coordinates), ``gaps`` mm away; a ``ring`` goes around it."""
-        half = _half_size(text, size) if not ring else (0.24 * size * 0.9, 0.24 * size * 0.9)
+        half = (RING * size, RING * size) if ring else _half_size(text, size)
         centres, costs = [], []
         for rank, anchor in enumerate(self._paper(np.array(list(anchors), dtype=complex))):
             tried, cost = self._tried(complex(anchor), half, gaps, prefer)
@@ -77,8 +79,10 @@ class Labels:
         at = complex(np.concatenate(centres)[int(np.argmin(np.concatenate(costs)))])
         self._taken.append((at.real - half[0], at.real + half[0], at.imag - half[1], at.imag + half[1]))
         box = {"boxstyle": "circle,pad=0.22", "fc": "white", "ec": INK, "lw": 0.6} if ring else None
-        style = {"color": INK, "zorder": 20, **style}
-        self.axes.text(*self._data(at), text, fontsize=size, ha="center", va="center_baseline", bbox=box, **style)
+        halo = [] if ring else [withStroke(linewidth=1.6, foreground="white")]
+        level = "center" if text.startswith("$") else "center_baseline"
+        style = {"color": INK, "zorder": 20, "path_effects": halo, **style}
+        self.axes.text(*self._data(at), text, fontsize=size, ha="center", va=level, bbox=box, **style)
 
     def _tried(
         self, anchor: complex, half: tuple[float, float], gaps: tuple[float, ...], prefer: complex
@@ -108,7 +112,7 @@ class Labels:
             | (centres.imag - height < y0)
             | (centres.imag + height > y1)
         )
-        return cost + 60.0 * outside
+        return np.asarray(cost + 60.0 * outside)
 
 
 def _outward(directions: Plane, half: tuple[float, float], gap: float) -> Plane:
@@ -121,3 +125,8 @@ def _half_size(text: str, size: float) -> tuple[float, float]:
     box = TextPath((0, 0), text, size=size, prop=FontProperties(family="DejaVu Sans")).get_extents()
     points = MM / 72
     return box.width * points / 2, max(box.height, 0.72 * size) * points / 2
+
+
+def signed(value: float, digits: int = 7) -> str:
+    """A number with a true minus sign."""
+    return number(value, digits).replace("-", "\N{MINUS SIGN}")

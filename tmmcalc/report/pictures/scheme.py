@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,13 +18,24 @@ from tmmcalc.linkage.plane import Plane
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.numbers import number
 from tmmcalc.report.pictures import symbols
-from tmmcalc.report.pictures.bodies import Body, Segment, bodies, centre_of_block, hangs_on_frame, travel
 from tmmcalc.report.pictures.board import Board
+from tmmcalc.report.pictures.bodies import Body, Segment, bodies, centre_of_block, travel
 from tmmcalc.report.pictures.cycle import Motion, motion_at
+from tmmcalc.report.pictures.labels import signed
 from tmmcalc.report.pictures.style import BLOCK, INK, MARGIN, MARK, PATH, PLATE, THIN
 
 Z_PATH, Z_OTHERS = 1, 2
 LARGE = 3.0  # a mechanism larger than this is dimensioned in m, a smaller one in mm
+
+
+def prepare(axes: Axes, cycle: Motion) -> None:
+    """Title, names of the axes and wide limits, so that the layout reserves the room that the scheme will need."""
+    content = _content(cycle)
+    middle, reach = complex(content.real.mean(), content.imag.mean()), _size(content)
+    axes.set_xlim(middle.real - reach, middle.real + reach)
+    axes.set_ylim(middle.imag - reach, middle.imag + reach)
+    axes.set_title("formula\nposition")
+    _dimension(axes, reach)
 
 
 def draw_scheme(axes: Axes, result: Kinematics, cycle: Motion, positions: Sequence[int]) -> None:
@@ -36,7 +48,7 @@ def draw_scheme(axes: Axes, result: Kinematics, cycle: Motion, positions: Sequen
     scheme.joints()
     scheme.drive()
     scheme.names()
-    _dimension(axes, scheme.board, scheme.size)
+    axes.set_title(_title(result, positions[0], scheme.board.mu))
 
 
 class _Scheme:
@@ -48,8 +60,8 @@ class _Scheme:
         self.pins = find_pins(self.mechanism)
         self.motion = motion_at(cycle.chain, result.x[list(positions)])
         self.rough = bodies(self.mechanism, self.pins, cycle, 0.0)
-        content = self._content()
-        self.size = max(np.ptp(content.real), np.ptp(content.imag))
+        content = np.concatenate([_content(cycle), _content(self.motion, cycle)])
+        self.size = _size(content)
         self.board = Board(axes, content, MARGIN)
         self.bodies = bodies(self.mechanism, self.pins, cycle, (BLOCK[0] / 2 + 2) * self.board.mu)
         self.middle = complex(np.mean([self.place(b.link, p) for b in self.bodies for p in b.corners]))
@@ -61,13 +73,6 @@ class _Scheme:
     def placed(self, link: int, points: Sequence[complex], k: int = 0) -> list[complex]:
         """Places of points of a link."""
         return [self.place(link, p, k) for p in points]
-
-    def _content(self) -> Plane:
-        """Everything that must fit: frame points, guides, and all lines of the links over the drawn range."""
-        fixed = [np.array([pin.at[FRAME]]) for pin in self.pins if pin.fixed]
-        moving = [motion.place(b.link, p) for b in self.rough for p in b.corners for motion in (self.cycle, self.motion)]
-        moving += [self.cycle.place(*next(iter(pin.at.items()))) for pin in self.pins if not pin.fixed]
-        return np.concatenate([*fixed, *moving])
 
     def paths(self) -> None:
         """Paths of the named points over the whole cycle."""
@@ -96,13 +101,18 @@ class _Scheme:
         last: list[complex] = []
         order = sorted(range(len(self.positions)), key=lambda k: self.positions[k])
         for k in order:
-            at = self.place(self.result.structure.input_link, pin)
             at = self.place(self.result.structure.input_link, pin, k)
             text = at + (at - pivot) / abs(at - pivot) * 2.3 * self.board.mu
             if all(abs(text - other) > 2.6 * self.board.mu for other in last):
                 last.append(text)
                 label = self.result.labels[self.positions[k]]
-                style = {"fontsize": 5, "ha": "center", "va": "center", "color": "#555555", "zorder": Z_PATH}
+                style: dict[str, Any] = {
+                    "fontsize": 5,
+                    "ha": "center",
+                    "va": "center",
+                    "color": "#555555",
+                    "zorder": Z_PATH,
+                }
                 self.board.axes.text(text.real, text.imag, label, **style)
                 self.board.labels.avoid([text - 0.8 * self.board.mu, text + 0.8 * self.board.mu], 0.8)
 
@@ -224,9 +234,9 @@ class _Scheme:
         for pin in sorted(self.pins, key=lambda pin: pin.centre):
             at = pin.at[FRAME] if pin.fixed else self._place_of(pin)
             size = 6.5 if pin.centre else 8.5
-            labels.put(_subscript(pin.name), [at], size=size, style="italic", gaps=(1.3, 2.2, 3.2, 4.5))
+            labels.put(pin.name, [at], size=size, style="italic", gaps=(1.8, 2.7, 3.8, 5.0))
         for body in self.bodies:
-            labels.put(str(body.link), list(self._beside(body)), size=6.5, ring=True, gaps=(2.0, 3.0, 4.5, 6.5))
+            labels.put(str(body.link), list(self._beside(body)), size=6.5, ring=True, gaps=(0.8, 1.6, 2.6, 3.8, 5.5))
 
     def _beside(self, body: Body) -> Iterator[complex]:
         """Anchors for the number of a link."""
@@ -243,9 +253,17 @@ class _Scheme:
             yield self.place(body.link, 0j)
 
 
-def _subscript(name: str) -> str:
-    """Digits of a point's name are its index."""
-    return name
+def _content(motion: Motion, cycle: Motion | None = None) -> Plane:
+    """All that must fit: points and ends of lines in these positions, slots as long as over the whole cycle."""
+    mechanism = motion.chain.mechanism
+    pins = find_pins(mechanism)
+    places = [motion.place(*next(iter(pin.at.items()))) for pin in pins]
+    shapes = bodies(mechanism, pins, cycle or motion, 0.0)
+    return np.concatenate([*places, *(motion.place(body.link, p) for body in shapes for p in body.corners)])
+
+
+def _size(content: Plane) -> float:
+    return float(max(np.ptp(content.real), np.ptp(content.imag)))
 
 
 def _rays(at: complex, segment: Sequence[complex], reach: float) -> list[complex]:
@@ -281,18 +299,19 @@ def _far_end(at: complex, segment: Segment) -> complex | None:
     return max(segment, key=lambda p: abs(p - at))
 
 
-def _dimension(axes: Axes, board: Board, size: float) -> None:
+def _dimension(axes: Axes, size: float) -> None:
     """Axes in mm or m."""
     unit, factor = ("m", 1.0) if size > LARGE else ("mm", 1000.0)
     for axis, name in ((axes.xaxis, "x"), (axes.yaxis, "y")):
         axis.set_major_locator(MaxNLocator(7, steps=[1, 2, 2.5, 5, 10]))
-        axis.set_major_formatter(FuncFormatter(lambda v, _: number(round(v * factor, 9))))
+        axis.set_major_formatter(FuncFormatter(lambda v, _: signed(round(v * factor, 9))))
         axis.set_label_text(f"{name}, {unit}")
     axes.tick_params(length=2.5)
 
 
-def title(result: Kinematics, position: int, mu: float) -> str:
+def _title(result: Kinematics, position: int, mu: float) -> str:
     """Which position the main lines show, and the scale on paper."""
     along = result.phi[position]
     where = f"$\\varphi$ = {number(math.degrees(along), 5)}°" if result.turns else f"s = {number(along, 5)} m"
-    return f"Position {result.labels[position]}, {where}      $\\mu_l$ = {number(mu, 4)} m/mm"
+    formula = result.structure.formula.replace("->", "→")
+    return f"{formula}\nPosition {result.labels[position]}, {where},  $\\mu_l$ = {number(mu, 4)} m/mm"

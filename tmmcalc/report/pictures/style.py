@@ -38,7 +38,7 @@ PIVOT = (4.4, 3.4)  # width and height of the triangle under a pivot
 HATCH = (1.1, 1.3)  # pitch and length of hatching
 MARGIN = 9.0  # free border of a scheme
 
-RC = {
+RC: dict[str, Any] = {
     "font.family": "DejaVu Sans",
     "font.size": 8,
     "axes.titlesize": 9,

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import cmath
-import math
 
 import numpy as np
 
 from tmmcalc.report.pictures.board import Board
 from tmmcalc.report.pictures.style import BLOCK, HATCH, INK, MARK, PIN, PIVOT
 
+BENT = 2.2  # bars that meet at a greater angle [rad] need no filled corner
 Z_GUIDE, Z_SLOT, Z_BLOCK, Z_LINK, Z_PIN = 3, 4, 5, 6, 8
 
 
@@ -22,7 +22,7 @@ def pivot(board: Board, at: complex, down: complex) -> None:
     """A revolute joint with the frame: an open circle on a hatched triangle that points away from ``down``."""
     width, height = (v * board.mu for v in PIVOT)
     foot, side = at + down * height, 1j * down * width / 2
-    board.area([at, foot - side, foot + side], linewidth=1.0, zorder=Z_GUIDE)
+    board.area([at, foot - side, foot + side], linewidth=1.0, zorder=Z_GUIDE, weight=2)
     hatched(board, foot - 1.4 * side, foot + 1.4 * side, down)
     pin(board, at)
 
@@ -77,6 +77,7 @@ def sense_arrow(board: Board, centre: complex, along: complex, radius: float, se
 def straight_arrow(board: Board, start: complex, direction: complex) -> complex:
     """An arrow beside a driven slider; returns the place for its name."""
     tip = start + 9 * board.mu * direction
+    board.labels.avoid((start, tip), 3.0)
     board.line((start, tip - 2 * board.mu * direction), color=MARK, linewidth=1.2, zorder=Z_PIN)
     board.arrowhead(tip, direction, 2.6, facecolor=MARK)
     return (start + tip) / 2
@@ -84,8 +85,8 @@ def straight_arrow(board: Board, start: complex, direction: complex) -> complex:
 
 def weld(board: Board, at: complex, first: complex, second: complex) -> None:
     """A filled corner: two bars that meet here are one rigid link."""
-    radius, turn = 2.6 * board.mu, cmath.phase(second / first)
-    if abs(turn) < 0.05 or abs(turn) > math.pi - 0.05:
+    radius, turn = 4 * board.mu, cmath.phase(second / first)
+    if not 0.05 < abs(turn) < BENT:
         return
     arc = at + radius * first / abs(first) * np.exp(1j * turn * np.linspace(0, 1, 12))
     board.area([at, *arc.tolist()], facecolor=INK, linewidth=0, zorder=Z_SLOT, weight=0)

@@ -37,9 +37,7 @@ def check_variants(outline: Outline) -> Iterator[Finding]:
             yield Finding(path, f"{show(value)} is not a variant", "a variant is 1 or -1")
         match = _PAIR.fullmatch(key)
         if match is None:
-            yield Finding(
-                path, f"{show(key)} is not a pair of links", 'write the two links of the group: "2-3" = 1'
-            )
+            yield Finding(path, f"{show(key)} is not a pair of links", 'write the two links of the group: "2-3" = 1')
             continue
         links = (int(match[1]), int(match[2]))
         pair = frozenset(links)

@@ -74,9 +74,7 @@ def _quantities(outline: Outline, kind: str) -> Iterator[tuple[Path, object, str
 
 def _others(dimension: str) -> set[str]:
     """Return the dimension that the same field has for the other kind of joint, with its own."""
-    return next(
-        {*pair.values()} for pair in (_COORDINATE, _SPEED, _ACCELERATION) if dimension in pair.values()
-    )
+    return next({*pair.values()} for pair in (_COORDINATE, _SPEED, _ACCELERATION) if dimension in pair.values())
 
 
 def check_prismatic_input(outline: Outline) -> Iterator[Finding]:
@@ -87,14 +85,10 @@ def check_prismatic_input(outline: Outline) -> Iterator[Finding]:
     motion, grid = subtable(outline.table, "input"), subtable(outline.table, "grid")
     name = f'the input joint "{joint.name}" is prismatic'
     if "span" not in grid and not {"working", "idle"} & {*grid}:
-        yield Finding(
-            (*_GRID, "span"), f"missing key: {name}, so the grid needs a span", 'add span = "200 mm"'
-        )
+        yield Finding((*_GRID, "span"), f"missing key: {name}, so the grid needs a span", 'add span = "200 mm"')
     if motion.get("start", "extreme") == "extreme":
         written = 'start is "extreme"' if "start" in motion else "missing key"
-        yield Finding(
-            (*_INPUT, "start"), f"{written}: {name} and starts from a coordinate", 'write start = "0 mm"'
-        )
+        yield Finding((*_INPUT, "start"), f"{written}: {name} and starts from a coordinate", 'write start = "0 mm"')
     for key in ("working", "idle"):
         if key in grid:
             yield Finding(

@@ -21,8 +21,7 @@ def check_names(outline: Outline) -> Iterator[Finding]:
             yield Finding(
                 (*joint.path, "name"),
                 f"{show(joint.name)} is already the name of another joint{line}",
-                "give each joint a name of its own; several joints at one pin name it with point = "
-                f'"{joint.name}"',
+                f'give each joint a name of its own; several joints at one pin name it with point = "{joint.name}"',
             )
         first.setdefault(joint.name, joint)
 
@@ -90,8 +89,7 @@ def _pin_of_neither(outline: Outline, joint: RawJoint, pin: str, links: tuple[in
     meant = f'did you mean point = "{shared[0]}", which both have? or ' if shared else ""
     return Finding(
         _pin_path(joint),
-        f"neither {link_words(a)} nor {link_words(b)} has a point {show(pin)}, the pin of this joint"
-        f"{_default(joint)}",
+        f"neither {link_words(a)} nor {link_words(b)} has a point {show(pin)}, the pin of this joint{_default(joint)}",
         f"{meant}add {pin} = [x, y] to the points of both",
     )
 
@@ -101,9 +99,7 @@ def _pin_path(joint: RawJoint) -> Path:
 
 
 def _default(joint: RawJoint) -> str:
-    return (
-        "" if {"point", "points"} & {*joint.table} else "; without point = ... the pin has the joint's name"
-    )
+    return "" if {"point", "points"} & {*joint.table} else "; without point = ... the pin has the joint's name"
 
 
 def point_remedy(outline: Outline, link: int, point: str) -> str:

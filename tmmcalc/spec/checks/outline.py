@@ -139,11 +139,7 @@ class Outline:
 def tables(table: Raw, key: str) -> list[tuple[int, Raw]]:
     """Return the elements of an array of tables that are tables, each with its index."""
     listed = table.get(key)
-    return (
-        [(i, item) for i, item in enumerate(listed) if isinstance(item, dict)]
-        if isinstance(listed, list)
-        else []
-    )
+    return [(i, item) for i, item in enumerate(listed) if isinstance(item, dict)] if isinstance(listed, list) else []
 
 
 def subtable(table: Raw, key: str) -> Raw:
@@ -174,11 +170,7 @@ def _link(index: int, table: Raw) -> RawLink:
 def _joint(index: int, table: Raw) -> RawJoint:
     written, kind, pair = table.get("name"), table.get("kind"), table.get("links")
     name = written if isinstance(written, str) else None
-    links = (
-        (pair[0], pair[1])
-        if isinstance(pair, list) and len(pair) == 2 and all(map(is_integer, pair))
-        else None
-    )
+    links = (pair[0], pair[1]) if isinstance(pair, list) and len(pair) == 2 and all(map(is_integer, pair)) else None
     kind = kind if isinstance(kind, str) else None
     return RawJoint(index, table, name, kind, links, _pins(table, name) if kind == "revolute" else None)
 

@@ -46,15 +46,9 @@ def _check_choice(output: Raw, path: Path) -> Iterator[Finding]:
 def _check_point(outline: Outline, name: str, path: Path) -> Iterator[Finding]:
     if None in outline.points.values() or not outline.ids_complete:
         return
-    moving = sorted(
-        {name for link, points in outline.points.items() if link != FRAME for name in points or ()}
-    )
+    moving = sorted({name for link, points in outline.points.items() if link != FRAME for name in points or ()})
     if name not in outline.names:
-        hint = (
-            " (the centre of mass of a link needs its center)"
-            if name[:1] == "S" and name[1:].isdigit()
-            else ""
-        )
+        hint = " (the centre of mass of a link needs its center)" if name[:1] == "S" and name[1:].isdigit() else ""
         guess = did_you_mean(name, moving)
         yield Finding(
             path,
@@ -87,9 +81,7 @@ def _check_joint(outline: Outline, name: str, path: Path) -> Iterator[Finding]:
     prismatic = [str(joint.name) for joint in outline.joints if joint.kind == "prismatic"]
     known = f"the prismatic joints are: {listing(prismatic)}"
     if joint is None:
-        yield Finding(
-            path, f"there is no joint {show(name)}", f"{did_you_mean(name, prismatic)} {known}".strip()
-        )
+        yield Finding(path, f"there is no joint {show(name)}", f"{did_you_mean(name, prismatic)} {known}".strip())
     elif joint.kind == "revolute":
         yield Finding(
             path,

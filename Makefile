@@ -1,0 +1,49 @@
+# Two commands matter: make demo, make test. Both need python3 alone and build .venv themselves.
+
+PYTHON ?= python3
+VENV   := .venv
+BIN    := $(VENV)/bin
+DEMO   := demo.out
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+
+.PHONY: demo test lint bench format schema clean
+
+demo: $(VENV)/.run
+	$(BIN)/tmmcalc structure configs/shaper.toml -o $(DEMO) --quiet
+	@echo
+	$(BIN)/tmmcalc kinematics configs/shaper.toml -o $(DEMO)
+
+test: $(VENV)/.dev
+	$(BIN)/python -m pytest -n 2
+
+lint: $(VENV)/.dev
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+bench: $(VENV)/.dev
+	$(BIN)/python tests/bench.py
+
+format: $(VENV)/.dev
+	$(BIN)/ruff check --fix --quiet .
+	$(BIN)/ruff format .
+
+# the schema that editors follow from the #:schema line of the ready specs
+schema: $(VENV)/.run
+	$(BIN)/tmmcalc schema -o configs/tmmcalc.schema.json
+
+$(VENV)/.run: pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --editable .
+	$(BIN)/python -m compileall -q tmmcalc
+	@touch $@
+
+$(VENV)/.dev: pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --editable '.[dev]'
+	$(BIN)/python -m compileall -q tmmcalc
+	@touch $@ $(VENV)/.run
+
+$(BIN)/python:
+	$(PYTHON) -m venv $(VENV)
+
+clean:
+	rm -rf $(VENV) $(DEMO) build dist .pytest_cache .hypothesis .mypy_cache .ruff_cache
