@@ -22,7 +22,7 @@ from tmmcalc.spec.linkage import to_linkage
 
 ROOT = Path(__file__).parents[2]
 CONFIGS = sorted(path.stem for path in (ROOT / "configs").glob("*.toml"))
-CASES = {case["id"]: case for case in json.loads((ROOT / "tests/cases/kinematics.json").read_text())["cases"]}
+CASES = {case["id"]: case for case in json.loads((ROOT / "tests/cases/kinematics.json").read_text())}
 
 
 def solved(name: str) -> tuple[Mechanism, Kinematics]:

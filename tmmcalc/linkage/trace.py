@@ -6,6 +6,7 @@ continuous against the survey of the range, whose steps are short enough that no
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -73,11 +74,7 @@ def trace(chain: Chain, x: Real, method: solvers.Method = solvers.closed, order:
     """
     what = layout(chain)
     n = len(x)
-    kind = np.result_type(x.dtype, np.complex64)
-    make = np.empty if order else np.zeros
-    r = make((3, len(what.points), n), kind)
-    angle = make((3, len(what.links), n), x.dtype)
-    s = make((3, len(what.joints), n), x.dtype)
+    r, angle, s = _stacks(what, x, np.empty if order else np.zeros)
     for at in range(0, n, BLOCK):
         rows = slice(at, min(at + BLOCK, n))
         configuration = chain.evaluate(x[rows], order=order, method=method)
@@ -86,6 +83,18 @@ def trace(chain: Chain, x: Real, method: solvers.Method = solvers.closed, order:
         angle[0, what.links.index(chain.structure.input_link)] = x
     names = tuple(name for name, _, _ in what.points)
     return Trace(names, r[0], r[1], r[2], what.links, angle[0], angle[1], angle[2], what.joints, s[0], s[1], s[2])
+
+
+def _stacks(what: Layout, x: Real, make: Callable[..., Real]) -> tuple[Plane, Real, Real]:
+    """The arrays r (3, P, n), angle (3, L, n) and s (3, J, n), cut from one piece of memory.
+
+    One large piece gets huge pages from the system, many smaller ones are paid for page by page.
+    """
+    n, counts = len(x), (2 * len(what.points), len(what.links), len(what.joints))
+    memory = make(3 * n * sum(counts), x.dtype)
+    ends = 3 * n * np.cumsum(counts)
+    r, angle, s = (part.reshape(3, -1, n) for part in np.split(memory, ends[:-1]))
+    return r.reshape(3, -1, 2 * n).view(np.result_type(x.dtype, np.complex64)), angle, s
 
 
 def _store(configuration: Configuration, what: Layout, r: Plane, angle: Real, s: Real, order: int) -> None:
