@@ -92,6 +92,17 @@ TABLE_FAULTS = [
         "extra = [",
     ),
     ("positions = 24", "span = 0", "mechanism.grid.span", "0 is zero", "30 deg"),
+    ("positions = 24", 'span = "-30 deg"', "mechanism.grid.span", "'-30 deg' is negative", "without the minus"),
+    ("positions = 24", 'span = "361 deg"', "mechanism.grid.span", "more than one turn", "360 deg"),
+    ("positions = 24", 'extra = ["-1 deg"]', "mechanism.grid.extra[0]", "negative", "without the minus"),
+    ("positions = 24", 'extra = [1, "370 deg"]', "mechanism.grid.extra[1]", "beyond the span of '360 deg'", "within"),
+    (
+        "positions = 24",
+        'span = "90 deg"\nextra = ["91 deg"]',
+        "mechanism.grid.extra[0]",
+        "beyond the span of '90 deg'",
+        "within",
+    ),
     ('"55 rpm"', '"0 rpm"', "mechanism.input.speed", "'0 rpm' is zero", "55 rpm"),
     (
         'speed = "55 rpm"',
@@ -523,10 +534,10 @@ def test_a_prismatic_input_needs_span_and_start(shaper: str, faults_of: Faults) 
     found = {fault.path: fault.message for fault in faults_of(text)}
     assert found.keys() == {"mechanism.grid.span", "mechanism.input.speed", "mechanism.input.start"}
     assert 'the input joint "D0" is prismatic' in found["mechanism.grid.span"]
-    mended = text.replace("positions = 24", 'span = "-200 mm"\nextra = ["5 mm"]')
+    mended = text.replace("positions = 24", 'span = "200 mm"\nextra = ["5 mm"]')
     mended = mended.replace('"55 rpm"', '"0.2 m/s"').replace('start = "extreme"', "start = 0.1")
-    assert parse_spec(mended).mechanism.grid.span == -0.2
-    strokes = mended.replace('span = "-200 mm"', "working = 6\nidle = 6")
+    assert parse_spec(mended).mechanism.grid.span == 0.2
+    strokes = mended.replace('span = "200 mm"', "working = 6\nidle = 6")
     assert {fault.path for fault in faults_of(strokes)} == {"mechanism.grid.working", "mechanism.grid.idle"}
 
 

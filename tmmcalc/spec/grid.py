@@ -2,7 +2,7 @@
 
 from pydantic import Field
 
-from .quantities import InputCoordinate, InputSpan
+from .quantities import InputDistance, InputSpan
 from .table import Table
 
 
@@ -20,9 +20,10 @@ class GridTable(Table):
     )
     span: InputSpan | None = Field(
         default=None,
-        description="Travel from position 0 (default: one full turn); a prismatic input needs it.",
+        description="Travel from position 0 along the motion, at most a turn (default: one full turn); "
+        "a prismatic input needs it.",
     )
-    extra: list[InputCoordinate] = Field(
-        default=[], description="Additional positions of the input, counted from position 0."
+    extra: list[InputDistance] = Field(
+        default=[], description="Additional positions, counted from position 0 along the motion, within the span."
     )
     extremes: bool = Field(default=False, description="Whether the dead centres of the outputs are added as positions.")

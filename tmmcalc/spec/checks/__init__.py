@@ -12,7 +12,7 @@ from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path
 
 from .assembly import check_sketch, check_variants
-from .drive import check_dimensions, check_grid, check_joint, check_prismatic_input
+from .drive import check_dimensions, check_grid, check_joint, check_prismatic_input, check_reach
 from .joints import check_lines, check_links, check_names, check_pins
 from .links import (
     check_ambiguous,
@@ -40,6 +40,7 @@ CHECKS: tuple[Callable[[Outline], Iterator[Finding]], ...] = (
     check_dimensions,
     check_prismatic_input,
     check_grid,
+    check_reach,
     check_outputs,
     check_sketch,
     check_variants,

@@ -5,11 +5,12 @@ The input joint decides what its quantities are: angles and angular speeds, or l
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
-from tmmcalc.spec.units import DIMENSIONS, dimension_of
+from tmmcalc.spec.units import DIMENSIONS, UnitError, dimension_of, parse
 
 from .outline import FRAME, Outline, RawJoint, subtable
 
@@ -116,6 +117,40 @@ def check_grid(outline: Outline) -> Iterator[Finding]:
                 f"{key} together with {' and '.join(strokes)}: there is one way to divide the turn",
                 f"remove {key}, or remove {' and '.join(strokes)}",
             )
+
+
+def check_reach(outline: Outline) -> Iterator[Finding]:
+    """A crank is analysed over one turn at most, and extra positions lie within the span."""
+    joint = _input_joint(outline)
+    if joint is None or joint.kind not in _COORDINATE:
+        return
+    grid, dimension = subtable(outline.table, "grid"), _COORDINATE[joint.kind]
+    turn = 2 * math.pi * (1 + 1e-12) if joint.kind == "revolute" else math.inf
+    span = _number(grid.get("span"), dimension, turn)
+    if span > turn:
+        yield Finding(
+            (*_GRID, "span"),
+            f"{show(grid['span'])} is more than one turn; the positions of a crank repeat after 360 deg",
+            'write at most "360 deg", or remove span for a full turn',
+        )
+    extra = grid.get("extra")
+    for index, value in enumerate(extra if isinstance(extra, list) else ()):
+        if _number(value, dimension, 0.0) > min(span, turn):
+            yield Finding(
+                (*_GRID, "extra", index),
+                f"{show(value)} lies beyond the span of {show(grid.get('span', '360 deg'))}",
+                "write a distance from position 0 within the span",
+            )
+
+
+def _number(value: object, dimension: str, otherwise: float) -> float:
+    """The quantity in SI; ``otherwise`` if it is absent or faulty, which the tables report."""
+    if value is None:
+        return otherwise
+    try:
+        return parse(value, dimension)
+    except UnitError:
+        return otherwise
 
 
 def _input_joint(outline: Outline) -> RawJoint | None:
