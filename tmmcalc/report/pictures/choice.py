@@ -8,7 +8,7 @@ from itertools import combinations
 
 import numpy as np
 
-from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.pictures.bodies import Body, bodies
@@ -72,11 +72,11 @@ def _clearances(motion: Motion, cycle: Motion) -> np.ndarray:
 
 def _apart(mechanism: Mechanism, pin: Pin, body: Body) -> bool:
     """Whether a pin neither belongs to a link nor slides on it."""
-    own = set(pin.at)
+    own = set(pin.at) - {FRAME}
     slides = any(
         joint.kind == "prismatic" and body.link in joint.links and own & set(joint.links) for joint in mechanism.joints
     )
-    return body.link not in own and not slides
+    return body.link not in pin.at and not slides
 
 
 def _distances(motion: Motion, body: Body, place: np.ndarray) -> np.ndarray:

@@ -64,8 +64,10 @@ def _curve(result: Kinematics, cycle: Motion, k: int, output: Output, outputs: S
     return Curve(name, output.link is not None, dense, nodes, float(value[0]), summary, {})
 
 
-def draw_diagrams(panels: Sequence[Axes], result: Kinematics, cycle: Motion, curves: Sequence[Curve]) -> None:
-    """Draw the curves of one column on its three panels; texts follow by `label_diagrams`."""
+def draw_diagrams(
+    panels: Sequence[Axes], result: Kinematics, cycle: Motion, curves: Sequence[Curve], ticks: int
+) -> None:
+    """Draw the curves of one column on its three panels, ``ticks`` wide; texts follow by `label_diagrams`."""
     full = closed(cycle.chain)
     x, x_nodes = (_coordinate(result, v) for v in (cycle.x - result.x[0], result.phi))
     for kind, axes in enumerate(panels):
@@ -75,7 +77,8 @@ def draw_diagrams(panels: Sequence[Axes], result: Kinematics, cycle: Motion, cur
             if len(x_nodes) <= DOTTED:
                 dots = {"markersize": 2.4, "color": curve.style["color"], "zorder": 5, "linestyle": ""}
                 axes.plot(x_nodes, curve.nodes[kind] * factor, "o", **dots)
-        _frame(axes, label, x, result, last=kind == 2)
+        _frame(axes, label, x, result.turns, ticks)
+    _bottom(panels, result.turns)
     for curve in curves:
         for centre in _dead_centres(result, curve, full):
             for axes in panels:
@@ -90,21 +93,25 @@ def _coordinate(result: Kinematics, phi: Real) -> Real:
     return np.degrees(phi) if result.turns else phi * 1000
 
 
-def _frame(axes: Axes, label: str, x: Real, result: Kinematics, last: bool) -> None:
+def _frame(axes: Axes, label: str, x: Real, turns: bool, ticks: int) -> None:
     axes.axhline(0, color="#333333", linewidth=0.8, zorder=1.5)
     axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
     axes.set_axisbelow(True)
     axes.set_xlim(x[0], x[-1])
     axes.margins(y=0.2)
     axes.set_ylabel(label)
-    if result.turns:
+    if turns:
         turn = abs(x[-1] - x[0])
-        axes.xaxis.set_major_locator(MultipleLocator(next((s for s in (5, 10, 15, 30) if turn / s <= 13), 60)))
+        axes.xaxis.set_major_locator(MultipleLocator(next((s for s in (5, 10, 15, 30, 60) if turn / s <= ticks), 90)))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 6)))
     axes.yaxis.set_major_locator(MaxNLocator(6))
     axes.yaxis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 4)))
-    axes.tick_params(length=2.5, labelbottom=last)
-    if last:
-        axes.set_xlabel("$\\varphi$, °" if result.turns else "$s - s_0$, mm")
+    axes.tick_params(length=2.5, labelbottom=False)
+
+
+def _bottom(panels: Sequence[Axes], turns: bool) -> None:
+    panels[-1].tick_params(labelbottom=True)
+    panels[-1].set_xlabel("$\\varphi$, °" if turns else "$s - s_0$, mm")
 
 
 def _quantity(curves: Sequence[Curve], kind: int) -> tuple[float, str]:

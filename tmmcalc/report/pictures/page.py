@@ -18,14 +18,15 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.polygons import polygons
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.report.numbers import number
 from tmmcalc.report.pictures.choice import chosen
 from tmmcalc.report.pictures.cycle import Motion, chain_of, whole_cycle
 from tmmcalc.report.pictures.diagrams import columns_of, draw_diagrams, label_diagrams
+from tmmcalc.report.pictures.labels import signed
 from tmmcalc.report.pictures.scheme import draw_scheme, prepare
 from tmmcalc.report.pictures.style import RC, SHEET
 from tmmcalc.report.pictures.vectors import draw_notes, draw_polygon, scale_note
 
+TICKS = 13  # ticks of the input coordinate that fit beside each other on the page
 UNDATED: dict[str, dict[str, Any]] = {
     "svg": {"Date": None},
     "pdf": {"CreationDate": None, "ModDate": None},
@@ -75,7 +76,7 @@ def _first_sheet(figure: Figure, sheet: SubFigure, result: Kinematics, cycle: Mo
         column: list[Axes] = []
         for row in range(3):
             column.append(sheet.add_subplot(grid[row, 1 + c], sharex=column[0] if column else None))
-        draw_diagrams(column, result, cycle, curves)
+        draw_diagrams(column, result, cycle, curves, TICKS // len(columns))
         panels.append(column)
     _settle(figure)
     draw_scheme(scheme, result, cycle, drawn)
@@ -85,7 +86,9 @@ def _first_sheet(figure: Figure, sheet: SubFigure, result: Kinematics, cycle: Mo
 
 def _settle(figure: Figure) -> None:
     """Let the constrained layout place the axes once; what follows is drawn in mm of paper."""
-    figure.draw_without_rendering()
+    layout = figure.get_layout_engine()
+    if layout is not None:
+        layout.execute(figure)
     figure.set_layout_engine("none")
 
 
@@ -93,7 +96,7 @@ def _second_sheet(sheet: SubFigure, mechanism: Mechanism, result: Kinematics, ma
     vectors = polygons(mechanism, result, marked)
     where = f"Position {result.labels[marked]}"
     if result.turns:
-        where += f", $\\varphi$ = {number(math.degrees(result.phi[marked]), 5)}°"
+        where += f", $\\varphi$ = {signed(math.degrees(result.phi[marked]), 5)}°"
     sheet.text(0.5, 0.965, where, ha="center", fontsize=10)
     for left, letter, polygon in ((0.02, "v", vectors.velocity), (0.51, "a", vectors.acceleration)):
         axes = sheet.add_axes((left, 0.2, 0.47, 0.71))

@@ -222,10 +222,9 @@ class _Scheme:
         side = joint.links.index(link)
         e = joint.directions[1] * (complex(self.motion.turn(link)[0]) if side == 1 else 1)
         forward = e * sense * (1 if side == 0 else -1)
-        at = self.place(link, joint.points[side]) - self._outward(self.place(link, joint.points[side]), e) * (
-            BLOCK[1] * self.board.mu
-        )
-        name = symbols.straight_arrow(self.board, at, forward)
+        at = self.place(link, joint.points[side])
+        beside = forward * BLOCK[0] / 2 - self._outward(at, e) * BLOCK[1]
+        name = symbols.straight_arrow(self.board, at + beside * self.board.mu, forward)
         self.board.labels.put(f"$v_{{{link}}}$", [name], color=MARK)
 
     def names(self) -> None:
@@ -312,6 +311,6 @@ def _dimension(axes: Axes, size: float) -> None:
 def _title(result: Kinematics, position: int, mu: float) -> str:
     """Which position the main lines show, and the scale on paper."""
     along = result.phi[position]
-    where = f"$\\varphi$ = {number(math.degrees(along), 5)}°" if result.turns else f"s = {number(along, 5)} m"
+    where = f"$\\varphi$ = {signed(math.degrees(along), 5)}°" if result.turns else f"$s - s_0$ = {signed(along, 5)} m"
     formula = result.structure.formula.replace("->", "→")
     return f"{formula}\nPosition {result.labels[position]}, {where},  $\\mu_l$ = {number(mu, 4)} m/mm"
