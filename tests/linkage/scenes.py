@@ -82,7 +82,7 @@ def yoke(l1: float, angle: float = np.pi / 2) -> Mechanism:
 
 
 def trammel(l1: float, beta: float) -> Mechanism:
-    """A driven link 1 about O whose slot carries slider 2; slider 3 runs on a fixed guide; both are pinned at A (PRP)."""
+    """Slider 2 in the slot of link 1, which turns about O, pinned at A to slider 3 on a fixed guide (PRP)."""
     return Mechanism(
         Link(0, {"O": 0j}),
         (bar(1, O=0), bar(2, A=0), bar(3, A=0)),

@@ -15,16 +15,14 @@ def main() -> None:
     try:
         from tmmcalc.cli.app import app
 
-        app()
+        app(prog_name="tmmcalc")
     except TmmError as error:
         from tmmcalc.cli.messages import show_error
 
         show_error(error)
         sys.exit(error.exit_code)
-    except BrokenPipeError:
-        # the reader of a pipe has gone; leave without a second complaint when the interpreter flushes
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        sys.exit(0)
+    except KeyboardInterrupt:  # while the program still loads; later typer gives the same code
+        sys.exit(130)
 
 
 def _start_quickly() -> None:

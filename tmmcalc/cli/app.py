@@ -29,20 +29,27 @@ class LateGroup(TyperGroup):
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
         """Refuse an unknown command with the nearest known one, without importing any."""
-        if args and args[0] not in COMMANDS and not args[0].startswith("-"):
-            from difflib import get_close_matches
-
+        known = not args or args[0] in COMMANDS or args[0].startswith("-")
+        if not known and not ctx.resilient_parsing:  # resilient: the shell asks for completions
             from tmmcalc.errors import UsageError
 
-            close = get_close_matches(args[0], COMMANDS, 1)
-            hint = f"did you mean {close[0]}? " if close else ""
-            raise UsageError(f"no command is called {args[0]!r}", remedy=f"{hint}commands: {', '.join(COMMANDS)}")
+            raise UsageError(f"no command is called {args[0]!r}", remedy=_what_was_meant(args[0]))
         return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:
         """List the commands from the table."""
         with formatter.section("Commands"):
             formatter.write_dl([(name, text) for name, (_, text) in COMMANDS.items()])
+
+
+def _what_was_meant(name: str) -> str:
+    from difflib import get_close_matches
+
+    if name.endswith(".toml"):
+        return f"the command comes first: tmmcalc run {name}"
+    close = get_close_matches(name, COMMANDS, 1)
+    hint = f"did you mean {close[0]}? " if close else ""
+    return f"{hint}commands: {', '.join(COMMANDS)}"
 
 
 def _version(asked: bool) -> None:
@@ -62,7 +69,7 @@ app = typer.Typer(
 )
 
 
-@app.callback(epilog="Example: tmmcalc init shaper -o my.toml && tmmcalc kinematics my.toml")
+@app.callback(epilog="Example: tmmcalc init shaper -o my.toml && tmmcalc run my.toml")
 def tmmcalc(
     version: Annotated[
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and leave.")

@@ -7,14 +7,14 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.messages import show_error
-from tmmcalc.cli.options import Quiet, Set
+from tmmcalc.cli.messages import put, show_error
+from tmmcalc.cli.options import Set
 from tmmcalc.errors import TmmError
 
 
 def command(
-    specs: Annotated[list[Path], typer.Argument(help="Project specs (TOML).", metavar="SPEC...", show_default=False)],
-    quiet: Quiet = False,
+    specs: Annotated[list[Path], typer.Argument(help="Project specs (TOML).", metavar="SPEC", show_default=False)],
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Say nothing of specs without faults.")] = False,
     overrides: Set = None,
 ) -> None:
     """Check specs: every fault of every file, with its line, at once. Exit code 2 if there is any.
@@ -33,5 +33,5 @@ def command(
             continue
         if not quiet:
             mechanism = spec.mechanism
-            typer.echo(f"{file}: ok ({len(mechanism.links)} moving links, {len(mechanism.joints)} joints)")
+            put(f"{file}: ok ({len(mechanism.links)} moving links, {len(mechanism.joints)} joints)\n")
     raise typer.Exit(code)

@@ -7,17 +7,30 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.messages import say
+from tmmcalc.cli.messages import put, say
 from tmmcalc.cli.options import Quiet
 from tmmcalc.errors import UsageError
 
 SCHEMA = "tmmcalc.schema.json"
+WIDTH = 80
+
+
+def _ready(incomplete: str) -> list[str]:
+    """Ready specs that begin so, for the completion of the shell."""
+    from tmmcalc.spec import templates
+
+    return [name for name in templates.names() if name.startswith(incomplete)]
 
 
 def command(
-    template: Annotated[str, typer.Argument(help="Name of a ready spec; see --list.")] = "crank-slider",
+    template: Annotated[
+        str, typer.Argument(help="Name of a ready spec; see --list.", metavar="TEMPLATE", autocompletion=_ready)
+    ] = "crank-slider",
     out: Annotated[
-        Path | None, typer.Option("-o", "--out", help="File to write (default: standard output).", show_default=False)
+        Path | None,
+        typer.Option(
+            "-o", "--out", metavar="FILE", help="File to write (default: standard output).", show_default=False
+        ),
     ] = None,
     listing: Annotated[bool, typer.Option("--list", "-l", help="List the ready specs and leave.")] = False,
     force: Annotated[bool, typer.Option("--force", help="Replace a file that exists.")] = False,
@@ -30,20 +43,42 @@ def command(
     from tmmcalc.spec import templates
 
     if listing:
-        width = max(map(len, templates.names()))
-        for name in templates.names():
-            typer.echo(f"{name:<{width}}  {templates.description(name)}")
+        put(_listing({name: templates.description(name) for name in templates.names()}))
         return
+    if template.endswith(".toml"):
+        raise UsageError(
+            f"{template!r} is a file; what stands here is the name of a ready spec",
+            where="init",
+            remedy=f"write: tmmcalc init crank-slider -o {template}",
+        )
     text = templates.text(template)
     if out is None:
-        typer.echo(text, nl=False)
-        return
-    if out.exists() and not force:
-        raise UsageError(f"{out} exists", where="init", remedy="choose another name, or use --force")
+        put(text)
+    else:
+        _write(out, text, force, quiet)
+
+
+def _listing(described: dict[str, str]) -> str:
+    from textwrap import wrap
+
+    width = max(map(len, described)) + 2
+    lines = []
+    for name, text in described.items():
+        lines += wrap(f"{name:<{width}}{text}", WIDTH, subsequent_indent=" " * width, break_on_hyphens=False)
+    return "\n".join([*lines, ""])
+
+
+def _write(out: Path, text: str, force: bool, quiet: bool) -> None:
+    """Write the spec, and the schema that its first line names."""
+    from tmmcalc.cli.work import check_place
     from tmmcalc.pipeline.atomic import replace_file
     from tmmcalc.spec.schema import schema_text
 
+    check_place(out, "init")
+    if out.exists() and not force:
+        raise UsageError(f"{out} exists", where="init", remedy="choose another name, or use --force")
+    schema = out.parent / SCHEMA
     replace_file(out, text.encode())
-    replace_file(out.parent / SCHEMA, schema_text().encode())
+    replace_file(schema, schema_text().encode())
     if not quiet:
-        say(f"wrote {out} and {out.parent / SCHEMA}; next: tmmcalc kinematics {out}")
+        say(f"wrote {out} and {schema}; next: tmmcalc run {out}", "dim")

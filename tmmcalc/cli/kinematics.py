@@ -22,12 +22,13 @@ from tmmcalc.cli.options import (
     Store,
     Strict,
 )
-from tmmcalc.cli.work import Job, note_files, show, title
+from tmmcalc.cli.positions import rows_of
+from tmmcalc.cli.work import Job, title
 from tmmcalc.errors import UsageError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
+    from tmmcalc.linkage.results import Kinematics
+    from tmmcalc.report.document import Document
     from tmmcalc.spec import Spec
 
 
@@ -51,24 +52,34 @@ def command(
         typer.Option("--positions", metavar="LIST", help="Positions to show: '0,6,18' or '0:24:2'."),
     ] = None,
     dimensionless: Annotated[
-        bool, typer.Option("--dimensionless", help="In units of the crank length and its speed.")
+        bool, typer.Option("--dimensionless", help="The table in units of the crank length and its speed.")
     ] = False,
     method: Annotated[
         MethodChoice, typer.Option("--method", help="How velocities and accelerations are found.")
     ] = MethodChoice.closed,
     step: Annotated[
         str | None,
-        typer.Option("--step", help="Step of --method differences (default: '1.5 deg', or 1/240 of a slider's range)."),
+        typer.Option(
+            "--step",
+            metavar="QUANTITY",
+            help="Step of --method differences (default: '1.5 deg', or 1/240 of a slider's range).",
+        ),
     ] = None,
     decimals: Annotated[
         int | None,
-        typer.Option("--decimals", min=1, max=15, help="Round positions before the differences, as on paper."),
+        typer.Option(
+            "--decimals",
+            metavar="N",
+            min=1,
+            max=15,
+            help="Round positions to N decimals of l_1 before --method differences, as on paper.",
+        ),
     ] = None,
     compare: Annotated[
-        bool, typer.Option("--compare", help="Print the outputs by this method beside the exact ones.")
+        bool, typer.Option("--compare", help="Print the outputs by --method beside the exact ones, instead.")
     ] = False,
     study: Annotated[
-        bool, typer.Option("--study", help="Print the error of the differences against their step.")
+        bool, typer.Option("--study", help="Print the error of differences against their step, instead.")
     ] = False,
     out: Out = None,
     store: Store = True,
@@ -82,37 +93,83 @@ def command(
 ) -> None:
     """Kinematics: positions, velocities, accelerations, transfer functions, dead centres, strokes.
 
-    Example: tmmcalc kinematics configs/shaper.toml --columns 'phi,S_D,omega_3' --positions 0:24:2
+    Example: tmmcalc kinematics my.toml --columns 'phi,x_*' --positions 0:12:2
     """
+    _check_flags(study, compare, method, step, decimals, columns, positions, dimensionless)
     job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
     scene = job.spec()
     job = replace(job, settings={"kinematics": _settings(scene, method, step, decimals)})
     heading = title(scene, spec, "kinematics")
     run = job.run(scene, "kinematics")
     result = run.results["kinematics"]
-    job.check_limits([str(grade) for grade in result.grades if grade.severity == "warning"])
-    from tmmcalc.report import linkage
-
     if study or compare:
-        from tmmcalc.spec.linkage import to_linkage
+        document = _methods_document(scene, result, heading, method, decimals, study)
+    else:
+        from tmmcalc.report.kinematics import kinematics_document
 
-        mechanism = to_linkage(scene.mechanism)
-        if study:
-            show(linkage.study_document(mechanism, result, heading, decimals), form)
-        if compare:
-            show(linkage.comparison_document(mechanism, result, heading), form)
-        return
-    document = linkage.kinematics_document(
-        result,
-        heading,
-        patterns=[p.strip() for p in columns.split(",")] if columns else (),
-        rows=rows_of(positions, result.labels),
-        dimensionless=dimensionless,
-        everything=form is not Format.table,
-        where=f"{job.folder}/kinematics.csv" if job.folder else "",
-    )
-    show(document, form)
-    note_files(run, quiet)
+        document = kinematics_document(
+            result,
+            heading,
+            patterns=_patterns(columns),
+            rows=rows_of(positions, result.labels),
+            dimensionless=dimensionless,
+            everything=form is not Format.table,
+            where=next((str(file) for file in run.files if file.name == "kinematics.csv"), ""),
+        )
+    job.finish(document, run, form)
+
+
+def _methods_document(
+    scene: Spec, result: Kinematics, heading: str, method: MethodChoice, decimals: int | None, study: bool
+) -> Document:
+    """What --study or --compare prints instead of the table of positions."""
+    from tmmcalc.report.methods import comparison_document, study_document
+    from tmmcalc.spec.linkage import to_linkage
+
+    mechanism = to_linkage(scene.mechanism)
+    if study:
+        return study_document(mechanism, result, f"{heading}, error of differences", decimals)
+    return comparison_document(mechanism, result, f"{heading}, {method.value} beside the exact values")
+
+
+def _check_flags(
+    study: bool,
+    compare: bool,
+    method: MethodChoice,
+    step: str | None,
+    decimals: int | None,
+    columns: str | None,
+    positions: str | None,
+    dimensionless: bool,
+) -> None:
+    """Refuse flags that would have no effect together, rather than pass them over."""
+    differences = method is MethodChoice.differences
+    if study and compare:
+        raise UsageError("print one table each", where="--study, --compare", remedy="leave one of them out")
+    if compare and method is MethodChoice.closed:
+        remedy = "add --method differences, or --method projection"
+        raise UsageError("the method is the exact one itself", where="--compare", remedy=remedy)
+    if step is not None and not differences:
+        raise UsageError("only differences have a step", where="--step", remedy="add --method differences")
+    if decimals is not None and not differences and not study:
+        remedy = "add --method differences, or --study"
+        raise UsageError("only differences are taken of rounded positions", where="--decimals", remedy=remedy)
+    if (study or compare) and (columns is not None or positions is not None or dimensionless):
+        raise UsageError(
+            "print a table of their own",
+            where="--study, --compare",
+            remedy="leave --columns, --positions and --dimensionless out",
+        )
+
+
+def _patterns(columns: str | None) -> list[str]:
+    """Names and wildcards of --columns; empty if all columns are meant."""
+    if columns is None:
+        return []
+    names = [name.strip() for name in columns.split(",")]
+    if not any(names):
+        raise UsageError("no column is named", where="--columns", remedy="write e.g. --columns 'phi,x_*'")
+    return [name for name in names if name]
 
 
 def _settings(scene: Spec, method: MethodChoice, step: str | None, decimals: int | None) -> dict[str, object]:
@@ -131,31 +188,8 @@ def _step(scene: Spec, text: str) -> float:
     try:
         size = parse(text, "angle" if drive.kind == "revolute" else "length")
     except UnitError as error:
-        raise UsageError(error.message, where="--step", remedy=error.remedy) from None
+        example = "1.5 deg" if drive.kind == "revolute" else "2 mm"
+        raise UsageError(error.message, where="--step", remedy=f"write e.g. --step '{example}'") from None
     if not size > 0:
         raise UsageError(f"{text!r} is not above zero", where="--step", remedy="write e.g. --step '1.5 deg'")
     return size
-
-
-def rows_of(positions: str | None, labels: Sequence[str]) -> list[int] | None:
-    """Indices of the positions asked for, by label or as slices of indices."""
-    if positions is None:
-        return None
-    rows: list[int] = []
-    for part in (p.strip() for p in positions.split(",")):
-        if part in labels:
-            rows.append(labels.index(part))
-            continue
-        pieces = part.split(":")
-        if not 2 <= len(pieces) <= 3 or not all(p.strip().lstrip("-").isdigit() or not p.strip() for p in pieces):
-            raise UsageError(
-                f"no position is called {part!r}",
-                where="--positions",
-                remedy=f"positions are {labels[0]} to {labels[-1]}; write '0,6,18' or a range '0:24:2'",
-            )
-        start, stop, *rest = (int(p) if p.strip() else None for p in pieces)
-        stride = rest[0] if rest else None
-        if stride == 0:
-            raise UsageError(f"{part!r} has a step of 0", where="--positions", remedy="write e.g. '0:24:2'")
-        rows += range(*slice(start, None if stop is None else stop + 1, stride).indices(len(labels)))
-    return rows

@@ -18,28 +18,50 @@ class Format(StrEnum):
     toml = "toml"
 
 
+def stages(incomplete: str) -> list[str]:
+    """Stages that begin so, for the completion of the shell."""
+    from tmmcalc.pipeline.stages import STAGES
+
+    return [name for name in STAGES if name.startswith(incomplete)]
+
+
 SpecFile = Annotated[Path, typer.Argument(help="Project spec (TOML).", metavar="SPEC", show_default=False)]
 Form = Annotated[Format, typer.Option("--format", "-f", help="Format of what is printed.")]
 Out = Annotated[
     Path | None,
-    typer.Option("-o", "--out", help="Folder of the stage files (default: <spec>.out here).", show_default=False),
+    typer.Option(
+        "-o",
+        "--out",
+        metavar="FOLDER",
+        help="Folder of the stage files (default: <spec>.out here).",
+        show_default=False,
+    ),
 ]
 Store = Annotated[
     bool, typer.Option("--store/--no-store", help="Write the stage files, and load those that are valid.")
 ]
 Fresh = Annotated[bool, typer.Option("--fresh", help="Compute all stages, whatever is stored.")]
 FromStage = Annotated[
-    str | None, typer.Option("--from", metavar="STAGE", help="Compute this stage and all after it.", show_default=False)
+    str | None,
+    typer.Option(
+        "--from",
+        metavar="STAGE",
+        help="Compute this stage and all after it.",
+        show_default=False,
+        autocompletion=stages,
+    ),
 ]
 Csv = Annotated[
     bool | None, typer.Option("--csv/--no-csv", help="Write CSV files (default: up to 2000 rows).", show_default=False)
 ]
 Depfile = Annotated[
     Path | None,
-    typer.Option("--depfile", metavar="FILE", help="Write a Makefile rule of what was read.", show_default=False),
+    typer.Option(
+        "--depfile", metavar="FILE", help="Write a Makefile rule: the stage files need the spec.", show_default=False
+    ),
 ]
 Strict = Annotated[bool, typer.Option("--strict", help="Fail with exit code 5 if there is a warning.")]
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing on standard error but errors.")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Only warnings and errors on standard error.")]
 Set = Annotated[
     list[str] | None,
     typer.Option(

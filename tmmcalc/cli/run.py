@@ -19,14 +19,16 @@ from tmmcalc.cli.options import (
     SpecFile,
     Store,
     Strict,
+    stages,
 )
-from tmmcalc.cli.work import Job, note_files, show, title
+from tmmcalc.cli.work import Job, title
 
 
 def command(
     spec: SpecFile,
     target: Annotated[
-        str | None, typer.Option("--to", metavar="STAGE", help="Stop after this stage.", show_default=False)
+        str | None,
+        typer.Option("--to", metavar="STAGE", help="Stop after this stage.", show_default=False, autocompletion=stages),
     ] = None,
     form: Form = Format.table,
     out: Out = None,
@@ -43,14 +45,11 @@ def command(
 
     Stages whose inputs are unchanged are loaded, not computed.
 
-    Example: tmmcalc run configs/shaper.toml -o shaper.out
+    Example: tmmcalc run my.toml -o my.out
     """
     job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
     scene = job.spec()
     result = job.run(scene, target)
     from tmmcalc.report.summary import run_document
 
-    document = run_document(result, title(scene, spec, "run"))
-    show(document, form)
-    note_files(result, quiet)
-    job.check_limits([note for note in document.notes if note.startswith("warning")])
+    job.finish(run_document(result, title(scene, spec, "run")), result, form)

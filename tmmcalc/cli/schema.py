@@ -7,11 +7,18 @@ from typing import Annotated
 
 import typer
 
+from tmmcalc.cli.messages import note_written, put
+from tmmcalc.cli.options import Quiet
+
 
 def command(
     out: Annotated[
-        Path | None, typer.Option("-o", "--out", help="File to write (default: standard output).", show_default=False)
+        Path | None,
+        typer.Option(
+            "-o", "--out", metavar="FILE", help="File to write (default: standard output).", show_default=False
+        ),
     ] = None,
+    quiet: Quiet = False,
 ) -> None:
     """The JSON Schema of a project spec. TOML editors use it to complete and check a spec while it is written.
 
@@ -22,8 +29,12 @@ def command(
     from tmmcalc.spec.schema import schema_text
 
     if out is None:
-        typer.echo(schema_text(), nl=False)
+        put(schema_text())
         return
+    from tmmcalc.cli.work import check_place
     from tmmcalc.pipeline.atomic import replace_file
 
+    check_place(out, "schema")
     replace_file(out, schema_text().encode())
+    if not quiet:
+        note_written(out)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tmmcalc.cli.options import Csv, Depfile, Form, Format, Fresh, FromStage, Out, Quiet, Set, SpecFile, Store
-from tmmcalc.cli.work import Job, show, title
+from tmmcalc.cli.work import Job, title
 from tmmcalc.errors import StructureError
 
 
@@ -23,17 +23,18 @@ def command(
 
     Groups of class III and higher are named with their links; exit code 3 says that they cannot be solved yet.
 
-    Example: tmmcalc structure configs/shaper.toml
+    Example: tmmcalc structure my.toml
     """
     job = Job(spec, out, store, fresh, from_stage, csv, depfile, quiet=quiet, overrides=overrides or ())
     scene = job.spec()
-    result = job.run(scene, "structure").results["structure"]
-    from tmmcalc.report.linkage import structure_document
+    run = job.run(scene, "structure")
+    result = run.results["structure"]
+    from tmmcalc.report.structure import structure_document
 
-    show(structure_document(result, title(scene, spec, "structure")), form)
+    job.finish(structure_document(result, title(scene, spec, "structure")), run, form)
     higher = [group for group in result.groups if not group.kind]
     if higher:
-        names = ", ".join(f"{g.name} of class {g.class_number}, order {g.order}" for g in higher)
+        names = ", ".join(f"{g.name} of order {g.order}" for g in higher)
         raise StructureError(
             f"recognised, but not solvable yet: {names}",
             where="structure",

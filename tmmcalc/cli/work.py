@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.cli.messages import say, show_event
+from tmmcalc.cli.messages import say, show_damage, show_event, whoever_reads
 from tmmcalc.cli.options import Format
-from tmmcalc.errors import LimitError
+from tmmcalc.errors import LimitError, UsageError
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
@@ -50,6 +51,8 @@ class Job:
         """Run the pipeline with messages on standard error, and write the depfile."""
         from tmmcalc.pipeline.runner import run
 
+        if self.depfile is not None:
+            self._check_depfile(self.depfile)
         result = run(
             spec,
             target=target,
@@ -58,7 +61,7 @@ class Job:
             from_stage=self.from_stage,
             csv=self.csv,
             settings=self.settings,
-            on_event=None if self.quiet else show_event,
+            on_event=show_damage if self.quiet else show_event,
         )
         if self.depfile is not None:
             from tmmcalc.pipeline.depfile import write
@@ -66,10 +69,35 @@ class Job:
             write(self.depfile, result.files, [self.file])
         return result
 
-    def check_limits(self, warnings: Sequence[str]) -> None:
-        """Say the warnings; under ``strict`` they are the end of the run."""
+    def _check_depfile(self, file: Path) -> None:
+        """Refuse what would only come out after the computation."""
+        if not self.store:
+            raise UsageError(
+                "--no-store leaves no files that could depend on the spec",
+                where="--depfile",
+                remedy="leave one of the two flags out",
+            )
+        check_place(file, "--depfile")
+
+    def finish(self, document: Document, result: RunResult, form: Format) -> None:
+        """Print the document, say where the files are; under ``strict`` warnings are the end."""
+        show(document, form)
+        if result.files and not self.quiet:
+            say(f"files in {self.folder}: {', '.join(file.name for file in result.files)}", "dim")
+        warnings = _warnings(document)
         if warnings and self.strict:
-            raise LimitError("\n  ".join(warnings), where="--strict", remedy="mend the causes, or leave --strict out")
+            count = f"{len(warnings)} warning{'s' if len(warnings) > 1 else ''}"
+            raise LimitError(
+                "\n  ".join((count, *warnings)), where="--strict", remedy="mend the causes, or leave --strict out"
+            )
+
+
+def check_place(file: Path, where: str) -> None:
+    """Raise UsageError unless a file can be in this place: its folder is there and it is none itself."""
+    if file.is_dir():
+        raise UsageError(f"{file} is a folder", where=where, remedy="name a file in it")
+    if not file.parent.is_dir():
+        raise UsageError(f"there is no folder {file.parent}", where=where, remedy="make it first, or choose another")
 
 
 def title(spec: Spec, file: Path, what: str) -> str:
@@ -78,13 +106,16 @@ def title(spec: Spec, file: Path, what: str) -> str:
 
 
 def show(document: Document, form: Format) -> None:
-    """Print a document to standard output."""
+    """Print a document to standard output; csv has no place for warnings, so they go to standard error."""
     from tmmcalc.report.render import render
 
-    render(document, form.value)
+    if form is Format.csv:
+        for warning in _warnings(document):
+            say(warning, "yellow")
+    with whoever_reads(sys.stdout):
+        render(document, form.value)
 
 
-def note_files(result: RunResult, quiet: bool) -> None:
-    """Say where the files are."""
-    if result.files and not quiet:
-        say(f"files: {', '.join(str(file) for file in result.files)}", "dim")
+def _warnings(document: Document) -> list[str]:
+    own = [note for note in document.notes if note.startswith("warning")]
+    return own + [warning for part in document.parts for warning in _warnings(part)]

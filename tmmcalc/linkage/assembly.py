@@ -19,12 +19,12 @@ from tmmcalc.errors import AssemblyError
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.dyads import RPR, RRP, RRR
 from tmmcalc.linkage.plane import Real
-from tmmcalc.numerics.extrema import refine, spread, turning
+from tmmcalc.numerics.extrema import with_turning_points
 from tmmcalc.numerics.roots import bracketed
 
 TURN = 2 * math.pi
 SAMPLES = 360  # positions of the dense sample, one a degree on a full turn
-NEAR = 0.02  # a local extremum of the margin smaller than this is refined before it is believed
+NEAR = 0.02  # a local extremum of the margin smaller than this is always refined before it is believed
 TOUCH = 1e-12  # a margin (a squared sine) this small is a change point, not a gap
 
 
@@ -47,7 +47,7 @@ class Interval:
 
     def holds(self, low: float, high: float, turn: float | None) -> bool:
         """Whether [low, high] lies inside, counted modulo ``turn`` if there is one."""
-        slack = 1e-9 * max(1.0, abs(self.high - self.low))
+        slack = 1e-9 * (self.high - self.low)
         shift = turn * math.floor((low - self.low + slack) / turn) if turn else 0.0
         return self.low - slack <= low - shift and high - shift <= self.high + slack
 
@@ -88,7 +88,11 @@ def sample(interval: Interval, count: int = SAMPLES) -> Real:
 
 def _cut(chain: Chain, k: int, interval: Interval, turn: float | None) -> list[Interval]:
     """The parts of an interval where dyad k reaches."""
-    x, m = _with_hidden_extrema(chain, k, sample(interval))
+    x = sample(interval)
+    period = None if interval.limits else turn
+    x, m = with_turning_points(
+        lambda at, _: chain.margins(at, k), x, chain.margins(x, k), near=NEAR, period=period, touch=TOUCH
+    )
     change = np.flatnonzero((m[1:] < 0) != (m[:-1] < 0))
     if not change.size:
         return [interval] if m[0] >= 0 else []
@@ -103,20 +107,6 @@ def _cut(chain: Chain, k: int, interval: Interval, turn: float | None) -> list[I
             ends = tuple(d[end] for end in (a, b) for d in (reasons, before) if end in d)
             parts.append(Interval(float(a), float(b), ends))
     return parts
-
-
-def _with_hidden_extrema(chain: Chain, k: int, x: Real) -> tuple[Real, Real]:
-    """Samples of the margin, with the local extrema that might cross zero between two of them added."""
-    m = chain.margins(x, k)
-    hidden = [i for sign in (1, -1) for i in turning(m, sign, False) if 0 < -sign * m[i] < NEAR and 0 < i < len(x) - 1]
-    if not hidden:
-        return x, m
-    near = np.array(hidden)
-    at, value = refine(lambda p, _: chain.margins(p, k), x[near], spread(x, near))
-    keep = np.abs(value) > TOUCH
-    x, m = np.concatenate((x, at[keep])), np.concatenate((m, value[keep]))
-    order = np.argsort(x, kind="stable")
-    return x[order], m[order]
 
 
 def _joined(parts: list[Interval], turn: float) -> list[Interval]:
@@ -218,11 +208,17 @@ def check_range(chain: Chain, domain: Domain, low: float, high: float) -> None:
     asked = "the crank cannot make a full turn" if whole else f"the range from {coordinate(chain, low)} leaves"
     tail = "" if whole else f" the positions that assemble before {coordinate(chain, high)}"
     reasons = "; ".join(f"at {coordinate(chain, limit.x)} {limit.reason}" for limit in limits)
+    crossed = [limit for limit in limits if _between(limit.x, low, high, turn)] or limits
     raise AssemblyError(
         f"{asked}{tail}: it assembles for {ranges} only. {reasons}",
-        where=f"kinematics, group {limits[0].group}" if limits else "kinematics",
+        where=f"kinematics, group {crossed[0].group}" if crossed else "kinematics",
         remedy="change the lengths named, or analyse inside the interval: set input.start and grid.span",
     )
+
+
+def _between(x: float, low: float, high: float, turn: float | None) -> bool:
+    """Whether a limit lies in [low, high], counted modulo ``turn`` if there is one."""
+    return low <= (x - turn * math.floor((x - low) / turn) if turn else x) <= high
 
 
 def describe(chain: Chain, interval: Interval) -> str:

@@ -62,12 +62,13 @@ class Chain(NamedTuple):
         slides: Slides = {}
         motions[self.structure.input_link] = self._input_motion(x, slides, order)
         ports_of, placed_of = [], []
-        for step in self.steps[:steps]:
-            ports = step.ports(motions)
-            placed = step.dyad.place(*ports)
-            step.move(motions, slides, ports, placed, rates(step.dyad, ports, placed, method) if order else _STILL)
-            ports_of.append(ports)
-            placed_of.append(placed)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            for step in self.steps[:steps]:
+                ports = step.ports(motions)
+                placed = step.dyad.place(*ports)
+                step.move(motions, slides, ports, placed, rates(step.dyad, ports, placed, method) if order else _STILL)
+                ports_of.append(ports)
+                placed_of.append(placed)
         return Configuration(motions, slides, ports_of, placed_of)
 
     def _input_motion(self, x: Real, slides: Slides, order: int) -> LinkMotion:

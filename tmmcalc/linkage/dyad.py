@@ -61,9 +61,11 @@ def solve_dyad(dyad: Dyad, port1: Point | Guide, port2: Point | Guide) -> DyadMo
     name = type(dyad).__name__
     port1, port2 = _arrays(port1), _arrays(port2)
     _check_assembly(dyad, port1, port2, f"dyad {name}")
-    placed = dyad.place(port1, port2)
-    reach = float(np.max(np.abs(placed.q))) if isinstance(dyad, RPR) else 0.0
-    _check_regular(dyad.regularity(placed, reach), f"dyad {name}")
+    with np.errstate(divide="ignore", invalid="ignore"):
+        placed = dyad.place(port1, port2)
+        reach = float(np.max(np.abs(placed.q))) if isinstance(dyad, RPR) else 0.0
+        regularity = np.nan_to_num(dyad.regularity(placed, reach), nan=0.0)  # the pin on the pivot: no direction
+    _check_regular(regularity, f"dyad {name}")
     motions: Motions = {k: _carrier(port) for k, port in ((SOURCE_1, port1), (SOURCE_2, port2))}
     slides: dict[str, Slide] = {}
     sites = Sites((A, B), (SOURCE_1, SOURCE_2), port1, port2)
@@ -72,9 +74,9 @@ def solve_dyad(dyad: Dyad, port1: Point | Guide, port2: Point | Guide) -> DyadMo
     return DyadMotion(motions[A], motions[B], tuple(slides[key] for key in sorted(slides)), inner)
 
 
-def _arrays(port: Point | Guide) -> Any:
-    """The port with arrays in place of scalars."""
-    return port._make(np.asarray(value) for value in port)
+def _arrays(port: Any) -> Any:
+    """The port, a `Point` or a `Guide`, with arrays in place of scalars."""
+    return type(port)(*map(np.asarray, port))
 
 
 def _check_assembly(dyad: Dyad, port1: Any, port2: Any, where: str) -> None:

@@ -6,26 +6,69 @@ summed up step by step. An extra position between the positions 6 and 7 is label
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.linkage.assembly import TURN
-from tmmcalc.linkage.model import Grid
+from tmmcalc.linkage.model import Grid, Mechanism
 from tmmcalc.linkage.outputs import OutputSummary
 from tmmcalc.linkage.plane import Real
 
 SAME = 1e-6  # an extra position nearer than this part of a step to a position is that position
 
 
-def distances(grid: Grid, span: float, summary: OutputSummary | None, start: float) -> tuple[Real, tuple[str, ...]]:
-    """Distances (n,) >= 0 of all positions from position 0 along the motion [rad or m], and their labels."""
-    base = _base(grid, span, summary)
-    extra = [*grid.extra]
+def analysed_range(mechanism: Mechanism, start: float) -> tuple[float, float]:
+    """Lowest and highest input coordinate [rad or m] of all positions that the grid names, from position 0 on."""
+    grid = mechanism.grid
+    span = _span(grid)
+    ends = (0.0, span) if _whole(mechanism) else (0.0, span, *grid.extra)
+    low, high = sorted(start + _sense(mechanism) * end for end in (min(ends), max(ends)))
+    return low, high
+
+
+def positions(mechanism: Mechanism, summary: OutputSummary | None, start: float) -> tuple[Real, tuple[str, ...]]:
+    """Distances phi (n,) of all positions from position 0 [rad or m], in the order of the travel, and their labels.
+
+    They follow the sense of the motion; a negative span goes against it. An extra position beyond a whole turn
+    is taken within it.
+    """
+    grid, sense = mechanism.grid, _sense(mechanism)
+    span = _span(grid)
+    way = math.copysign(1.0, span)
+    extra = [way * e for e in grid.extra]
     if grid.extremes and summary is not None:
-        extra += [abs(centre.x - start) for centre in summary.dead_centres]
-    step = float(np.min(np.diff(base)))
-    added = sorted({e for e in extra if np.min(np.abs(base - e)) > SAME * step})
-    return _merged(base, np.array(added))
+        extra += [way * sense * (centre.x - start) for centre in summary.dead_centres]
+    if _whole(mechanism):
+        extra = [e if 0 <= e <= TURN else e % TURN for e in extra]
+    base = _base(grid, abs(span), summary)
+    along, labels = _merged(base, _added(base, extra))
+    return way * sense * along + 0.0, labels  # no -0.0
+
+
+def _sense(mechanism: Mechanism) -> float:
+    return math.copysign(1.0, mechanism.input.speed)
+
+
+def _span(grid: Grid) -> float:
+    return grid.span if grid.span is not None else TURN
+
+
+def _whole(mechanism: Mechanism) -> bool:
+    """Whether the positions go over exactly one turn of a crank."""
+    turns = mechanism.joint(mechanism.input.joint).kind == "revolute"
+    return turns and abs(abs(_span(mechanism.grid)) - TURN) < 1e-9
+
+
+def _added(base: Real, extra: list[float]) -> Real:
+    """The extra positions (m,), ascending, that are not there already."""
+    least = SAME * float(np.min(np.diff(base)))
+    added: list[float] = []
+    for e in sorted(extra):
+        if np.min(np.abs(np.append(base, added) - e)) > least:
+            added.append(e)
+    return np.array(added)
 
 
 def _base(grid: Grid, span: float, summary: OutputSummary | None) -> Real:
@@ -45,11 +88,10 @@ def _base(grid: Grid, span: float, summary: OutputSummary | None) -> Real:
 
 def _merged(base: Real, extra: Real) -> tuple[Real, tuple[str, ...]]:
     labels = [str(i) for i in range(len(base))]
-    before = np.searchsorted(base, extra) - 1
     seen: dict[int, int] = {}
-    for i in before:
-        seen[int(i)] = seen.get(int(i), 0) + 1
-        labels.append(str(max(int(i), 0)) + "'" * seen[int(i)])
+    for i in np.maximum(np.searchsorted(base, extra) - 1, 0).tolist():
+        seen[i] = seen.get(i, 0) + 1
+        labels.append(str(i) + "'" * seen[i])
     everything = np.concatenate((base, extra))
     order = np.argsort(everything, kind="stable")
     return everything[order], tuple(labels[i] for i in order)

@@ -27,7 +27,7 @@ from tmmcalc.linkage.differentiation import (
     difference_error,
     differentiate,
 )
-from tmmcalc.linkage.grid import distances
+from tmmcalc.linkage.grid import analysed_range, positions
 from tmmcalc.linkage.model import Mechanism, Output
 from tmmcalc.linkage.outputs import default_outputs, summarise, working_start
 from tmmcalc.linkage.plane import Real
@@ -54,22 +54,19 @@ def solve_kinematics(
     structure = structure or solve_structure(mechanism)
     method = method or Method()
     chain, domain, start = _placed(mechanism, structure)
-    sense = math.copysign(1.0, mechanism.input.speed)
-    span = mechanism.grid.span or TURN
-    low, high = sorted((start, start + sense * span))
+    low, high = analysed_range(mechanism, start)
     check_range(chain, domain, low, high)
     dense = survey(chain, low, high)
     qualities = assess(chain, dense)
     check_regular(chain, qualities)
     outputs = default_outputs(chain)
     summaries = tuple(summarise(chain, output, dense, start) for output in outputs)
-    along, labels = distances(mechanism.grid, span, summaries[0] if summaries else None, start)
-    phi = sense * along
+    phi, labels = positions(mechanism, summaries[0] if summaries else None, start)
     x = start + phi
     evaluate = partial(_evaluate, chain, method=method, unit=crank_length(chain) or 1.0)
     values = evaluate(x)
     _check_positions(chain, x, values)
-    values = replace(values, angle=continuous(values.angle, x, dense.x, dense.angles))
+    values = replace(values, angle=continuous(values.angle, x, *dense.tracks()))
     s, ds, dds = _displacements(chain, outputs, values)
     return Kinematics(
         structure=structure,
@@ -93,7 +90,7 @@ def solve_kinematics(
         qualities=qualities,
         grades=grade(chain, qualities),
         method=method,
-        error=estimate(chain, x, evaluate),
+        error=estimate(chain, x, evaluate, [quality.regularity_at for quality in qualities]),
         counters={"positions": len(x), "survey_positions": len(dense.x), "dyads": len(chain.steps)},
     )
 
@@ -121,8 +118,7 @@ def _domain(chain: Chain) -> Domain:
     drive = chain.mechanism.input
     if chain.turns:
         return find_domain(chain, SEAM - math.pi, SEAM + math.pi)
-    start, span = drive.start or 0.0, chain.mechanism.grid.span or 0.0
-    return find_domain(chain, *sorted((start, start + math.copysign(span, drive.speed))))
+    return find_domain(chain, *analysed_range(chain.mechanism, drive.start or 0.0))
 
 
 def _start(chain: Chain, domain: Domain) -> float:
@@ -131,7 +127,9 @@ def _start(chain: Chain, domain: Domain) -> float:
     if given is not None:
         return given
     check_range(chain, domain, -math.pi, math.pi)
-    return _principal(working_start(chain, survey(chain, -math.pi, math.pi)))
+    dense = survey(chain, -math.pi, math.pi)
+    check_regular(chain, assess(chain, dense))
+    return _principal(working_start(chain, dense))
 
 
 def _start_or_none(chain: Chain) -> float | None:

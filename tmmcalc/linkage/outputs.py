@@ -9,7 +9,6 @@ are refined the same way, never read off the grid.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,7 +19,7 @@ from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.survey import Survey
-from tmmcalc.numerics.extrema import refine, spread, turning
+from tmmcalc.numerics.extrema import around, refine, turning, with_turning_points
 from tmmcalc.numerics.roots import bracketed
 
 STILL = 1e-12  # an output whose rate is below this, against the size of the mechanism, does not move
@@ -108,52 +107,52 @@ def dead_centres(chain: Chain, output: Output, dense: Survey, rate: Real) -> Rea
     def rates(at: Real, _: object) -> Real:
         return np.broadcast_to(coordinate_of(chain, output, chain.evaluate(at))[1], at.shape)
 
-    if np.max(np.abs(rate)) <= STILL * _size(chain):
+    largest = float(np.max(np.abs(rate)))
+    if largest <= STILL * _scale(chain, output):
         return np.empty(0)
     if dense.full:
         rate = np.append(rate[:-1], rate[0])  # the same sign on both sides of the seam, whatever the rounding
-    x, rate = _with_hidden_reversals(rates, dense.x, rate)
-    change = np.flatnonzero(np.signbit(rate[1:]) != np.signbit(rate[:-1]))
+    period = TURN if dense.full else None
+    x, rate = with_turning_points(rates, dense.x, rate, near=0.02 * largest, period=period)
+    sign = _signs(rate, dense.full)
+    change = np.flatnonzero(sign[1:] != sign[:-1])
     return bracketed(rates, x[change], x[change + 1])
 
 
-def _with_hidden_reversals(rates: Callable[[Real, object], Real], x: Real, rate: Real) -> tuple[Real, Real]:
-    """Add the turning points of the rate that may cross zero between two samples."""
-    near = 0.02 * float(np.max(np.abs(rate)))
-    hidden = [i for s in (1, -1) for i in turning(rate, s, False) if 0 < -s * rate[i] < near and 0 < i < len(x) - 1]
-    if not hidden:
-        return x, rate
-    rows = np.array(hidden)
-    at, value = refine(rates, x[rows], spread(x, rows))
-    x, rate = np.concatenate((x, at)), np.concatenate((rate, value))
-    order = np.argsort(x, kind="stable")
-    return x[order], rate[order]
+def _signs(rate: Real, periodic: bool) -> Real:
+    """Signs of samples (n,), where a zero takes the sign before it: a rate that only touches zero reverses nothing."""
+    sign = np.sign(rate)
+    moving = np.flatnonzero(sign)
+    last = np.maximum.accumulate(np.where(sign != 0, np.arange(len(sign)), -1))
+    return sign[np.where(last >= 0, last, moving[-1] if periodic else moving[0])]
 
 
-def _size(chain: Chain) -> float:
-    """Largest coordinate in the metric [m]: the scale against which rounding is judged."""
+def _scale(chain: Chain, output: Output) -> float:
+    """Scale of an output's rate, against which rounding is judged: sizes are the largest coordinate of the metric."""
     links = (chain.mechanism.frame, *chain.mechanism.links)
-    return max((abs(p) for link in links for p in link.points.values()), default=1.0) or 1.0
+    size = max((abs(p) for link in links for p in link.points.values()), default=1.0) or 1.0
+    return (1.0 if output.link is not None else size) / (1.0 if chain.turns else size)
 
 
 def values_at(chain: Chain, output: Output, at: Real, dense: Survey, track: Real) -> Real:
     """Output coordinate at ``at``, on the branch of its continuous samples ``track`` over the survey."""
-    raw = coordinate_of(chain, output, chain.evaluate(at))[0]
+    raw = np.broadcast_to(coordinate_of(chain, output, chain.evaluate(at))[0], at.shape)
     if output.link is None:
         return raw
     return raw + TURN * np.rint((np.interp(at, dense.x, track) - raw) / TURN)
 
 
-def order_from_working(chain: Chain, output: Output, centres: Real, values: Real) -> tuple[Real, Real]:
+def order_from_working(chain: Chain, output: Output, centres: Real, values: Real, gain: float) -> tuple[Real, Real]:
     """Rotate the dead centres of a full turn so that the first is the one before the working stroke.
 
     The working stroke is the one against the useful resistance if its sense is given, else the longest in
-    crank angle; of equal ones the one that starts at the greatest coordinate (right, upper).
+    crank angle; of equal ones the one that starts at the greatest coordinate (right, upper). ``gain`` is what the
+    output gains over a positive turn of the crank: whole turns of a link that goes round.
     """
     if chain.mechanism.input.speed < 0:
-        centres, values = centres[::-1], values[::-1]
+        centres, values, gain = centres[::-1], values[::-1], -gain
     lengths = np.abs(np.diff(np.append(centres, centres[0] + math.copysign(TURN, chain.mechanism.input.speed))))
-    travel = np.diff(np.append(values, values[0]))
+    travel = np.diff(np.append(values, values[0] + gain))
     keys = np.where(lengths > lengths.max() - EQUAL, values, -np.inf)
     if output.resistance is not None:
         against = travel < 0 if output.resistance == "positive" else travel > 0
@@ -183,7 +182,12 @@ def working_start(chain: Chain, dense: Survey) -> float:
             remedy='give input.start as a number, e.g. start = "0 deg"',
         )
     values = values_at(chain, outputs[0], centres, dense, value)
-    return float(order_from_working(chain, outputs[0], centres, values)[0][0])
+    return float(order_from_working(chain, outputs[0], centres, values, _gain(outputs[0], value))[0][0])
+
+
+def _gain(output: Output, track: Real) -> float:
+    """What an output gains over the survey of a turn: nothing, but for the whole turns of a link."""
+    return TURN * round(float(track[-1] - track[0]) / TURN) if output.link is not None else 0.0
 
 
 def summarise(chain: Chain, output: Output, dense: Survey, start: float) -> OutputSummary:
@@ -193,7 +197,7 @@ def summarise(chain: Chain, output: Output, dense: Survey, start: float) -> Outp
     values = values_at(chain, output, centres, dense, samples[0])
     ends = values if dense.full else np.append(values, samples[0][[0, -1]])
     if dense.full and centres.size > 1:
-        centres, values = order_from_working(chain, output, centres, values)
+        centres, values = order_from_working(chain, output, centres, values, _gain(output, samples[0]))
         centres = _along_motion(chain, centres, start)
     angles: tuple[float | None, float | None] = (None, None)
     if dense.full and centres.size == 2:
@@ -234,28 +238,24 @@ def _extremes(
     guesses = [
         (kind, sign, i) for kind in (0, 1) for sign in (-1, 1) for i in _candidates(in_range[kind], sign, periodic)
     ]
-    kinds = np.array([kind for kind, _, _ in guesses])
+    kinds, signs, rows = np.array(guesses).T
 
     def f(at: Real, which: np.ndarray) -> Real:
         _, rate, rate2 = coordinate_of(chain, output, chain.evaluate(at))
         return np.where(kinds[which] == 0, *in_time(rate, rate2))
 
-    inner = np.array([periodic or 0 < i < len(x) - 1 for _, _, i in guesses])
-    at = np.array([x[i] for _, _, i in guesses])
-    values = np.array([in_range[kind][i] for kind, _, i in guesses])
-    kinds_all, kinds = kinds, kinds[inner]
-    if inner.any():
-        rows = np.array([i for _, _, i in guesses])[inner]
-        at[inner], values[inner] = refine(f, at[inner], spread(x, rows, periodic))
-    result = []
-    for kind in (0, 1):
-        pair = []
-        for sign in (-1, 1):
-            rows = [r for r, (k, s, _) in enumerate(guesses) if k == kind == kinds_all[r] and s == sign]
-            best = max(rows, key=lambda r: sign * values[r])
-            pair.append(Extreme(float(values[best]), float(at[best])))
-        result.append((pair[0], pair[1]))
-    return result[0], result[1]
+    at, values = refine(f, *around(x, rows, periodic))
+    sampled_values = np.where(kinds == 0, in_range[0][rows], in_range[1][rows])
+    at_end = ((rows == 0) | (rows == len(x) - 1)) & (signs * sampled_values >= signs * values)
+    if not periodic:
+        at, values = np.where(at_end, x[rows], at), np.where(at_end, sampled_values, values)
+
+    def best(kind: int, sign: int) -> Extreme:
+        own = np.flatnonzero((kinds == kind) & (signs == sign))
+        k = own[np.argmax(sign * values[own])]
+        return Extreme(float(values[k]), float(at[k]))
+
+    return (best(0, -1), best(0, 1)), (best(1, -1), best(1, 1))
 
 
 def _candidates(values: Real, sign: int, periodic: bool) -> list[int]:

@@ -18,9 +18,9 @@ import numpy as np
 from tmmcalc.errors import SingularityError
 from tmmcalc.linkage.assembly import coordinate
 from tmmcalc.linkage.chain import Chain, Configuration
-from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.plane import Real, square
 from tmmcalc.linkage.survey import Survey
-from tmmcalc.numerics.extrema import refine, spread, turning
+from tmmcalc.numerics.extrema import around, refine, turning
 
 SINGULAR = 1e-6  # regularity of a dead point: below it velocities have no trustworthy digits
 NEARLY_SINGULAR = 0.05  # amplification above 20
@@ -64,16 +64,21 @@ class Grade:
 
 
 class _Measure(NamedTuple):
-    """One squared sine to minimise: of the transmission angle, or of the regularity, of dyad ``k``."""
+    """One squared sine to minimise: of the transmission angle, or of the regularity, of dyad ``k``.
+
+    The margin of a dyad is the squared sine of its transmission angle, smooth through the change points too.
+    """
 
     k: int
     regularity: bool
     reach: float  # largest distance of the pivots of an RPR dyad [m]
 
     def __call__(self, chain: Chain, configuration: Configuration, x: Real) -> Real:
-        dyad, placed = chain.steps[self.k].dyad, configuration.placed[self.k]
-        sine = dyad.regularity(placed, self.reach) if self.regularity else dyad.transmission(placed)
-        return np.broadcast_to(sine**2, x.shape)
+        dyad, ports = chain.steps[self.k].dyad, configuration.ports[self.k]
+        sine2 = dyad.margin(*ports)
+        if self.regularity:
+            sine2 = sine2 * square(ports[0].r - ports[1].r) / self.reach**2
+        return np.broadcast_to(sine2, x.shape)
 
 
 def _measures(chain: Chain, configuration: Configuration) -> list[_Measure]:
@@ -95,9 +100,8 @@ def assess(chain: Chain, dense: Survey) -> tuple[GroupQuality, ...]:
         i = int(np.argmin(squares))
         worst.append((float(squares[i]), float(dense.x[i])))
         if np.ptp(squares) > CONSTANT:
-            low = turning(squares, -1, False)
-            inside = low[(low > 0) & (low < len(squares) - 1)]
-            guesses += [(m, int(j)) for j in inside[np.argsort(squares[inside])][:CANDIDATES]]
+            low = turning(squares[:-1] if dense.full else squares, -1, dense.full)
+            guesses += [(m, int(j)) for j in low[np.argsort(squares[low])][:CANDIDATES]]
     if guesses:
         owner, row = np.array(guesses).T
 
@@ -106,8 +110,8 @@ def assess(chain: Chain, dense: Survey) -> tuple[GroupQuality, ...]:
             rows = np.array([measure(chain, configuration, at) for measure in measures])
             return rows[owner[which], np.arange(len(at))]
 
-        for m, at, square in zip(owner, *refine(f, dense.x[row], spread(dense.x, row)), strict=True):
-            worst[m] = min(worst[m], (max(float(square), 0.0), float(at)))
+        for m, at, sine2 in zip(owner, *refine(f, *around(dense.x, row, dense.full)), strict=True):
+            worst[m] = min(worst[m], (max(float(sine2), 0.0), float(at)))
     return tuple(_quality(chain, k, measures, worst) for k in range(len(chain.steps)))
 
 
@@ -126,7 +130,7 @@ def _quality(chain: Chain, k: int, measures: list[_Measure], worst: list[tuple[f
 def check_regular(chain: Chain, qualities: tuple[GroupQuality, ...]) -> None:
     """Raise `SingularityError` if the range passes through a dead point."""
     for quality in qualities:
-        if quality.regularity < SINGULAR:
+        if not quality.regularity >= SINGULAR:
             raise SingularityError(
                 f"dead point at {coordinate(chain, quality.regularity_at)}: regularity "
                 f"{quality.regularity:.3g} is below {SINGULAR:g}; velocities are not defined there and the assembly "

@@ -9,15 +9,17 @@ are compared with the exact derivatives the same way.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.dyads.rpr import RPRPlaced
 from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.linkage.trace import Trace, trace
+from tmmcalc.linkage.trace import TURN, Trace, trace
 
 CHOSEN = 24  # positions computed again
 MARGIN = 4.0  # factor for the positions left out
@@ -35,9 +37,12 @@ class ErrorEstimate:
     reference: str
 
 
-def estimate(chain: Chain, x: Real, evaluate: Callable[[Real], Trace]) -> ErrorEstimate:
-    """Estimate the error of ``evaluate``, a way to compute the trace, over the positions ``x`` (n,)."""
-    chosen = x[_choice(chain, x)]
+def estimate(chain: Chain, x: Real, evaluate: Callable[[Real], Trace], weakest: Sequence[float] = ()) -> ErrorEstimate:
+    """Estimate the error of ``evaluate``, a way to compute the trace, over the positions ``x`` (n,).
+
+    ``weakest`` are input coordinates known to be the least regular ones, which a sample of ``x`` may miss.
+    """
+    chosen = x[_choice(chain, x, weakest)]
     if not WIDER:
         k = float(np.max(1 / _regularity(chain, chosen)))
         rounding = 64 * EPS
@@ -61,15 +66,29 @@ def _relative(found: Plane, exact: Plane) -> float:
 
 def _regularity(chain: Chain, x: Real) -> Real:
     placed = chain.evaluate(x, order=0).placed
-    rows = [step.dyad.transmission(p) for step, p in zip(chain.steps, placed, strict=True)]
+    rows = [step.dyad.regularity(p, _reach(p)) for step, p in zip(chain.steps, placed, strict=True)]
     return np.min([np.broadcast_to(row, x.shape) for row in rows], axis=0) if rows else np.ones_like(x)
 
 
-def _choice(chain: Chain, x: Real) -> NDArray[np.intp]:
-    """Indices of the least regular positions and of an even spread."""
+def _reach(placed: Any) -> float:
+    """Largest distance of the pivots of an RPR dyad [m]; of no meaning to the other kinds."""
+    return float(np.max(np.abs(placed.q))) if isinstance(placed, RPRPlaced) else 0.0
+
+
+def _choice(chain: Chain, x: Real, weakest: Sequence[float]) -> NDArray[np.intp]:
+    """Indices of the least regular positions, of those next to the weakest places, and of an even spread."""
     if len(x) <= CHOSEN:
         return np.arange(len(x))
     spread = np.linspace(0, len(x) - 1, CHOSEN // 2).astype(int)
     coarse = np.linspace(0, len(x) - 1, min(len(x), 720)).astype(int)
     worst = coarse[np.argsort(_regularity(chain, x[coarse]))[: CHOSEN // 2]]
-    return np.array(sorted({*spread.tolist(), *worst.tolist()}))  # np.unique would import numpy.ma, 10 ms
+    next_to = [i for at in weakest for i in _nearest(chain, x, at)]
+    return np.array(sorted({*spread.tolist(), *worst.tolist(), *next_to}))  # np.unique would import numpy.ma, 10 ms
+
+
+def _nearest(chain: Chain, x: Real, at: float) -> range:
+    """Indices of the position nearest to a coordinate and of its neighbours; of a crank in whichever turn."""
+    middle = float(x[0] + x[-1]) / 2
+    here = at - TURN * round((at - middle) / TURN) if chain.turns else at
+    i = int(np.argmin(np.abs(x - here)))
+    return range(max(i - 1, 0), min(i + 2, len(x)))

@@ -39,7 +39,6 @@ def projection(c1: Plane, c2: Plane) -> PairSolver:
     matrix[..., 1, 0], matrix[..., 1, 1] = c1.imag, c2.imag
 
     def solve(w: Plane) -> Rates:
-        w = np.broadcast_to(w, c1.shape)
         rates = np.linalg.solve(matrix, np.stack((w.real, w.imag), axis=-1)[..., None])[..., 0]
         return rates[..., 0], rates[..., 1]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -23,11 +24,20 @@ class Survey(NamedTuple):
     configuration: Configuration
     links: tuple[int, ...]
     angles: Real
-    full: bool  # a whole turn: the last sample repeats the first
+    full: bool  # exactly one turn: the last sample repeats the first
 
     def angle(self, link: int) -> Real:
         """Continuous angle of a link (m,) [rad]."""
         return self.angles[self.links.index(link)]
+
+    def tracks(self) -> tuple[Real, Real]:
+        """Input coordinates (k,) and continuous angles (L, k); a full turn with the turns before and after it."""
+        if not self.full:
+            return self.x, self.angles
+        turns = np.array([-TURN, 0.0, TURN])
+        gain = (self.angles[:, -1] - self.angles[:, 0])[:, None, None] * np.array([-1, 0, 1])[:, None]
+        angles = (self.angles[:, None, :-1] + gain).reshape(len(self.links), -1)
+        return (self.x[:-1] + turns[:, None]).ravel(), angles
 
 
 def survey(chain: Chain, low: float, high: float) -> Survey:
@@ -36,18 +46,21 @@ def survey(chain: Chain, low: float, high: float) -> Survey:
     The samples of a full turn are shifted by half a step, so that a dead centre at position 0 falls between
     two of them and is found exactly once.
     """
-    full = chain.turns and high - low > TURN - 1e-9
-    x = np.linspace(low, high, STEPS + 1)
+    turns = (high - low) / TURN if chain.turns else 1.0
+    full = chain.turns and abs(turns - 1) < 1e-9
+    x = np.linspace(low, high, STEPS * max(1, math.ceil(turns - 1e-9)) + 1)
     if full:
         x -= TURN / STEPS / 2
     links = tuple(sorted(link.id for link in chain.mechanism.links))
+    configuration = chain.evaluate(x)
+    angles = _angles(configuration, links, x)
     for _ in range(HALVINGS):
-        configuration = chain.evaluate(x)
-        angles = _angles(configuration, links, x)
         swift = np.flatnonzero(np.max(np.abs(np.diff(angles, axis=1)), axis=0) > SWIFT)
         if not swift.size:
             break
         x = np.sort(np.concatenate((x, (x[swift] + x[swift + 1]) / 2)))
+        configuration = chain.evaluate(x)
+        angles = _angles(configuration, links, x)
     return Survey(x, configuration, links, angles, full)
 
 

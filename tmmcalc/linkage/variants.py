@@ -44,14 +44,21 @@ def given_variants(mechanism: Mechanism, structure: Structure) -> dict[str, int]
 
 
 def sketched_groups(mechanism: Mechanism, structure: Structure, given: dict[str, int]) -> list[Group]:
-    """Dyads whose sign the sketch has to tell: two variants, none given, a sketched point on their links."""
+    """Dyads whose sign the sketch has to tell: two variants, none given, a sketched point that they place."""
     return [
         group
         for group in structure.groups
         if group.kind not in ONE_ASSEMBLY
         and group.name not in given
-        and any(name in mechanism.assembly.sketch for k in group.links for name in mechanism.link(k).points)
+        and any(name in mechanism.assembly.sketch for k in group.links for name in _placed(mechanism, group, k))
     ]
+
+
+def _placed(mechanism: Mechanism, group: Group, link: int) -> list[str]:
+    """Names of the points of a link but its outer pins, which the source chain places."""
+    outer = [j for j in map(mechanism.joint, group.outer) if j.kind == "revolute" and link in j.links]
+    pins = [joint.points[joint.links.index(link)] for joint in outer]
+    return [name for name, p in mechanism.link(link).points.items() if p not in pins]
 
 
 def candidates(groups: list[Group], given: dict[str, int]) -> Iterator[dict[str, int]]:

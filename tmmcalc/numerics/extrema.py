@@ -39,15 +39,18 @@ def refine(f: Problems, guess: Values, radius: Values) -> tuple[Values, Values]:
     """Extrema of m functions near ``guess`` (m,), each the only one within its ``radius`` (m,).
 
     ``f(x, which)`` returns values; the result is the positions and the values there, both (m,). The
-    interval shrinks around the estimate until the interpolant is resolved. Where no extremum lies within
-    the radius the end nearer to it is returned.
+    interval shrinks around the estimate until the interpolant is resolved; f is never called outside the
+    radius. Where no extremum lies within it the end nearer to one is returned.
     """
     centre, value, reach = np.array(guess, float), np.empty(np.size(guess)), np.array(radius, float)
+    least, most = centre - reach, centre + reach
     active = np.arange(centre.size)
     for _ in range(PASSES):
         if not active.size:
             break
-        x, y, resolved = _one_pass(f, centre[active], reach[active], active)
+        low = np.maximum(centre - reach, least)[active]
+        high = np.minimum(centre + reach, most)[active]
+        x, y, resolved = _one_pass(f, (low + high) / 2, (high - low) / 2, active)
         centre[active], value[active] = x, y
         active = active[~resolved]
         reach /= SHRINK
@@ -96,11 +99,46 @@ def turning(values: Values, sign: int, periodic: bool) -> Indices:
     return np.flatnonzero((v >= before) & (v > after))
 
 
-def spread(x: Values, at: Indices, periodic: bool = False) -> Values:
-    """Radius around the samples ``x[at]`` that reaches their farther neighbour but not past the range."""
+def around(x: Values, at: Indices, periodic: bool) -> tuple[Values, Values]:
+    """Centre and radius (m,) of the interval around each turning sample ``x[at]`` that holds the true extremum.
+
+    It reaches the farther neighbour; on an open range (not ``periodic``) it is the last cell for a sample at
+    an end. A periodic ``x`` repeats its first sample, a period later, as its last.
+    """
     gap = np.diff(x)
-    before, after = gap[np.maximum(at, 1) - 1], gap[np.minimum(at, len(gap) - 1)]
-    radius = np.maximum(before, after)
     if periodic:
-        return radius
-    return np.minimum(radius, np.minimum(x[at] - x[0], x[-1] - x[at]))
+        return x[at], np.maximum(gap[at - 1], gap[at])
+    before, after = gap[np.maximum(at, 1) - 1], gap[np.minimum(at, len(gap) - 1)]
+    radius = np.minimum(np.maximum(before, after), np.minimum(x[at] - x[0], x[-1] - x[at]))
+    end = (at == 0) | (at == len(x) - 1)
+    centre = np.where(at == 0, x[at] + after / 2, np.where(end, x[at] - before / 2, x[at]))
+    return centre, np.where(end, before / 2, radius)
+
+
+def with_turning_points(
+    f: Problems, x: Values, values: Values, *, near: float, period: float | None = None, touch: float = 0.0
+) -> tuple[Values, Values]:
+    """Samples (n,) of a function with those turning points added that may lie beyond zero between two of them.
+
+    A local extremum of the samples is refined if it is nearer to zero than ``near`` or than its neighbours are
+    to it; it is left out again if it is within ``touch`` of zero. With a ``period`` the last sample repeats
+    the first, and the seam is searched like any other place.
+    """
+    inner = values if period is None else values[:-1]
+    step = np.abs(np.diff(values))
+    left = np.append(step[:1] if period is None else step[-1:], step)[: len(inner)]
+    right = np.append(step, step[-1:])[: len(inner)]
+    bound = np.maximum(near, np.maximum(left, right))
+    hidden = np.array(
+        [i for sign in (1, -1) for i in turning(inner, sign, period is not None) if 0 <= -sign * inner[i] < bound[i]],
+        dtype=np.intp,
+    )
+    if not hidden.size:
+        return x, values
+    at, value = refine(f, *around(x, hidden, period is not None))
+    if period is not None:
+        at = x[0] + np.mod(at - x[0], period)
+    keep = np.abs(value) > touch
+    x, values = np.concatenate((x, at[keep])), np.concatenate((values, value[keep]))
+    order = np.argsort(x, kind="stable")
+    return x[order], values[order]

@@ -1,4 +1,4 @@
-"""The document that a command prints: titled facts, notes, one table.
+"""The document that a command prints: titled facts, notes, one table; or several such parts.
 
 A fact has a text for people and values for programs, so that ``--format json`` loses no digit.
 """
@@ -23,15 +23,22 @@ class Fact:
 
 @dataclass(frozen=True)
 class View:
-    """A table: headers such as ``phi[deg]`` and columns of equal length, numbers or strings."""
+    """A table: headers such as ``phi[deg]`` and columns of equal length, numbers or strings.
+
+    ``peaks`` are the largest magnitudes of the columns that these rows were chosen from: what is noise against
+    them is printed as 0. ``scientific`` names the headers of columns of many magnitudes, such as errors, which
+    are printed in powers of ten.
+    """
 
     headers: Sequence[str]
     columns: Sequence[Sequence[Any]]
+    peaks: Sequence[float] = ()
+    scientific: Sequence[str] = ()
 
 
 @dataclass(frozen=True)
 class Document:
-    """A titled summary with notes and a table; ``hidden`` says what the table does not show."""
+    """A titled summary with notes and a table, or the documents of several stages as ``parts``."""
 
     title: str
     facts: tuple[Fact, ...] = ()
@@ -39,3 +46,4 @@ class Document:
     table: View | None = None
     wide: bool = False  # the table may be cut to the width of the terminal
     more: str = ""  # said under a table that was cut
+    parts: tuple[Document, ...] = ()  # each under its own title; programs find them by it

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from tmmcalc.report.document import Document
-from tmmcalc.report.numbers import column
+from tmmcalc.report.document import Document, View
+from tmmcalc.report.numbers import column, scientific
 
 GAP = 2  # spaces between columns
 
@@ -27,23 +26,27 @@ class Cells(NamedTuple):
 
 def fitted(document: Document, width: int) -> tuple[list[Cells], int]:
     """The columns of the table that fit the width (all, unless it is wide), and how many were cut."""
-    if document.table is None:
+    view = document.table
+    if view is None:
         return [], 0
     kept: list[Cells] = []
-    used = 0
-    total = len(document.table.headers)
-    for header, values in zip(document.table.headers, document.table.columns, strict=True):
+    used = -GAP
+    for k, header in enumerate(view.headers):
         name, _, unit = header.partition("[")
-        cells = Cells(name, unit.removesuffix("]"), *_cells(values))
-        used += cells.width + GAP
+        cells = Cells(name, unit.removesuffix("]"), *_cells(view, k))
+        used += GAP + cells.width
         if document.wide and used > width and len(kept) >= 2:
             break
         kept.append(cells)
-    return kept, total - len(kept)
+    return kept, len(view.headers) - len(kept)
 
 
-def _cells(values: Sequence[Any]) -> tuple[list[str], bool]:
+def _cells(view: View, k: int) -> tuple[list[str], bool]:
+    """Cells of column k, and whether they are text."""
+    values = view.columns[k]
     text = any(isinstance(v, str) for v in values)
     if text or all(isinstance(v, int) for v in values):
         return [str(v) for v in values], text
-    return column(values), False
+    if view.headers[k] in view.scientific:
+        return scientific(values), False
+    return column(values, view.peaks[k] if view.peaks else 0.0), False

@@ -6,28 +6,71 @@ import math
 from collections.abc import Sequence
 
 DIGITS = 6  # significant digits of the largest value of a column
+MIDDLE_DIGITS = 4  # at least, of a value of middle size, where a few tower above the rest
 NOISE = 1e-12  # a value this small against the largest of its column is zero
+ANGLE_DECIMALS = 5  # of an angle in degrees
 
 
-def number(value: float, digits: int = 7) -> str:
-    """One number, ``digits`` significant digits at most."""
-    text = f"{value:.{digits}g}"
-    return "0" if text == "-0" else text
+def number(value: float, digits: int = 7, peak: float = 0.0) -> str:
+    """One number of ``digits`` significant digits at most; 0 if it is noise against ``peak``.
+
+    >>> number(1 / 3), number(2e-17, peak=1.0)
+    ('0.3333333', '0')
+    """
+    return _unsigned_zero(f"{_cleaned(value, peak):.{digits}g}")
 
 
-def column(values: Sequence[float]) -> list[str]:
-    """A column with common decimals, or in powers of ten where it is very large or small."""
-    largest = max((abs(v) for v in values), default=0.0)
-    if largest == 0:
+def angle(degrees: float) -> str:
+    """An angle in degrees, five decimals at most.
+
+    >>> angle(-18.8190633), angle(-3e-12), angle(180.0)
+    ('-18.81906', '0', '180')
+    """
+    text = f"{degrees:.{ANGLE_DECIMALS}f}".rstrip("0").rstrip(".")
+    return _unsigned_zero(text)
+
+
+def column(values: Sequence[float], peak: float = 0.0) -> list[str]:
+    """A column with common decimals, or in powers of ten where it is very large or small.
+
+    ``peak`` is the largest magnitude of the column that the values were chosen from, if they are not all of it:
+    what is noise there is 0 here.
+    """
+    sizes = [abs(v) for v in values]
+    peak = max([*sizes, peak])
+    cleaned = [_cleaned(v, peak) for v in values]
+    sizes = sorted(abs(v) for v in cleaned if v)
+    if not sizes:
         return ["0"] * len(values)
-    exponent = math.floor(math.log10(largest))
-    cleaned = [0.0 if abs(v) < NOISE * largest else v for v in values]
-    if not -4 <= exponent <= 7:
-        return [f"{v:.{DIGITS - 1}e}" if v else "0" for v in cleaned]
-    decimals = max(0, DIGITS - 1 - max(exponent, -1))
-    return [_plain(v, decimals) for v in cleaned]
+    largest, middle = _exponent(sizes[-1]), _exponent(sizes[len(sizes) // 2])
+    if not -4 <= largest <= 7:
+        return scientific(cleaned, DIGITS)
+    decimals = max(DIGITS - 1 - largest, MIDDLE_DIGITS - 1 - middle, 0)
+    return _trimmed([_unsigned_zero(f"{v:.{min(decimals, DIGITS)}f}") for v in cleaned])
 
 
-def _plain(value: float, decimals: int) -> str:
-    text = f"{value:.{decimals}f}"
+def scientific(values: Sequence[float], digits: int = 3) -> list[str]:
+    """Numbers in powers of ten; zero stays 0."""
+    return [f"{v:.{digits - 1}e}" if v else "0" for v in values]
+
+
+def _exponent(size: float) -> int:
+    return math.floor(math.log10(size))
+
+
+def _cleaned(value: float, peak: float) -> float:
+    return 0.0 if abs(value) < NOISE * abs(peak) else value
+
+
+def _unsigned_zero(text: str) -> str:
     return text[1:] if text.startswith("-") and not text.strip("-0.") else text
+
+
+def _trimmed(cells: list[str]) -> list[str]:
+    """The same decimals without the zeros that end every cell: 0, 15, 30 instead of 0.000, 15.000, 30.000."""
+    if not cells or "." not in cells[0]:
+        return cells
+    spare = min(len(cell) - len(cell.rstrip("0")) for cell in cells)
+    if spare == len(cells[0].partition(".")[2]):
+        spare += 1  # the point goes as well
+    return [cell[: len(cell) - spare] for cell in cells]

@@ -7,6 +7,7 @@ the import of rich, a fifth of the time of a short command.
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator, Mapping
 from typing import Any, Literal, TextIO
 
 from tmmcalc.report.document import Document
@@ -30,13 +31,15 @@ def render(document: Document, form: Format, stream: TextIO | None = None) -> No
 
 
 def _payload(document: Document) -> dict[str, Any]:
-    """Facts, notes and columns as plain values; keys without a value are left out."""
+    """Facts, notes and columns as plain values, parts under their titles; keys without a value are left out."""
     values = {k: v for fact in document.facts for k, v in fact.values.items() if v is not None}
     payload: dict[str, Any] = {"title": document.title, **values}
     if document.notes:
         payload["notes"] = list(document.notes)
     if document.table is not None:
         payload["columns"] = {h: list(c) for h, c in zip(document.table.headers, document.table.columns, strict=True)}
+    for part in document.parts:
+        payload[part.title] = {k: v for k, v in _payload(part).items() if k != "title"}
     return payload
 
 
@@ -53,7 +56,7 @@ def _toml(document: Document) -> str:
 
 
 def _csv(document: Document) -> str:
-    """The table alone; a document without one gives its values as two columns."""
+    """The table alone; a document without one gives its values as two columns: name, value."""
     import csv
     import io
 
@@ -61,8 +64,19 @@ def _csv(document: Document) -> str:
     writer = csv.writer(buffer, lineterminator="\n")
     if document.table is None:
         writer.writerow(["name", "value"])
-        writer.writerows((k, v) for fact in document.facts for k, v in fact.values.items())
+        writer.writerows((k, v) for k, v in _flat(_payload(document)) if k != "title")
     else:
         writer.writerow(document.table.headers)
         writer.writerows(zip(*document.table.columns, strict=True))
     return buffer.getvalue()
+
+
+def _flat(payload: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
+    """Names joined by dots with their values; lists end in .0, .1, ..."""
+    for name, value in payload.items():
+        if isinstance(value, list):
+            value = {str(k): item for k, item in enumerate(value)}
+        if isinstance(value, dict):
+            yield from _flat(value, f"{prefix}{name}.")
+        else:
+            yield f"{prefix}{name}", str(value).lower() if isinstance(value, bool) else value

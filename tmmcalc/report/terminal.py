@@ -9,12 +9,15 @@ from rich.console import Console
 from rich.table import Table
 
 from tmmcalc.report.document import Document, Fact
-from tmmcalc.report.layout import Cells, fitted
+from tmmcalc.report.layout import GAP, Cells, fitted
 
 
 def draw(document: Document, stream: TextIO) -> None:
-    """Print title, facts, notes and table."""
-    out = Console(file=stream, highlight=False)
+    """Print title, facts, notes and table, then the parts."""
+    _draw(document, Console(file=stream, highlight=False))
+
+
+def _draw(document: Document, out: Console) -> None:
     out.print(document.title, style="bold", markup=False)
     if document.facts:
         out.print(_facts(document.facts))
@@ -22,26 +25,42 @@ def draw(document: Document, stream: TextIO) -> None:
         out.print(note, style="yellow" if note.startswith("warning") else "cyan", markup=False)
     columns, cut = fitted(document, out.width)
     if columns:
+        out.print()
         out.print(_table(columns))
     if cut and document.more:
+        out.print()
         out.print(f"{cut} more columns: {document.more}", style="dim", markup=False)
+    for part in document.parts:
+        out.print()
+        _draw(part, out)
 
 
 def _facts(facts: tuple[Fact, ...]) -> Table:
-    table = Table.grid(padding=(0, 2))
+    table = Table.grid(padding=(0, GAP), pad_edge=False)
     table.add_column(no_wrap=True, style="dim")
-    table.add_column(overflow="fold")
+    table.add_column()
     for fact in facts:
         table.add_row(fact.label, fact.text)
     return table
 
 
 def _table(columns: list[Cells]) -> Table:
-    """Names and units stand on two lines of the header."""
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1), header_style="bold")
-    for c in columns:
-        title = f"{c.name}\n{c.unit}" if c.unit else c.name
-        table.add_column(title, justify="left" if c.text else "right", no_wrap=not c.text, overflow="fold")
+    """Names and units stand on two lines of the header. The gap is one cell of padding and one of the divider.
+
+    Numbers keep their width, whatever the window: a digit must never fall off a cell.
+    """
+    table = Table(
+        box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False, collapse_padding=True, padding=(0, 1), header_style="bold"
+    )
+    units = any(c.unit for c in columns)
+    for k, c in enumerate(columns):
+        wraps = c.text and k == len(columns) - 1
+        table.add_column(
+            f"{c.name}\n{c.unit}" if units else c.name,
+            justify="left" if c.text else "right",
+            min_width=None if wraps else c.width,
+            no_wrap=not wraps,
+        )
     for row in zip(*(c.cells for c in columns), strict=True):
         table.add_row(*row)
     return table

@@ -1,0 +1,70 @@
+"""Runs of the real entry point: in this process for the many, as a process of its own for the few that need one."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from tmmcalc.cli import main
+
+ROOT = Path(__file__).parents[2]
+CONFIGS = ROOT / "configs"
+
+
+class Answer(NamedTuple):
+    code: int
+    out: str
+    err: str
+
+
+Cli = Callable[..., Answer]
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty working folder with the shaper as ``my.toml``."""
+    shutil.copy(CONFIGS / "shaper.toml", tmp_path / "my.toml")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.fixture
+def cli(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Cli:
+    """Run a command in this process; an exception of the program is one of the test."""
+
+    def run(*args: str) -> Answer:
+        monkeypatch.setattr(sys, "argv", ["tmmcalc", *args])
+        with pytest.raises(SystemExit) as ended:
+            main()
+        return Answer(int(ended.value.code or 0), *capsys.readouterr())
+
+    return run
+
+
+def environment(**more: str) -> dict[str, str]:
+    return {**os.environ, "PYTHONPATH": str(ROOT), "COLUMNS": "80", **more}
+
+
+@pytest.fixture
+def process(folder: Path) -> Cli:
+    """Run a command as a process of its own."""
+
+    def run(*args: str, **more: str) -> Answer:
+        done = subprocess.run(
+            [sys.executable, "-m", "tmmcalc", *args],
+            cwd=folder,
+            env=environment(**more),
+            capture_output=True,
+            text=True,
+            timeout=60,
+        )
+        return Answer(done.returncode, done.stdout, done.stderr)
+
+    return run

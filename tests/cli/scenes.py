@@ -1,0 +1,91 @@
+"""Specs that the ready ones do not show: a group of class III, a mechanism near a dead point."""
+
+from __future__ import annotations
+
+PLATFORM = """
+[mechanism.input]
+joint = "O"
+speed = "1 rad/s"
+
+[mechanism.fixed]
+O = [0, 0]
+E = [4, 0]
+H = [2, 4]
+
+[[mechanism.links]]
+id = 1
+points = { O = [0, 0], A = [1, 0] }
+
+[[mechanism.links]]
+id = 2
+points = { A = [0, 0], B = [2, 0] }
+
+[[mechanism.links]]
+id = 3
+points = { B = [0, 0], D = [1, 0], G = [0.5, 1] }
+
+[[mechanism.links]]
+id = 4
+points = { D = [0, 0], E = [2, 0] }
+
+[[mechanism.links]]
+id = 5
+points = { G = [0, 0], H = [2, 0] }
+""" + "".join(
+    f'\n[[mechanism.joints]]\nname = "{name}"\nkind = "revolute"\nlinks = [{a}, {b}]\n'
+    for name, a, b in (("O", 0, 1), ("A", 1, 2), ("B", 2, 3), ("D", 3, 4), ("E", 4, 0), ("G", 3, 5), ("H", 5, 0))
+)
+
+# a piston drives a crank of 100 mm by a rod of 300 mm; their dead point is at 400 mm
+PISTON = """
+[project]
+title = "Piston and crank"
+
+[mechanism.input]
+joint = "piston"
+speed = "0.1 m/s"
+start = "230 mm"
+
+[mechanism.grid]
+span = "150 mm"
+positions = 10
+
+[mechanism.fixed]
+O = [0, 0]
+
+[[mechanism.links]]
+id = 1
+points = { B = [0, 0] }
+
+[[mechanism.links]]
+id = 2
+points = { B = [0, 0], A = ["300 mm", 0] }
+
+[[mechanism.links]]
+id = 3
+points = { O = [0, 0], A = ["100 mm", 0] }
+
+[[mechanism.joints]]
+name = "piston"
+kind = "prismatic"
+links = [1, 0]
+guide = { through = "O" }
+
+[[mechanism.joints]]
+name = "B"
+kind = "revolute"
+links = [1, 2]
+
+[[mechanism.joints]]
+name = "A"
+kind = "revolute"
+links = [2, 3]
+
+[[mechanism.joints]]
+name = "O"
+kind = "revolute"
+links = [3, 0]
+
+[mechanism.assembly.sketch]
+A = [0, "90 mm"]
+"""

@@ -1,0 +1,187 @@
+"""Commands that begin a project: init, check, schema, plan; help, version and completion."""
+
+from __future__ import annotations
+
+import json
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from tmmcalc.cli.commands import COMMANDS
+
+from .conftest import CONFIGS, Cli
+
+READY = sorted(file.stem for file in CONFIGS.glob("*.toml"))
+
+
+def test_help_lists_every_command_in_the_order_of_work(cli: Cli) -> None:
+    code, out, err = cli("--help")
+    assert (code, err) == (0, "")
+    places = [out.index(f"\n  {name} ") for name in COMMANDS]
+    assert places == sorted(places)
+    assert "Exit codes" in out
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_has_an_example_and_stays_in_80_columns(cli: Cli, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    code, out, err = cli(name, "--help")
+    assert (code, err) == (0, "")
+    assert out.startswith(f"Usage: tmmcalc {name} ")
+    assert f"Example: tmmcalc {name}" in out
+    assert max(map(len, out.splitlines())) <= 80
+
+
+def test_version(cli: Cli) -> None:
+    code, out, _ = cli("--version")
+    assert code == 0
+    assert out.split()[0] == "tmmcalc"
+
+
+@pytest.mark.parametrize(
+    ("given", "remedy"),
+    [("kinematcs", "did you mean kinematics?"), ("my.toml", "tmmcalc run my.toml"), ("zzz", "commands: init")],
+)
+def test_unknown_command(cli: Cli, given: str, remedy: str) -> None:
+    code, out, err = cli(given)
+    assert (code, out) == (2, "")
+    assert remedy in err
+
+
+@pytest.mark.parametrize("args", [("kinematics",), ("run", "my.toml", "again"), ("check", "my.toml", "--colour")])
+def test_wrong_usage(cli: Cli, args: tuple[str, ...]) -> None:
+    code, out, err = cli(*args)
+    assert (code, out) == (2, "")
+    assert "Usage: tmmcalc" in err
+
+
+@pytest.mark.parametrize(
+    ("typed", "at", "offered"),
+    [
+        ("tmmcalc ", 1, list(COMMANDS)),
+        ("tmmcalc kin", 1, ["kinematics"]),
+        ("tmmcalc kinematics --me", 2, ["--method"]),
+        ("tmmcalc kinematics my.toml --method ", 4, ["closed", "projection", "differences"]),
+        ("tmmcalc run my.toml --to ", 4, ["structure", "kinematics"]),
+        ("tmmcalc init slot", 2, ["slotted-link", "slotter"]),
+        ("tmmcalc bogus ", 2, list(COMMANDS)),
+    ],
+)
+def test_completion(cli: Cli, monkeypatch: pytest.MonkeyPatch, typed: str, at: int, offered: list[str]) -> None:
+    monkeypatch.setenv("COMP_WORDS", typed)
+    monkeypatch.setenv("COMP_CWORD", str(at))
+    monkeypatch.setenv("_TMMCALC_COMPLETE", "complete_bash")
+    code, out, err = cli()
+    assert (code, err) == (0, "")
+    assert out.split() == offered
+
+
+def test_show_completion_names_the_program(cli: Cli) -> None:
+    code, out, _ = cli("--show-completion", "bash")
+    assert code == 0
+    assert "_TMMCALC_COMPLETE" in out
+
+
+def test_init_lists_the_ready_specs(cli: Cli) -> None:
+    code, out, err = cli("init", "--list")
+    assert (code, err) == (0, "")
+    assert [line.split()[0] for line in out.splitlines() if not line.startswith(" ")] == READY
+    assert max(map(len, out.splitlines())) <= 80
+
+
+@pytest.mark.parametrize("name", READY)
+def test_init_writes_a_spec_that_checks(cli: Cli, name: str) -> None:
+    code, out, err = cli("init", name, "-o", "new.toml")
+    assert (code, out) == (0, "")
+    assert "wrote new.toml and tmmcalc.schema.json" in err
+    assert Path("new.toml").read_text(encoding="utf-8").startswith("#:schema ./tmmcalc.schema.json\n")
+    assert cli("check", "new.toml").code == 0
+
+
+def test_init_prints_the_spec(cli: Cli) -> None:
+    code, out, err = cli("init")
+    assert (code, err) == (0, "")
+    assert out == (CONFIGS / "crank-slider.toml").read_text(encoding="utf-8")
+
+
+def test_init_keeps_a_file_that_exists(cli: Cli) -> None:
+    before = Path("my.toml").read_bytes()
+    code, out, err = cli("init", "press", "-o", "my.toml")
+    assert (code, out) == (2, "")
+    assert "--force" in err
+    assert Path("my.toml").read_bytes() == before
+    assert not Path("tmmcalc.schema.json").exists()
+    assert cli("init", "press", "-o", "my.toml", "--force", "-q") == (0, "", "")
+    assert Path("my.toml").read_bytes() == (CONFIGS / "press.toml").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("args", "said"),
+    [
+        (("shper",), 'did you mean "shaper"?'),
+        (("new.toml",), "tmmcalc init crank-slider -o new.toml"),
+        (("shaper", "-o", "no/new.toml"), "there is no folder no"),
+        (("shaper", "-o", "."), ". is a folder"),
+    ],
+)
+def test_init_refuses(cli: Cli, args: tuple[str, ...], said: str) -> None:
+    code, out, err = cli("init", *args)
+    assert (code, out) == (2, "")
+    assert said in err
+
+
+def test_check_reports_every_file(cli: Cli) -> None:
+    bad = (
+        Path("my.toml").read_text().replace('"200 mm"', '"200 kg"').replace('kind = "prismatic"', 'kind = "slider"', 1)
+    )
+    Path("bad.toml").write_text(bad)
+    code, out, err = cli("check", "my.toml", "bad.toml", "none.toml", ".")
+    assert code == 2
+    assert out == "my.toml: ok (5 moving links, 7 joints)\n"
+    assert "bad.toml: 2 faults" in err
+    line = 1 + bad[: bad.index('"200 kg"')].count("\n")
+    assert f"line {line}: mechanism.links[0].points.A" in err
+    assert "none.toml" in err
+    assert ". is a directory" in err
+
+
+def test_check_quiet_is_silent_where_all_is_well(cli: Cli) -> None:
+    assert cli("check", "my.toml", "-q") == (0, "", "")
+
+
+def test_schema(cli: Cli) -> None:
+    code, out, err = cli("schema")
+    assert (code, err) == (0, "")
+    assert json.loads(out)["$schema"].startswith("https://json-schema.org/")
+    assert cli("schema", "-o", "s.json", "-q") == (0, "", "")
+    assert Path("s.json").read_text(encoding="utf-8") == out
+    assert cli("schema", "-o", "no/s.json").code == 2
+
+
+def test_plan_says_what_runs_and_why(cli: Cli) -> None:
+    code, out, err = cli("plan", "my.toml", "structure", "--format", "json")
+    assert (code, err) == (0, "")
+    columns = json.loads(out)["columns"]
+    assert columns["stage"] == ["structure", "kinematics"]
+    assert columns["runs"] == ["yes", "no"]
+    assert columns["why"] == ["asked for", "not needed by structure"]
+    assert tomllib.loads(cli("plan", "my.toml", "-f", "toml").out)["columns"]["runs"] == ["yes", "yes"]
+    table = cli("plan", "my.toml").out
+    assert max(map(len, table.splitlines())) <= 80
+    assert list(Path().iterdir()) == [Path("my.toml")]
+
+
+def test_plan_refuses_an_unknown_stage(cli: Cli) -> None:
+    code, out, err = cli("plan", "my.toml", "kinematic")
+    assert (code, out) == (2, "")
+    assert "did you mean kinematics?" in err
+
+
+def test_commands_are_not_in_the_way_of_each_other(cli: Cli) -> None:
+    """One process may run several commands; none leaves a trace that changes the next."""
+    first = cli("structure", "my.toml", "--no-store", "-q")
+    assert cli("kinematics", "my.toml", "--no-store", "-q").code == 0
+    assert cli("structure", "my.toml", "--no-store", "-q") == first
+    assert "tmmcalc" in sys.modules
