@@ -8,6 +8,7 @@ import pytest
 
 from tmmcalc.errors import Fault, SpecError
 from tmmcalc.spec import parse_spec
+from tmmcalc.spec.linkage import to_linkage
 
 Faults = Callable[[str], list[Fault]]
 
@@ -93,6 +94,8 @@ TABLE_FAULTS = [
     ),
     ("positions = 24", "span = 0", "mechanism.grid.span", "0 is zero", "30 deg"),
     ("positions = 24", 'span = "-30 deg"', "mechanism.grid.span", "'-30 deg' is negative", "without the minus"),
+    ("positions = 24", "span = 90", "mechanism.grid.span", "90 without a unit is in radians", '"90 deg"'),
+    ("positions = 24", "extra = [45.5]", "mechanism.grid.extra[0]", "45.5 without a unit is in radians", "45.5 deg"),
     ("positions = 24", 'span = "361 deg"', "mechanism.grid.span", "more than one turn", "360 deg"),
     ("positions = 24", 'extra = ["-1 deg"]', "mechanism.grid.extra[0]", "negative", "without the minus"),
     ("positions = 24", 'extra = [1, "370 deg"]', "mechanism.grid.extra[1]", "beyond the span of '360 deg'", "within"),
@@ -541,6 +544,21 @@ def test_a_prismatic_input_needs_span_and_start(shaper: str, faults_of: Faults) 
     assert {fault.path for fault in faults_of(strokes)} == {"mechanism.grid.working", "mechanism.grid.idle"}
 
 
+def test_bare_degrees(shaper: str, faults_of: Faults) -> None:
+    text = shaper.replace('start = "extreme"', "start = 30").replace('angle = "0 deg" }\n', "angle = 90 }\n", 1)
+    found = {fault.path: fault for fault in faults_of(text)}
+    assert found.keys() == {"mechanism.input.start", "mechanism.joints[6].guide.angle"}
+    assert all("without a unit is in radians" in fault.message for fault in found.values())
+    assert '"90 deg"' in found["mechanism.joints[6].guide.angle"].remedy
+
+
+def test_two_outputs_of_one_name(shaper: str, faults_of: Faults) -> None:
+    second = '\n[[mechanism.outputs]]\npoint = "D"\ndirection = "90 deg"\n'
+    only_fault(faults_of(shaper + second), "mechanism.outputs[1]", "a second output is called 'D'", 'name = "Dy"')
+    named = second.replace('point = "D"', 'name = "Dy"\npoint = "D"')
+    assert [o.name for o in to_linkage(parse_spec(shaper + named).mechanism).outputs] == ["D", "Dy"]
+
+
 def test_a_link_that_no_joint_names(shaper: str, faults_of: Faults) -> None:
     text = shaper + "\n[[mechanism.links]]\nid = 6\npoints = { A = [0, 0] }\n"
     only_fault(faults_of(text), "mechanism.links[5]", "no joint names link 6", "remove the link")
@@ -559,9 +577,7 @@ def test_a_mechanism_without_frame(faults_of: Faults) -> None:
 
 def test_a_misspelt_array_is_not_missing_as_well(shaper: str, faults_of: Faults) -> None:
     text = shaper.replace("[[mechanism.links]]", "[[mechanism.link]]")
-    only_fault(
-        faults_of(text), "mechanism.link", "unknown key 'link' in [mechanism]", 'did you mean "links"?'
-    )
+    only_fault(faults_of(text), "mechanism.link", "unknown key 'link' in [mechanism]", 'did you mean "links"?')
 
 
 def test_one_pin_of_three_links_is_one_point(shaper: str) -> None:

@@ -80,9 +80,7 @@ def test_hostile_text_is_a_spec_error(text: str) -> None:
 
 
 def test_message_names_the_file_and_counts_the_faults(shaper: str) -> None:
-    with pytest.raises(
-        SpecError, match=r"ram\.toml: 2 faults\n  line 51: mechanism\.links\[2\]\.mass: -3 is"
-    ):
+    with pytest.raises(SpecError, match=r"ram\.toml: 2 faults\n  line 51: mechanism\.links\[2\]\.mass: -3 is"):
         parse_spec(shaper.replace("mass = 55", "mass = -3").replace("mass = 12", "mass = -1"), "ram.toml")
 
 
@@ -122,7 +120,5 @@ def test_a_good_spec_loads_nothing_that_only_faults_need() -> None:
         "names = {'difflib', 'numpy', 'scipy', 'tmmcalc.spec.wording', 'tmmcalc.spec.source'}\n"
         "print(sorted(names & set(sys.modules)))"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=Path.cwd()
-    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=Path.cwd())
     assert done.stdout.strip() == "[]"

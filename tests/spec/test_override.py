@@ -74,10 +74,7 @@ def test_loader_applies_overrides_and_says_so_in_faults(shaper: str) -> None:
         parse_spec(shaper, overrides=["mechanism.links[id=3].mass=-50"])
     (fault,) = caught.value.faults
     assert fault.line is None
-    assert (
-        fault.message
-        == "-50 is negative; a mass is at least 0 (link 3) (set by an override, not in the file)"
-    )
+    assert fault.message == "-50 is negative; a mass is at least 0 (link 3) (set by an override, not in the file)"
 
 
 def test_a_new_table_is_made(shaper: str) -> None:

@@ -46,8 +46,7 @@ def accepts(schema: dict[str, Any], value: Any, root: dict[str, Any]) -> bool:
     if isinstance(value, dict):
         known, patterns = schema.get("properties", {}), schema.get("patternProperties", {})
         parts = {
-            key: known.get(key) or next((p for r, p in patterns.items() if re.search(r, key)), None)
-            for key in value
+            key: known.get(key) or next((p for r, p in patterns.items() if re.search(r, key)), None) for key in value
         }
         return (
             all(part is not None and accepts(part, value[key], root) for key, part in parts.items())

@@ -86,9 +86,7 @@ KEYS = st.sampled_from(["a", "b-1", "x y", "k'", "é", "a.b", "#", "=", "[0]", '
 STRINGS = st.sampled_from(
     ['""', '"a]#"', "'}\"'", '"""\n[t]\n# x"""', "'''\n\\'''''", '"\\""', '"""\\""""', '"""a"""""']
 )
-SCALARS = st.one_of(
-    STRINGS, st.sampled_from(["1", "-2.5e3", "true", "1979-05-27T07:32:00Z", "07:32:00", "inf"])
-)
+SCALARS = st.one_of(STRINGS, st.sampled_from(["1", "-2.5e3", "true", "1979-05-27T07:32:00Z", "07:32:00", "inf"]))
 GAPS = st.sampled_from(["", " ", "\n", " # ]},\n", "\n\n\t"])
 
 

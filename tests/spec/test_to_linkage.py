@@ -25,14 +25,10 @@ def test_shaper(shaper: str) -> None:
 def test_pins_lines_and_assembly(shaper: str) -> None:
     text = shaper.replace('name = "C"\n', 'name = "C"\npoints = ["C", "C4"]\n')
     text = text.replace("points = { C = [0, 0], D", "points = { C4 = [0.25, -1], D")
-    text = text.replace(
-        'guide = { through = "B", angle = "0 deg" }', 'guide = { through = "C", angle = "90 deg" }'
-    )
+    text = text.replace('guide = { through = "B", angle = "0 deg" }', 'guide = { through = "C", angle = "90 deg" }')
     text = text.replace("links = [2, 3] ", 'slider = { through = "A", angle = "30 deg" }\nlinks = [2, 3] ')
     text = text.replace("positions = 24", 'working = 8\nidle = 4\nextra = ["180 deg"]\nextremes = true')
-    text += (
-        '[mechanism.assembly]\nsketch = { C = ["330 mm", 0.965] }\nvariants = { "3-2" = -1 }\nat = "90 deg"\n'
-    )
+    text += '[mechanism.assembly]\nsketch = { C = ["330 mm", 0.965] }\nvariants = { "3-2" = -1 }\nat = "90 deg"\n'
     mechanism = to_linkage(parse_spec(text).mechanism)
     assert mechanism.joint("C").points == (1.02 + 0j, 0.25 - 1j)
     line = mechanism.joint("A3")

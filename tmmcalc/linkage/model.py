@@ -68,6 +68,7 @@ class Output:
     """The coordinate whose displacement S, velocity and acceleration the project asks for. One of:
 
     ``point`` measured along ``direction`` [rad]; the angle of ``link``; the coordinate of prismatic ``joint``.
+    ``label`` names it in columns and messages.
     """
 
     point: str | None = None
@@ -75,11 +76,12 @@ class Output:
     link: int | None = None
     joint: str | None = None
     resistance: Literal["positive", "negative"] | None = None  # sense of the useful resistance along the coordinate
+    label: str | None = None
 
     @property
     def name(self) -> str:
-        """Name used in columns and messages: the point, the link number, or the joint."""
-        return self.point or self.joint or str(self.link)
+        """Name used in columns and messages: the label, or else the point, the joint, or the link number."""
+        return self.label or self.point or self.joint or str(self.link)
 
 
 @dataclass(frozen=True)

@@ -98,7 +98,7 @@ def assess(chain: Chain, dense: Survey) -> tuple[GroupQuality, ...]:
     for m, measure in enumerate(measures):
         squares = measure(chain, dense.configuration, dense.x)
         i = int(np.argmin(squares))
-        worst.append((float(squares[i]), float(dense.x[i])))
+        worst.append((max(float(squares[i]), 0.0), float(dense.x[i])))
         if np.ptp(squares) > CONSTANT:
             low = turning(squares[:-1] if dense.full else squares, -1, dense.full)
             guesses += [(m, int(j)) for j in low[np.argsort(squares[low])][:CANDIDATES]]

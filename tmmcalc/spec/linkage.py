@@ -84,7 +84,7 @@ def _input(table: InputTable) -> Input:
 
 
 def _output(table: OutputTable) -> Output:
-    return Output(table.point, table.direction, table.link, table.joint, table.resistance)
+    return Output(table.point, table.direction, table.link, table.joint, table.resistance, table.name)
 
 
 def _grid(table: GridTable) -> Grid:

@@ -11,6 +11,9 @@ from .table import Table
 class OutputTable(Table):
     """One output coordinate: of a point along a direction, of a link (its angle) or of a prismatic joint."""
 
+    name: JointName | None = Field(
+        default=None, description="Name in columns and messages (default: the point, the link number or the joint)."
+    )
     point: PointName | None = Field(default=None, description="Point whose displacement along direction is the output.")
     direction: Angle = Field(default=0.0, description="Direction along which the point is followed, from the x axis.")
     link: int | None = Field(default=None, ge=1, description="Link whose angle is the output.")

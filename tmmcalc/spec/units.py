@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 from .phrases import either, nearest, show
 
+FULL_TURN = 2 * math.pi * (1 + 1e-12)  # a bare angle above it is degrees in disguise
 LARGEST = 1e250  # larger and smaller (1/LARGEST) magnitudes are slips, and their squares overflow
 
 _PI_NUM = 3141592653589793238462643383279502884197169399375105820974944
@@ -182,6 +183,11 @@ def _bare(value: float, dimensions: tuple[str, ...]) -> float:
         return 0.0
     if not 1 / LARGEST <= magnitude <= LARGEST:  # false for nan as well
         raise UnitError(f"{show(value)} is not a finite number of ordinary size", _advice(dimensions))
+    if dimensions == ("angle",) and magnitude > FULL_TURN:
+        raise UnitError(
+            f"{show(value)} without a unit is in radians, more than a full turn",
+            f'write "{value:g} deg" or "{value:g} rad"',
+        )
     return float(value)
 
 

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import TypeGuard
 
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
-from tmmcalc.spec.units import DIMENSIONS, UnitError, dimension_of, parse
+from tmmcalc.spec.units import DIMENSIONS, FULL_TURN, UnitError, dimension_of, parse
 
 from .outline import FRAME, Outline, RawJoint, subtable
 
@@ -49,6 +50,12 @@ def check_dimensions(outline: Outline) -> Iterator[Finding]:
         return
     for path, value, dimension in _quantities(outline, joint.kind):
         written = dimension_of(value)
+        if _is_disguised(value, dimension):
+            yield Finding(
+                path,
+                f"{show(value)} without a unit is in radians, more than a full turn",
+                f'write "{value:g} deg"',
+            )
         # Any other dimension is a fault whatever the joint, and is reported with the tables.
         if written != dimension and written in _others(dimension):
             needed, example = DIMENSIONS[dimension].noun, DIMENSIONS[dimension].example
@@ -71,6 +78,13 @@ def _quantities(outline: Outline, kind: str) -> Iterator[tuple[Path, object, str
         yield (*_GRID, "extra", index), value, _COORDINATE[kind]
     at = subtable(outline.table, "assembly").get("at")
     yield ("mechanism", "assembly", "at"), at, _COORDINATE[kind]
+
+
+def _is_disguised(value: object, dimension: str) -> TypeGuard[float]:
+    """Whether a bare number, in radians, is so large that degrees were meant."""
+    if dimension != "angle" or isinstance(value, bool):
+        return False
+    return isinstance(value, int | float) and abs(value) > FULL_TURN
 
 
 def _others(dimension: str) -> set[str]:
@@ -127,7 +141,7 @@ def check_reach(outline: Outline) -> Iterator[Finding]:
     grid, dimension = subtable(outline.table, "grid"), _COORDINATE[joint.kind]
     turn = 2 * math.pi * (1 + 1e-12) if joint.kind == "revolute" else math.inf
     span = _number(grid.get("span"), dimension, turn)
-    if span > turn:
+    if span > turn and not _is_disguised(grid["span"], dimension):
         yield Finding(
             (*_GRID, "span"),
             f"{show(grid['span'])} is more than one turn; the positions of a crank repeat after 360 deg",
@@ -135,7 +149,7 @@ def check_reach(outline: Outline) -> Iterator[Finding]:
         )
     extra = grid.get("extra")
     for index, value in enumerate(extra if isinstance(extra, list) else ()):
-        if _number(value, dimension, 0.0) > min(span, turn):
+        if _number(value, dimension, 0.0) > min(span, turn) and not _is_disguised(value, dimension):
             yield Finding(
                 (*_GRID, "extra", index),
                 f"{show(value)} lies beyond the span of {show(grid.get('span', '360 deg'))}",

@@ -14,8 +14,10 @@ _KINDS = ("point", "link", "joint")
 
 def check_outputs(outline: Outline) -> Iterator[Finding]:
     """Yield the faults of all outputs."""
+    seen: set[str] = set()
     for index, output in tables(outline.table, "outputs"):
         path: Path = ("mechanism", "outputs", index)
+        yield from _check_name(output, path, seen)
         yield from _check_choice(output, path)
         if isinstance(output.get("point"), str):
             yield from _check_point(outline, output["point"], (*path, "point"))
@@ -23,6 +25,19 @@ def check_outputs(outline: Outline) -> Iterator[Finding]:
             yield from _check_link(outline, output["link"], (*path, "link"))
         if isinstance(output.get("joint"), str):
             yield from _check_joint(outline, output["joint"], (*path, "joint"))
+
+
+def _check_name(output: Raw, path: Path, seen: set[str]) -> Iterator[Finding]:
+    """Outputs are told apart by their names; ``seen`` collects them."""
+    name = next((str(output[key]) for key in ("name", *_KINDS) if key in output), None)
+    if name in seen:
+        yield Finding(
+            (*path, "name") if "name" in output else path,
+            f"a second output is called {show(name)}; their columns could not be told apart",
+            f'give it a name of its own, such as name = "{name}y"',
+        )
+    if name is not None:
+        seen.add(name)
 
 
 def _check_choice(output: Raw, path: Path) -> Iterator[Finding]:
