@@ -231,7 +231,7 @@ def test_a_crank_that_just_passes_turns_fully(nearness: float, place: float) -> 
         slotted(0.1, 0.3, 0.2),  # l1 - l0 = h
     ],
 )
-@pytest.mark.parametrize("start", [0.0, 0.3, 1.7])
+@pytest.mark.parametrize("start", [0.0, 0.3, 1.7, math.radians(0.5), math.radians(270.5)])
 def test_change_points_are_dead_points(mechanism: Mechanism, start: float) -> None:
     for place in (0.0, 0.77):
         with pytest.raises(SingularityError, match="dead point at angle_1 = ") as refused:

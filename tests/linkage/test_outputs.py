@@ -12,11 +12,14 @@ from random_mechanisms import build
 from transforms import scaled
 
 from linkage.scenes import (
+    CONFIGS,
+    bar,
     crank_slider,
     driven_rod,
     four_bar,
     full_turn,
     part,
+    pin,
     shaper,
     slotted,
     with_grid,
@@ -26,10 +29,8 @@ from linkage.scenes import (
 )
 from tmmcalc import AssemblyError, Kinematics, NoSolutionError, load_spec, solve_kinematics
 from tmmcalc.linkage.chain import compile_chain
-from tmmcalc.linkage.model import Mechanism, Output
+from tmmcalc.linkage.model import Assembly, Link, Mechanism, Output
 from tmmcalc.linkage.outputs import coordinate_of
-
-from .scenes import CONFIGS
 
 TURN = 2 * math.pi
 TEN_KINDS = ("four-bar", "shaper", "slotter", "inertial-conveyor", "v-engine", "engine-compressor", "four-dyads")
@@ -151,6 +152,45 @@ def test_a_link_that_goes_round_and_reverses(d: float) -> None:
         assert result.s[0, -1] == pytest.approx(speed * TURN, abs=1e-9)
 
 
+def drag_link() -> Mechanism:
+    """A double crank whose coupler drives a dyad: link 4 goes round once a turn and swings back a little in it."""
+    base = four_bar(1.27837932, 0.50740938, 1.44296838, 0.3)
+    p, f = 0.25370469 - 0.78925084j, 0.39438614 - 0.62552408j
+    return replace(
+        base,
+        frame=Link(0, {"O": 0j, "C": 0.3 + 0j, "F": f}),
+        links=(
+            base.links[0],
+            bar(2, A=0, B=0.50740938, P=p),
+            base.links[2],
+            bar(4, P=0, D=1.05554775),
+            bar(5, F=0, D=1.38401037),
+        ),
+        joints=(*base.joints, pin("P", 2, 4, p), pin("D", 4, 5, 1.05554775, 1.38401037), pin("F", 0, 5, f)),
+        outputs=(Output(link=4),),
+        assembly=Assembly(variants={(2, 3): 1, (4, 5): -1}),
+    )
+
+
+@pytest.mark.parametrize("speed", [1.0, -1.0])
+@pytest.mark.parametrize("resistance", ["positive", "negative", None])
+def test_strokes_of_a_link_that_goes_round_and_swings_back(speed: float, resistance: str | None) -> None:
+    """It gains a turn: one stroke is a turn longer than the other, which goes back."""
+    mechanism = with_input(with_output(drag_link(), link=4, resistance=resistance), speed=speed)
+    fine = solve_kinematics(with_grid(mechanism, positions=20_000))
+    (summary,) = fine.summaries
+    assert fine.s[0, -1] == pytest.approx(speed * TURN)
+    back = abs(summary.dead_centres[0].value - summary.dead_centres[1].value) % TURN
+    assert summary.stroke == pytest.approx(TURN + min(back, TURN - back), abs=1e-9)
+    begin = summary.dead_centres[0].x + speed * 1e-3
+    rate = solve_kinematics(part(mechanism, begin, begin + 1e-4)).ds[0, 0] * speed
+    if resistance is not None:
+        assert (rate < 0) == (resistance == "positive")
+    else:
+        assert summary.working_angle is not None
+        assert summary.working_angle > math.pi
+
+
 def by_mpmath(l1: float, l2: float, e: float, order: int, guess: float) -> tuple[float, float]:
     """Extremum of a derivative of x_B, with 40 digits."""
     with mpmath.workdps(40):
@@ -239,14 +279,17 @@ def test_two_turns_list_every_dead_centre() -> None:
     assert summary.working_angle is None
 
 
-def test_two_reversals_between_two_positions_of_the_survey() -> None:
-    """An angle whose rate only dips below zero for half a degree has two dead centres there, wherever that is."""
-    rng = np.random.default_rng(5)
-    l2, l3, c = 0.35, 0.3, 0.4
-    base = four_bar(0.1, l2, l3, c)
-    for start in rng.uniform(-math.pi, math.pi, 10):
-        (summary,) = solve_kinematics(full_turn(base, float(start))).summaries
-        assert len(summary.dead_centres) == 2
+def test_a_rocker_has_two_dead_centres_wherever_position_0_stands() -> None:
+    """They stand where crank and coupler are in line; none is lost or doubled at the seam of the turn."""
+    l1, l2, l3, c = 0.1, 0.35, 0.3, 0.4
+    expected = [
+        math.acos((c**2 + (l2 + s * l1) ** 2 - l3**2) / (2 * c * (l2 + s * l1))) + (s < 0) * math.pi for s in (1, -1)
+    ]
+    for centre in expected:
+        for off in (0.0, 1e-12, -1e-12, math.radians(0.5), math.radians(-0.5), 0.3):
+            (summary,) = solve_kinematics(full_turn(four_bar(l1, l2, l3, c), centre + off)).summaries
+            found = sorted(each.x % TURN for each in summary.dead_centres)
+            assert found == pytest.approx(sorted(expected), abs=1e-12)
 
 
 def test_outputs_default_to_the_last_link_on_the_frame() -> None:

@@ -50,6 +50,13 @@ def test_an_end_that_is_a_root_is_returned() -> None:
     assert found.tolist() == [0.0, 1.0]
 
 
+def test_an_end_that_is_a_root_but_for_rounding_is_returned() -> None:
+    """Both values are positive, one of them by a rounding error: the sampled sign was another."""
+    found = bracketed(lambda x, _: x + 1e-17, np.array([0.0, -1.0]), np.array([1.0, 1.0]))
+    assert found[0] == 0.0
+    assert abs(found[1]) < 1e-15
+
+
 def test_none_to_find() -> None:
     assert bracketed(lambda x, _: x, np.empty(0), np.empty(0)).shape == (0,)
 

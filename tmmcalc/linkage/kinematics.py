@@ -16,7 +16,7 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.errors import AssemblyError, SingularityError
+from tmmcalc.errors import AssemblyError, NoSolutionError, SingularityError
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.assembly import TURN, Domain, check_range, coordinate, find_domain
 from tmmcalc.linkage.chain import Chain, compile_chain
@@ -108,8 +108,10 @@ def _placed(mechanism: Mechanism, structure: Structure) -> tuple[Chain, Domain, 
         at = mechanism.assembly.at if mechanism.assembly.at is not None else mechanism.input.start
         if groups and at is None:
             at = _start_or_none(chain)
-        tried.append((distance(chain, at) if groups and at is not None else math.inf, signs))
-    chain = compile_chain(mechanism, structure, nearest(tried, groups) if groups else given)
+        if groups and at is not None:
+            tried.append((distance(chain, at), signs))
+    # where no candidate has an extreme to start from, the first one tells why
+    chain = compile_chain(mechanism, structure, nearest(tried, groups) if tried else given)
     domain = _domain(chain)
     return chain, domain, _start(chain, domain)
 
@@ -133,10 +135,10 @@ def _start(chain: Chain, domain: Domain) -> float:
 
 
 def _start_or_none(chain: Chain) -> float | None:
-    """The extreme start of a candidate variant, None if that variant does not turn."""
+    """The extreme start of a candidate variant, None if that variant does not turn or never reverses."""
     try:
         return _start(chain, _domain(chain))
-    except (AssemblyError, SingularityError):
+    except (AssemblyError, SingularityError, NoSolutionError):
         return None
 
 

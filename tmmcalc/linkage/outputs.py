@@ -48,8 +48,9 @@ class OutputSummary:
     """What section 17 of a course project asks of an output link.
 
     ``dead_centres`` start with the one before the working stroke and follow the motion. ``stroke`` is the
-    largest distance between them [m or rad]; ``working_angle``, ``idle_angle`` [rad] and ``time_ratio`` K are
-    None unless there are exactly two. ``velocity`` and ``acceleration`` hold the smallest and the largest.
+    largest distance between them [m or rad], of a link that goes round its longest stroke. ``working_angle``,
+    ``idle_angle`` [rad] and ``time_ratio`` K are None unless there are exactly two. ``velocity`` and
+    ``acceleration`` hold the smallest and the largest.
     """
 
     name: str
@@ -195,7 +196,7 @@ def summarise(chain: Chain, output: Output, dense: Survey, start: float) -> Outp
     samples = sampled(chain, output, dense)
     centres = dead_centres(chain, output, dense, samples[1])
     values = values_at(chain, output, centres, dense, samples[0])
-    ends = values if dense.full else np.append(values, samples[0][[0, -1]])
+    stroke = _stroke(dense, _gain(output, samples[0]), values, samples[0])
     if dense.full and centres.size > 1:
         centres, values = order_from_working(chain, output, centres, values, _gain(output, samples[0]))
         centres = _along_motion(chain, centres, start)
@@ -206,11 +207,23 @@ def summarise(chain: Chain, output: Output, dense: Survey, start: float) -> Outp
         output.name,
         output.link is not None,
         tuple(DeadCentre(float(a), float(b)) for a, b in zip(centres, values, strict=True)),
-        float(np.ptp(ends)) if ends.size > 1 else None,
+        stroke,
         *angles,
         angles[0] / angles[1] if angles[0] is not None and angles[1] else None,
         *_extremes(chain, output, dense, samples),
     )
+
+
+def _stroke(dense: Survey, gain: float, values: Real, track: Real) -> float | None:
+    """Largest distance between the dead centres, the ends of an open range among them.
+
+    A link that goes round and reverses has no largest distance: its longest single stroke is taken.
+    """
+    if not dense.full:
+        return float(np.ptp(np.append(values, track[[0, -1]])))
+    if values.size < 2:
+        return None
+    return float(np.max(np.abs(np.diff(np.append(values, values[0] + gain))))) if gain else float(np.ptp(values))
 
 
 def _along_motion(chain: Chain, centres: Real, start: float) -> Real:

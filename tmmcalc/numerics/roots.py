@@ -23,7 +23,8 @@ def bracketed(f: Problems, low: Values, high: Values, *, absolute: float = 0.0) 
     """Roots of m functions, each with a change of sign between ``low`` and ``high``; arrays of shape (m,).
 
     ``f(x, which)`` returns the values at ``x`` of the problems numbered ``which``. The result is exact to
-    2 ulp of the root plus ``absolute``. An end that is a root itself is returned. Source: T. R. Chandrupatla,
+    2 ulp of the root plus ``absolute``. An end that is a root itself is returned; so is the end nearer to zero
+    where the signs do not differ, because one end is a root but for rounding. Source: T. R. Chandrupatla,
     Adv. Eng. Software 28 (1997) 145.
     """
     low, high = np.asarray(low, float), np.asarray(high, float)
@@ -33,9 +34,13 @@ def bracketed(f: Problems, low: Values, high: Values, *, absolute: float = 0.0) 
         return root
     x1, x2 = high.copy(), low.copy()
     f1, f2 = f(x1, every), f(x2, every)
+    root[:] = np.where(np.abs(f1) < np.abs(f2), x1, x2)
+    active = np.flatnonzero(np.signbit(f1) != np.signbit(f2))
+    if not active.size:
+        return root
+    x1, x2, f1, f2 = (v[active] for v in (x1, x2, f1, f2))
     x3, f3 = x2.copy(), f2.copy()
-    t = np.full(low.size, 0.5)
-    active = every
+    t = np.full(active.size, 0.5)
     for _ in range(ITERATIONS):
         x = x1 + t * (x2 - x1)
         fx = f(x, active)
