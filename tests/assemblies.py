@@ -51,9 +51,7 @@ def all_assemblies(
     return [placements(mechanism, bodies) for bodies in variants]
 
 
-def start_bodies(
-    system: System, sketch: Mapping[str, complex], starts: int, rng: np.random.Generator
-) -> Array:
+def start_bodies(system: System, sketch: Mapping[str, complex], starts: int, rng: np.random.Generator) -> Array:
     """Random body coordinates (starts, links + 1, 3); links with sketched points lie on them."""
     q = np.zeros((starts, len(system.index), 3))
     for link in system.mechanism.links:

@@ -20,8 +20,9 @@ from random_mechanisms import build
 
 import tmmcalc
 from tmmcalc.linkage.chain import Chain, compile_chain
+from tmmcalc.linkage.results import Trace
 from tmmcalc.linkage.structure import solve_structure
-from tmmcalc.linkage.trace import Trace, trace
+from tmmcalc.linkage.trace import trace
 from tmmcalc.spec.linkage import to_linkage
 
 SHAPER = Path(__file__).parent.parent / "configs" / "shaper.toml"

@@ -65,9 +65,7 @@ class Reference:
     def placements(self, position: int, mechanism: Mechanism) -> dict[int, tuple[complex, float]]:
         """Body coordinates of one position in the form that ``solve`` takes as its start."""
         rows = self.bodies[position]
-        return {
-            link.id: (complex(x, y), float(t)) for link, (x, y, t) in zip(mechanism.links, rows, strict=True)
-        }
+        return {link.id: (complex(x, y), float(t)) for link, (x, y, t) in zip(mechanism.links, rows, strict=True)}
 
 
 @dataclass(frozen=True)
@@ -231,9 +229,7 @@ class System:
         raise NoPositionError(float(coordinate[0]))
 
 
-def solve(
-    mechanism: Mechanism, start: Placements, coordinate: Array, *, max_step: float | None = None
-) -> Reference:
+def solve(mechanism: Mechanism, start: Placements, coordinate: Array, *, max_step: float | None = None) -> Reference:
     """Follow the mechanism along ``coordinate`` (n,) from its placement at ``coordinate[0]``.
 
     ``start`` gives every moving link roughly; Newton's method makes it exact. ``max_step`` bounds the
@@ -256,9 +252,7 @@ def solve(
         },
         angles={link.id: double(*(x[:, k, 2] for x in (q, v, a))) for k, link in enumerate(mechanism.links)},
         slides={
-            joint.name: slide_motion(system, q, v, a, joint)
-            for joint in mechanism.joints
-            if joint.kind == "prismatic"
+            joint.name: slide_motion(system, q, v, a, joint) for joint in mechanism.joints if joint.kind == "prismatic"
         },
         residual=float(np.max(error)),
         bodies=q[:, :-1].astype(float),

@@ -21,9 +21,7 @@ from reference import Array, Motion, NoPositionError, Reference, solve
 
 from tmmcalc.linkage.model import Input, Joint, Link, Mechanism
 
-CASES = {
-    case["id"]: case for case in json.loads((Path(__file__).parent / "cases" / "kinematics.json").read_text())
-}
+CASES = {case["id"]: case for case in json.loads((Path(__file__).parent / "cases" / "kinematics.json").read_text())}
 
 
 def polar(length: float, degrees: float) -> complex:
@@ -34,12 +32,8 @@ def pin(name: str, one: int, two: int, at_one: complex = 0, at_two: complex = 0)
     return Joint(name, "revolute", (one, two), (complex(at_one), complex(at_two)))
 
 
-def guide(
-    name: str, slider: int, guide: int, through: complex = 0, degrees: float = 0, own: float = 0
-) -> Joint:
-    return Joint(
-        name, "prismatic", (slider, guide), (0j, complex(through)), (polar(1, own), polar(1, degrees))
-    )
+def guide(name: str, slider: int, guide: int, through: complex = 0, degrees: float = 0, own: float = 0) -> Joint:
+    return Joint(name, "prismatic", (slider, guide), (0j, complex(through)), (polar(1, own), polar(1, degrees)))
 
 
 def bar(number: int, **points: complex) -> Link:
@@ -180,9 +174,7 @@ def tolerance_of(case: str) -> float:
     return float(CASES[case]["tolerance"].get("abs", 2e-6))
 
 
-def assert_motion(
-    motion: Motion, columns: dict[str, Array], names: tuple[str, str, str], book: Textbook
-) -> None:
+def assert_motion(motion: Motion, columns: dict[str, Array], names: tuple[str, str, str], book: Textbook) -> None:
     w, tolerance = speed(book.case), tolerance_of(book.case)
     scaled = (motion.value / book.scale, w * motion.first / book.scale, w**2 * motion.second / book.scale)
     for name, values in zip(names, scaled, strict=True):
@@ -207,9 +199,7 @@ def test_link_angles_agree_with_the_textbook(case: str) -> None:
 
 
 def component(motion: Motion, direction: complex) -> Motion:
-    value, first, second = (
-        (np.conj(direction) * x).real for x in (motion.value, motion.first, motion.second)
-    )
+    value, first, second = ((np.conj(direction) * x).real for x in (motion.value, motion.first, motion.second))
     return Motion(value, first, second)
 
 

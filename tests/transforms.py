@@ -31,13 +31,9 @@ def moved(mechanism: Mechanism, turn: float, shift: complex) -> Mechanism:
         return complex(p * np.exp(1j * turn) + shift)
 
     outputs = tuple(replace(o, direction=o.direction + turn) if o.point else o for o in mechanism.outputs)
-    assembly = replace(
-        mechanism.assembly, sketch={name: place(p) for name, p in mechanism.assembly.sketch.items()}
-    )
+    assembly = replace(mechanism.assembly, sketch={name: place(p) for name, p in mechanism.assembly.sketch.items()})
     laid = _relaid(mechanism, FRAME, place, turn)
-    return _with_coordinate(
-        replace(laid, outputs=outputs, assembly=assembly), turn if _turns(mechanism) else 0
-    )
+    return _with_coordinate(replace(laid, outputs=outputs, assembly=assembly), turn if _turns(mechanism) else 0)
 
 
 def with_axes(mechanism: Mechanism, link: int, origin: complex, turn: float) -> Mechanism:
@@ -58,8 +54,7 @@ def scaled(mechanism: Mechanism, factor: float) -> Mechanism:
     links = (mechanism.frame, *mechanism.links)
     sized = [Link(k.id, {name: p * factor for name, p in k.points.items()}, k.name) for k in links]
     joints = tuple(
-        replace(joint, points=(joint.points[0] * factor, joint.points[1] * factor))
-        for joint in mechanism.joints
+        replace(joint, points=(joint.points[0] * factor, joint.points[1] * factor)) for joint in mechanism.joints
     )
     sketch = {name: p * factor for name, p in mechanism.assembly.sketch.items()}
     result = replace(

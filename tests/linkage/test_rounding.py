@@ -14,7 +14,8 @@ from tmmcalc import Kinematics, Method, TmmError, solve_kinematics
 from tmmcalc.linkage import rounding
 from tmmcalc.linkage.chain import compile_chain
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.trace import Trace, trace
+from tmmcalc.linkage.results import Trace
+from tmmcalc.linkage.trace import trace
 
 pytestmark = pytest.mark.skipif(not rounding.WIDER, reason="no wider float here: the estimate has no reference")
 KINDS = ("position", "velocity", "acceleration")

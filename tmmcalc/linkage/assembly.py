@@ -10,7 +10,6 @@ found as well.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -19,6 +18,7 @@ from tmmcalc.errors import AssemblyError
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.dyads import RPR, RRP, RRR
 from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.results import Domain, Interval, Limit
 from tmmcalc.numerics.extrema import with_turning_points
 from tmmcalc.numerics.roots import bracketed
 
@@ -26,38 +26,6 @@ TURN = 2 * math.pi
 SAMPLES = 360  # positions of the dense sample, one a degree on a full turn
 NEAR = 0.02  # a local extremum of the margin smaller than this is always refined before it is believed
 TOUCH = 1e-12  # a margin (a squared sine) this small is a change point, not a gap
-
-
-@dataclass(frozen=True)
-class Limit:
-    """An end of an assembly interval: the input coordinate [rad or m], and what stops it there."""
-
-    x: float
-    group: str
-    reason: str
-
-
-@dataclass(frozen=True)
-class Interval:
-    """An interval of the input coordinate [rad or m]; no limits if it is a full turn or the asked range."""
-
-    low: float
-    high: float
-    limits: tuple[Limit, ...] = ()
-
-    def holds(self, low: float, high: float, turn: float | None) -> bool:
-        """Whether [low, high] lies inside, counted modulo ``turn`` if there is one."""
-        slack = 1e-9 * (self.high - self.low)
-        shift = turn * math.floor((low - self.low + slack) / turn) if turn else 0.0
-        return self.low - slack <= low - shift and high - shift <= self.high + slack
-
-
-@dataclass(frozen=True)
-class Domain:
-    """All intervals where the mechanism assembles, within one turn of the crank or the range of a slider."""
-
-    intervals: tuple[Interval, ...]
-    full: bool  # the crank turns fully, or the slider covers the asked range
 
 
 def find_domain(chain: Chain, low: float, high: float) -> Domain:
@@ -191,8 +159,16 @@ def _missing(links: tuple[int, ...], dyad: object, port1: object, port2: object)
 
 def coordinate(chain: Chain, x: float) -> str:
     """The input coordinate as text: a crank angle in degrees or a displacement in mm."""
-    name = f"angle_{chain.structure.input_link}" if chain.turns else f"s_{chain.input_joint.name}"
-    return f"{name} = {math.degrees(x):.9g} deg" if chain.turns else f"{name} = {_length(x)}"
+    return f"{_coordinate_name(chain)} = {_amount(chain, x)} {'deg' if chain.turns else 'mm'}"
+
+
+def _coordinate_name(chain: Chain) -> str:
+    return f"angle_{chain.structure.input_link}" if chain.turns else f"s_{chain.input_joint.name}"
+
+
+def _amount(chain: Chain, x: float) -> str:
+    """The input coordinate in degrees or mm, nine digits at most."""
+    return f"{math.degrees(x) if chain.turns else x * 1000:.9g}"
 
 
 def check_range(chain: Chain, domain: Domain, low: float, high: float) -> None:
@@ -203,17 +179,31 @@ def check_range(chain: Chain, domain: Domain, low: float, high: float) -> None:
     if any(interval.holds(low, high, turn) for interval in domain.intervals):
         return
     limits = [limit for interval in domain.intervals for limit in interval.limits]
-    ranges = " and ".join(describe(chain, interval) for interval in domain.intervals)
-    whole = chain.turns and high - low >= TURN - 1e-9
-    asked = "the crank cannot make a full turn" if whole else f"the range from {coordinate(chain, low)} leaves"
-    tail = "" if whole else f" the positions that assemble before {coordinate(chain, high)}"
-    reasons = "; ".join(f"at {coordinate(chain, limit.x)} {limit.reason}" for limit in limits)
     crossed = [limit for limit in limits if _between(limit.x, low, high, turn)] or limits
+    ranges = " and ".join(describe(chain, interval) for interval in domain.intervals)
     raise AssemblyError(
-        f"{asked}{tail}: it assembles for {ranges} only. {reasons}",
+        "\n  ".join((f"{_asked(chain, low, high)}: it assembles for {ranges} only", *_reasons(chain, limits))),
         where=f"kinematics, group {crossed[0].group}" if crossed else "kinematics",
-        remedy="change the lengths named, or analyse inside the interval: set input.start and grid.span",
+        remedy="change the lengths named, or analyse inside an interval: set input.start and grid.span",
     )
+
+
+def _asked(chain: Chain, low: float, high: float) -> str:
+    if chain.turns and high - low >= TURN - 1e-9:
+        return "the crank cannot make a full turn"
+    return f"the range from {coordinate(chain, low)} to {coordinate(chain, high)} does not assemble throughout"
+
+
+def _reasons(chain: Chain, limits: list[Limit]) -> list[str]:
+    """What happens at the limits, each reason once with all its places."""
+    places: dict[tuple[str, str], list[str]] = {}
+    for limit in limits:
+        places.setdefault((limit.group, limit.reason), []).append(_amount(chain, limit.x))
+    name, unit = _coordinate_name(chain), "deg" if chain.turns else "mm"
+    return [
+        f"{group} at {name} = {' and '.join(sorted(at, key=float))} {unit}: {reason}"
+        for (group, reason), at in places.items()
+    ]
 
 
 def _between(x: float, low: float, high: float, turn: float | None) -> bool:
@@ -223,7 +213,5 @@ def _between(x: float, low: float, high: float, turn: float | None) -> bool:
 
 def describe(chain: Chain, interval: Interval) -> str:
     """The interval as text: ``angle_1 in [-44.427, 224.427] deg``."""
-    if chain.turns:
-        a, b = math.degrees(interval.low), math.degrees(interval.high)
-        return f"angle_{chain.structure.input_link} in [{a:.9g}, {b:.9g}] deg"
-    return f"s_{chain.input_joint.name} in [{_length(interval.low)}, {_length(interval.high)}]"
+    ends = f"[{_amount(chain, interval.low)}, {_amount(chain, interval.high)}]"
+    return f"{_coordinate_name(chain)} in {ends} {'deg' if chain.turns else 'mm'}"

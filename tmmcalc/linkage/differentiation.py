@@ -16,7 +16,8 @@ import numpy as np
 
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.trace import TURN, Trace, trace
+from tmmcalc.linkage.results import Trace
+from tmmcalc.linkage.trace import TURN, trace
 
 STEPS_DEG = (0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 5.0)  # steps of the study in the textbook's range
 

@@ -13,8 +13,8 @@ import numpy as np
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.model import Grid, Mechanism
-from tmmcalc.linkage.outputs import OutputSummary
 from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.results import OutputSummary
 
 SAME = 1e-6  # an extra position nearer than this part of a step to a position is that position
 

@@ -18,7 +18,7 @@ import numpy as np
 
 from tmmcalc.errors import AssemblyError, NoSolutionError, SingularityError
 from tmmcalc.linkage import solvers
-from tmmcalc.linkage.assembly import TURN, Domain, check_range, coordinate, find_domain
+from tmmcalc.linkage.assembly import TURN, check_range, coordinate, find_domain
 from tmmcalc.linkage.chain import Chain, compile_chain
 from tmmcalc.linkage.differentiation import (
     STEPS_DEG,
@@ -32,11 +32,11 @@ from tmmcalc.linkage.model import Mechanism, Output
 from tmmcalc.linkage.outputs import default_outputs, summarise, working_start
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.quality import assess, check_regular, grade
-from tmmcalc.linkage.results import Kinematics, Method
+from tmmcalc.linkage.results import Domain, Kinematics, Method, Trace
 from tmmcalc.linkage.rounding import estimate
 from tmmcalc.linkage.structure import Structure, solve_structure
 from tmmcalc.linkage.survey import survey
-from tmmcalc.linkage.trace import Trace, continuous, trace
+from tmmcalc.linkage.trace import continuous, trace
 from tmmcalc.linkage.variants import candidates, distance, given_variants, nearest, sketched_groups
 
 BOOK_STEP = math.radians(1.5)  # recommended for positions with six decimals

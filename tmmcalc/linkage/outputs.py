@@ -9,7 +9,6 @@ are refined the same way, never read off the grid.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -18,6 +17,7 @@ from tmmcalc.linkage.assembly import TURN, coordinate
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.results import DeadCentre, Extreme, OutputSummary
 from tmmcalc.linkage.survey import Survey
 from tmmcalc.numerics.extrema import around, refine, turning, with_turning_points
 from tmmcalc.numerics.roots import bracketed
@@ -25,43 +25,6 @@ from tmmcalc.numerics.roots import bracketed
 STILL = 1e-12  # an output whose rate is below this, against the size of the mechanism, does not move
 EQUAL = 1e-9  # strokes that differ by less [rad] count as equal
 CANDIDATES = 2  # local extrema refined in the search for the global one
-
-
-@dataclass(frozen=True)
-class DeadCentre:
-    """A reversal of the output: input coordinate [rad or m] and output coordinate [m or rad] there."""
-
-    x: float
-    value: float
-
-
-@dataclass(frozen=True)
-class Extreme:
-    """An extreme value and the input coordinate [rad or m] where it stands."""
-
-    value: float
-    x: float
-
-
-@dataclass(frozen=True)
-class OutputSummary:
-    """What section 17 of a course project asks of an output link.
-
-    ``dead_centres`` start with the one before the working stroke and follow the motion. ``stroke`` is the
-    largest distance between them [m or rad], of a link that goes round its longest stroke. ``working_angle``,
-    ``idle_angle`` [rad] and ``time_ratio`` K are None unless there are exactly two. ``velocity`` and
-    ``acceleration`` hold the smallest and the largest.
-    """
-
-    name: str
-    angular: bool
-    dead_centres: tuple[DeadCentre, ...]
-    stroke: float | None
-    working_angle: float | None
-    idle_angle: float | None
-    time_ratio: float | None
-    velocity: tuple[Extreme, Extreme]
-    acceleration: tuple[Extreme, Extreme]
 
 
 Coordinates = tuple[Real, Real, Real]

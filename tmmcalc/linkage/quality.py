@@ -10,8 +10,7 @@ off the grid.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,6 +18,7 @@ from tmmcalc.errors import SingularityError
 from tmmcalc.linkage.assembly import coordinate
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.plane import Real, square
+from tmmcalc.linkage.results import Grade, GroupQuality
 from tmmcalc.linkage.survey import Survey
 from tmmcalc.numerics.extrema import around, refine, turning
 
@@ -28,39 +28,6 @@ POOR = math.sin(math.radians(20))  # transmission angle below 20 degrees: warnin
 MODEST = math.sin(math.radians(30))  # below 30 degrees: note
 CONSTANT = 1e-14  # a squared sine that varies less has no minimum to refine
 CANDIDATES = 2  # local minima refined in the search for the global one
-
-
-@dataclass(frozen=True)
-class GroupQuality:
-    """Worst transmission and regularity of one dyad over the analysed range."""
-
-    group: str
-    transmission: float  # smallest transmission angle [rad]
-    transmission_at: float  # input coordinate there [rad or m]
-    regularity: float  # smallest regularity [-]
-    regularity_at: float
-
-    @property
-    def pressure(self) -> float:
-        """Largest pressure angle [rad]."""
-        return math.pi / 2 - self.transmission
-
-    @property
-    def amplification(self) -> float:
-        """Largest factor by which the dyad amplifies errors and velocities [-]."""
-        return 1 / self.regularity
-
-
-@dataclass(frozen=True)
-class Grade:
-    """Something worth knowing about the result: ``note`` or ``warning``, where, and the numbers."""
-
-    severity: Literal["note", "warning"]
-    where: str
-    message: str
-
-    def __str__(self) -> str:
-        return f"{self.severity}: {self.where}: {self.message}"
 
 
 class _Measure(NamedTuple):

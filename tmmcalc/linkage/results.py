@@ -1,19 +1,18 @@
-"""The record that the kinematics stage leaves, and the choice of its method."""
+"""The records that the kinematics stage leaves, apart from the code that makes them.
+
+A run that loads a stored result needs these alone.
+"""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
-from tmmcalc.linkage.assembly import Domain
-from tmmcalc.linkage.outputs import OutputSummary
-from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.quality import Grade, GroupQuality
-from tmmcalc.linkage.rounding import ErrorEstimate
+from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.structure import Structure
-from tmmcalc.linkage.trace import Trace
 
 MethodName = Literal["closed", "projection", "differences"]
 
@@ -31,6 +30,136 @@ class Method:
     name: MethodName = "closed"
     step: float | None = None
     decimals: int | None = None
+
+
+@dataclass(frozen=True)
+class Limit:
+    """An end of an assembly interval: the input coordinate [rad or m], and what stops it there."""
+
+    x: float
+    group: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Interval:
+    """An interval of the input coordinate [rad or m]; no limits if it is a full turn or the asked range."""
+
+    low: float
+    high: float
+    limits: tuple[Limit, ...] = ()
+
+    def holds(self, low: float, high: float, turn: float | None) -> bool:
+        """Whether [low, high] lies inside, counted modulo ``turn`` if there is one."""
+        slack = 1e-9 * (self.high - self.low)
+        shift = turn * math.floor((low - self.low + slack) / turn) if turn else 0.0
+        return self.low - slack <= low - shift and high - shift <= self.high + slack
+
+
+@dataclass(frozen=True)
+class Domain:
+    """All intervals where the mechanism assembles, within one turn of the crank or the range of a slider."""
+
+    intervals: tuple[Interval, ...]
+    full: bool  # the crank turns fully, or the slider covers the asked range
+
+
+@dataclass(frozen=True)
+class DeadCentre:
+    """A reversal of the output: input coordinate [rad or m] and output coordinate [m or rad] there."""
+
+    x: float
+    value: float
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """An extreme value and the input coordinate [rad or m] where it stands."""
+
+    value: float
+    x: float
+
+
+@dataclass(frozen=True)
+class OutputSummary:
+    """What section 17 of a course project asks of an output link.
+
+    ``dead_centres`` start with the one before the working stroke and follow the motion. ``stroke`` is the
+    largest distance between them [m or rad], of a link that goes round its longest stroke. ``working_angle``,
+    ``idle_angle`` [rad] and ``time_ratio`` K are None unless there are exactly two. ``velocity`` and
+    ``acceleration`` hold the smallest and the largest.
+    """
+
+    name: str
+    angular: bool
+    dead_centres: tuple[DeadCentre, ...]
+    stroke: float | None
+    working_angle: float | None
+    idle_angle: float | None
+    time_ratio: float | None
+    velocity: tuple[Extreme, Extreme]
+    acceleration: tuple[Extreme, Extreme]
+
+
+@dataclass(frozen=True)
+class GroupQuality:
+    """Worst transmission and regularity of one dyad over the analysed range."""
+
+    group: str
+    transmission: float  # smallest transmission angle [rad]
+    transmission_at: float  # input coordinate there [rad or m]
+    regularity: float  # smallest regularity [-]
+    regularity_at: float
+
+    @property
+    def pressure(self) -> float:
+        """Largest pressure angle [rad]."""
+        return math.pi / 2 - self.transmission
+
+    @property
+    def amplification(self) -> float:
+        """Largest factor by which the dyad amplifies errors and velocities [-]."""
+        return 1 / self.regularity
+
+
+@dataclass(frozen=True)
+class Grade:
+    """Something worth knowing about the result: ``note`` or ``warning``, where, and the numbers."""
+
+    severity: Literal["note", "warning"]
+    where: str
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.severity}: {self.where}: {self.message}"
+
+
+@dataclass(frozen=True)
+class ErrorEstimate:
+    """Estimated largest error of points over all positions, relative to the largest value of each kind [-]."""
+
+    position: float
+    velocity: float
+    acceleration: float
+    reference: str
+
+
+@dataclass(frozen=True)
+class Trace:
+    """Stacked motion at n input coordinates. Derivatives are per unit of the input coordinate."""
+
+    point_names: tuple[str, ...]
+    r: Plane  # (P, n) positions [m]
+    dr: Plane  # (P, n)
+    ddr: Plane  # (P, n)
+    link_ids: tuple[int, ...]
+    angle: Real  # (L, n) [rad]
+    dangle: Real  # (L, n)
+    ddangle: Real  # (L, n)
+    joint_names: tuple[str, ...]
+    s: Real  # (J, n) coordinates of the prismatic joints [m]
+    ds: Real  # (J, n)
+    dds: Real  # (J, n)
 
 
 @dataclass(frozen=True)

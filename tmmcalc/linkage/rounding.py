@@ -10,7 +10,6 @@ are compared with the exact derivatives the same way.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,22 +18,13 @@ from numpy.typing import NDArray
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.dyads.rpr import RPRPlaced
 from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.linkage.trace import TURN, Trace, trace
+from tmmcalc.linkage.results import ErrorEstimate, Trace
+from tmmcalc.linkage.trace import TURN, trace
 
 CHOSEN = 24  # positions computed again
 MARGIN = 4.0  # factor for the positions left out
 WIDER = np.finfo(np.longdouble).eps < np.finfo(float).eps / 100
 EPS = float(np.finfo(float).eps)
-
-
-@dataclass(frozen=True)
-class ErrorEstimate:
-    """Estimated largest error of points over all positions, relative to the largest value of each kind [-]."""
-
-    position: float
-    velocity: float
-    acceleration: float
-    reference: str
 
 
 def estimate(chain: Chain, x: Real, evaluate: Callable[[Real], Trace], weakest: Sequence[float] = ()) -> ErrorEstimate:

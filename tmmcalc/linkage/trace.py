@@ -7,7 +7,6 @@ continuous against the survey of the range, whose steps are short enough that no
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -15,28 +14,11 @@ import numpy as np
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.linkage.results import Trace
 
 # rows: temporaries of 64 kB stay in cache, and below the 128 kB at which malloc maps fresh pages for every one
 BLOCK = 4096
 TURN = 2 * np.pi
-
-
-@dataclass(frozen=True)
-class Trace:
-    """Stacked motion at n input coordinates. Derivatives are per unit of the input coordinate."""
-
-    point_names: tuple[str, ...]
-    r: Plane  # (P, n) positions [m]
-    dr: Plane  # (P, n)
-    ddr: Plane  # (P, n)
-    link_ids: tuple[int, ...]
-    angle: Real  # (L, n) [rad]
-    dangle: Real  # (L, n)
-    ddangle: Real  # (L, n)
-    joint_names: tuple[str, ...]
-    s: Real  # (J, n) coordinates of the prismatic joints [m]
-    ds: Real  # (J, n)
-    dds: Real  # (J, n)
 
 
 class Layout(NamedTuple):

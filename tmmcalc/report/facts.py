@@ -9,9 +9,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from tmmcalc.linkage.outputs import Extreme, OutputSummary
-from tmmcalc.linkage.quality import GroupQuality
-from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.results import Extreme, GroupQuality, Kinematics, OutputSummary
 from tmmcalc.report.document import Fact
 from tmmcalc.report.numbers import angle, number
 

@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING, Any, get_type_hints
 import numpy as np
 
 from tmmcalc.linkage.columns import columns
-from tmmcalc.linkage.kinematics import solve_kinematics
-from tmmcalc.linkage.results import Kinematics, Method
-from tmmcalc.linkage.trace import Trace
+from tmmcalc.linkage.results import Kinematics, Method, Trace
 from tmmcalc.pipeline.stage import Record, Table
 from tmmcalc.stages.records import plain, restore
 
@@ -32,6 +30,8 @@ def inputs(spec: Spec) -> Mechanism:
 
 def solve(mechanism: Mechanism, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Kinematics:
     """Solve all positions by the method of the settings; a step or decimals of 0 mean the default and none."""
+    from tmmcalc.linkage.kinematics import solve_kinematics  # a stored result is loaded without it
+
     method = Method(settings["method"], settings["step"] or None, settings["decimals"] or None)
     return solve_kinematics(mechanism, upstream["structure"], method)
 

@@ -13,9 +13,9 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 
 from tmmcalc.linkage.model import Output
-from tmmcalc.linkage.outputs import OutputSummary, coordinate_of, default_outputs
+from tmmcalc.linkage.outputs import coordinate_of, default_outputs
 from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.results import Kinematics, OutputSummary
 from tmmcalc.linkage.trace import unwrapped
 from tmmcalc.report.numbers import number
 from tmmcalc.report.pictures.cycle import TURN, Motion, along, closed
