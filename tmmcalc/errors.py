@@ -16,7 +16,7 @@ A message says where, the value, the rule it breaks, and what to change.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from tmmcalc.records import record
 
 
 class TmmError(Exception):
@@ -55,7 +55,7 @@ class UsageError(TmmError):
     exit_code = 2
 
 
-@dataclass(frozen=True)
+@record
 class Fault:
     """One fault of a spec: where it stands, what is wrong, what to write instead."""
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cli.messages import say, show_damage, show_event, whoever_reads
 from tmmcalc.cli.options import Format
 from tmmcalc.errors import LimitError, UsageError
+from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from tmmcalc.spec import Spec
 
 
-@dataclass(frozen=True)
+@record
 class Job:
     """The flags that all stage commands share."""
 

@@ -7,7 +7,6 @@ inner joint, or along the guide.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,11 +18,12 @@ from tmmcalc.linkage.mounts import Motions, Mount, PRPMount, RPPMount, RPRMount,
 from tmmcalc.linkage.plane import Guide, LinkMotion, Point, Real
 from tmmcalc.linkage.quality import SINGULAR
 from tmmcalc.linkage.solvers import closed
+from tmmcalc.records import record
 
 A, B, SOURCE_1, SOURCE_2 = 1, 2, 3, 4
 
 
-@dataclass(frozen=True)
+@record
 class DyadMotion:
     """Motion of the links a and b, coordinates of the prismatic joints in the order of the kind's letters.
 

@@ -19,13 +19,15 @@ These are plain values: the pipeline hashes them to know when a stored result is
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Literal
+
+from tmmcalc.records import record
 
 FRAME = 0
 
 
-@dataclass(frozen=True)
+@record
 class Link:
     """A rigid link: its number and the points fixed on it, in its own axes [m]."""
 
@@ -34,7 +36,7 @@ class Link:
     name: str = ""
 
 
-@dataclass(frozen=True)
+@record
 class Joint:
     """A lower pair of two links.
 
@@ -50,7 +52,7 @@ class Joint:
     directions: tuple[complex, complex] = (1 + 0j, 1 + 0j)
 
 
-@dataclass(frozen=True)
+@record
 class Input:
     """The input link, by its joint with the frame, and its motion.
 
@@ -63,7 +65,7 @@ class Input:
     start: float | None = None  # coordinate of position 0; None: the dead centre before the working stroke
 
 
-@dataclass(frozen=True)
+@record
 class Output:
     """The coordinate whose displacement S, velocity and acceleration the project asks for. One of:
 
@@ -84,7 +86,7 @@ class Output:
         return self.label or self.point or self.joint or str(self.link)
 
 
-@dataclass(frozen=True)
+@record
 class Grid:
     """Positions of the input: ``positions`` equal steps over ``span``, or ``working`` + ``idle`` steps.
 
@@ -99,7 +101,7 @@ class Grid:
     extremes: bool = False
 
 
-@dataclass(frozen=True)
+@record
 class Assembly:
     """Which of the assembly variants: a sketch (approximate points [m]), or signs by group.
 
@@ -112,7 +114,7 @@ class Assembly:
     at: float | None = None
 
 
-@dataclass(frozen=True)
+@record
 class Mechanism:
     """A planar linkage with one input: the whole input of the structure and kinematics stages."""
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False)  # a pin is itself, whatever its points
 class Pin:
     """A point: its name, its place in the axes of each link that carries it [m], the revolute joints there."""
 

@@ -15,7 +15,6 @@ the point of link 3 that coincides with it. A name that is taken keeps its capit
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -26,11 +25,12 @@ from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.plane import LinkMotion
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.structure import Group
+from tmmcalc.records import record
 
 Kind = Literal["absolute", "relative", "normal", "tangential", "sliding", "coriolis"]
 
 
-@dataclass(frozen=True)
+@record
 class Vector:
     """A vector of a polygon from one vertex to another; ``link`` is the one that turns, or the slider."""
 
@@ -40,7 +40,7 @@ class Vector:
     link: int
 
 
-@dataclass(frozen=True)
+@record
 class Polygon:
     """Vertices by name, the pole among them at 0, and the vectors; [m/s] or [m/s^2]."""
 
@@ -53,7 +53,7 @@ class Polygon:
         return self.vertices[vector.head] - self.vertices[vector.tail]
 
 
-@dataclass(frozen=True)
+@record
 class VectorPolygons:
     """Both polygons of a position, the points in the pole, and omega [rad/s] and eps [rad/s^2] of turning links."""
 
@@ -83,7 +83,7 @@ def polygons(mechanism: Mechanism, result: Kinematics, position: int) -> VectorP
     return plan.finished(position)
 
 
-@dataclass(frozen=True)
+@record
 class _State:
     """Motion of a link in time: place, velocity, acceleration of its base point and its rotation."""
 

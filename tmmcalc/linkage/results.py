@@ -6,18 +6,18 @@ A run that loads a stored result needs these alone.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.structure import Structure
+from tmmcalc.records import record
 
 MethodName = Literal["closed", "projection", "differences"]
 
 
-@dataclass(frozen=True)
+@record
 class Method:
     """How velocities and accelerations are found.
 
@@ -32,7 +32,7 @@ class Method:
     decimals: int | None = None
 
 
-@dataclass(frozen=True)
+@record
 class Limit:
     """An end of an assembly interval: the input coordinate [rad or m], and what stops it there."""
 
@@ -41,7 +41,7 @@ class Limit:
     reason: str
 
 
-@dataclass(frozen=True)
+@record
 class Interval:
     """An interval of the input coordinate [rad or m]; no limits if it is a full turn or the asked range."""
 
@@ -56,7 +56,7 @@ class Interval:
         return self.low - slack <= low - shift and high - shift <= self.high + slack
 
 
-@dataclass(frozen=True)
+@record
 class Domain:
     """All intervals where the mechanism assembles, within one turn of the crank or the range of a slider."""
 
@@ -64,7 +64,7 @@ class Domain:
     full: bool  # the crank turns fully, or the slider covers the asked range
 
 
-@dataclass(frozen=True)
+@record
 class DeadCentre:
     """A reversal of the output: input coordinate [rad or m] and output coordinate [m or rad] there."""
 
@@ -72,7 +72,7 @@ class DeadCentre:
     value: float
 
 
-@dataclass(frozen=True)
+@record
 class Extreme:
     """An extreme value and the input coordinate [rad or m] where it stands."""
 
@@ -80,7 +80,7 @@ class Extreme:
     x: float
 
 
-@dataclass(frozen=True)
+@record
 class OutputSummary:
     """What section 17 of a course project asks of an output link.
 
@@ -101,7 +101,7 @@ class OutputSummary:
     acceleration: tuple[Extreme, Extreme]
 
 
-@dataclass(frozen=True)
+@record
 class GroupQuality:
     """Worst transmission and regularity of one dyad over the analysed range."""
 
@@ -122,7 +122,7 @@ class GroupQuality:
         return 1 / self.regularity
 
 
-@dataclass(frozen=True)
+@record
 class Grade:
     """Something worth knowing about the result: ``note`` or ``warning``, where, and the numbers."""
 
@@ -134,7 +134,7 @@ class Grade:
         return f"{self.severity}: {self.where}: {self.message}"
 
 
-@dataclass(frozen=True)
+@record
 class ErrorEstimate:
     """Estimated largest error of points over all positions, relative to the largest value of each kind [-]."""
 
@@ -144,7 +144,7 @@ class ErrorEstimate:
     reference: str
 
 
-@dataclass(frozen=True)
+@record
 class Trace:
     """Stacked motion at n input coordinates. Derivatives are per unit of the input coordinate."""
 
@@ -162,7 +162,7 @@ class Trace:
     dds: Real  # (J, n)
 
 
-@dataclass(frozen=True)
+@record
 class Kinematics:
     """Result of the kinematics stage for n positions and O outputs.
 

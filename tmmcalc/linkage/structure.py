@@ -10,16 +10,16 @@ closure equations). If it is not, the unmatched rest names the links at fault. T
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from tmmcalc.errors import StructureError
 from tmmcalc.linkage.model import FRAME, Input, Joint, Link, Mechanism
+from tmmcalc.records import record
 
 ROMAN = {1: "I", 2: "II", 3: "III", 4: "IV", 5: "V", 6: "VI", 7: "VII", 8: "VIII"}
 STAGE = "structure"
 
 
-@dataclass(frozen=True)
+@record
 class Group:
     """One Assur group.
 
@@ -42,7 +42,7 @@ class Group:
         return f"{self.kind or ROMAN.get(self.class_number, self.class_number)}({','.join(map(str, self.links))})"
 
 
-@dataclass(frozen=True)
+@record
 class Structure:
     """Result of the structural analysis of a mechanism of mobility 1."""
 

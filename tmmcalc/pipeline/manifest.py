@@ -14,11 +14,12 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from typing import Any
 
 from tmmcalc.pipeline.plain import plain_table
 from tmmcalc.pipeline.stage import Record
+from tmmcalc.records import record
 
 _HEAD = "# Written by tmmcalc. A change by hand is noticed, and the stage is computed again.\n\n"
 _DIGEST = b'\n[digest]\nsha256 = "'
@@ -29,7 +30,7 @@ class ManifestError(Exception):
     """The file is not what the program wrote; the text says what was expected."""
 
 
-@dataclass(frozen=True)
+@record
 class Provenance:
     """What a result depends on; ``hash`` covers all of it and the inputs."""
 
@@ -40,7 +41,7 @@ class Provenance:
     settings: Mapping[str, Any]
 
 
-@dataclass(frozen=True)
+@record
 class Seal:
     """Size [bytes] and SHA-256 of a data file."""
 
@@ -48,7 +49,7 @@ class Seal:
     sha256: str
 
 
-@dataclass(frozen=True)
+@record
 class Manifest:
     """The content of OUT/<stage>.toml."""
 

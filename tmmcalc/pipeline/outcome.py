@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 from tmmcalc.pipeline.plan import Plan
 from tmmcalc.pipeline.stage import Record, Stage, Table, resolve
+from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from pathlib import Path
 
 
-@dataclass(frozen=True)
+@record
 class Event:
     """What became of a stage."""
 
@@ -66,7 +66,7 @@ class Results(Mapping[str, Any]):
         return len(self._outcomes)
 
 
-@dataclass(frozen=True)
+@record
 class RunResult:
     """One run of the pipeline. ``files`` is empty if nothing was stored."""
 

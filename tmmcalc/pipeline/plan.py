@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from tmmcalc.errors import UsageError
 from tmmcalc.pipeline.stage import Stage, resolve
 from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.records import record
 
 
-@dataclass(frozen=True)
+@record
 class Step:
     """One stage of the plan: whether it runs, and the reason."""
 
@@ -21,7 +21,7 @@ class Step:
     asked: bool = True  # False: left out only because the target does not need it
 
 
-@dataclass(frozen=True)
+@record
 class Plan:
     """All stages in the order of the pipeline."""
 

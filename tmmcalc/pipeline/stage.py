@@ -13,15 +13,17 @@ the only form in which a result is handed on, whether it has just been computed 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
+
+from tmmcalc.records import record
 
 if TYPE_CHECKING:
     import numpy as np
 
 
-@dataclass(frozen=True)
+@record
 class Record:
     """The stored form of a result: values for TOML and arrays for npz.
 
@@ -36,7 +38,7 @@ class Record:
     counters: Mapping[str, Any] = field(default_factory=dict)  # steps, iterations, evaluations
 
 
-@dataclass(frozen=True)
+@record
 class Table:
     """Columns for people: ``header`` such as ``phi[deg]`` and one array of shape (n,) for each."""
 
@@ -49,7 +51,7 @@ class Table:
         return len(self.columns[0]) if self.columns else 0
 
 
-@dataclass(frozen=True)
+@record
 class Stage:
     """One stage of the pipeline; every function is a ``"module:function"`` string.
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
-from dataclasses import dataclass
 from pathlib import Path
 
 from tmmcalc.errors import UsageError
@@ -20,26 +19,27 @@ from tmmcalc.pipeline.lock import locked
 from tmmcalc.pipeline.manifest import Manifest, Provenance, Seal
 from tmmcalc.pipeline.plain import plain_table
 from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.records import record
 
 CSV_ROWS = 2000  # at more rows a CSV costs a hundred times the computation
 _KINDS = ("toml", "npz", "csv")
 
 
-@dataclass(frozen=True)
+@record
 class Missing:
     """There is no result of these inputs; ``reason`` says what has changed."""
 
     reason: str
 
 
-@dataclass(frozen=True)
+@record
 class Damaged:
     """There is a result of these inputs, but a file is not what was written: it must not be used."""
 
     message: str
 
 
-@dataclass(frozen=True)
+@record
 class Found:
     """A whole and valid result. The arrays are decoded only when the record is asked for."""
 

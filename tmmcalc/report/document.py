@@ -6,13 +6,15 @@ A fact has a text for people and values for programs, so that ``--format json`` 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any
+
+from tmmcalc.records import record
 
 Value = float | int | str | bool | None
 
 
-@dataclass(frozen=True)
+@record
 class Fact:
     """One line of a summary: a label and a text for people, named values for programs."""
 
@@ -21,7 +23,7 @@ class Fact:
     values: Mapping[str, Any] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
+@record
 class View:
     """A table: headers such as ``phi[deg]`` and columns of equal length, numbers or strings.
 
@@ -36,7 +38,7 @@ class View:
     scientific: Sequence[str] = ()
 
 
-@dataclass(frozen=True)
+@record
 class Document:
     """A titled summary with notes and a table, or the documents of several stages as ``parts``."""
 

@@ -10,7 +10,7 @@ import numpy as np
 from tmmcalc.linkage.columns import columns
 from tmmcalc.linkage.results import Kinematics, Method, Trace
 from tmmcalc.pipeline.stage import Record, Table
-from tmmcalc.stages.records import plain, restore
+from tmmcalc.stages.conversion import plain, restore
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.model import Mechanism

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.linkage.structure import Structure, skeleton, solve_structure
 from tmmcalc.pipeline.stage import Record
-from tmmcalc.stages.records import plain, restore
+from tmmcalc.stages.conversion import plain, restore
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.model import Mechanism

@@ -6,18 +6,17 @@ slider goes. A named point off all that is drawn to by a bar of its own.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from tmmcalc.linkage.model import Joint, Link, Mechanism
 from tmmcalc.linkage.pins import Pin
+from tmmcalc.records import record
 from tmmcalc.report.pictures.cycle import Motion
 
 Segment = tuple[complex, complex]
 
 
-@dataclass(frozen=True)
+@record
 class Block:
     """A slider: its centre and direction in the axes of its link, and its joint."""
 
@@ -26,7 +25,7 @@ class Block:
     direction: complex
 
 
-@dataclass(frozen=True)
+@record
 class Body:
     """What is drawn of a moving link, in its own axes [m]."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,12 +10,13 @@ from tmmcalc.linkage.chain import Chain, Configuration, compile_chain
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.results import Kinematics
+from tmmcalc.records import record
 
 SAMPLES = 721  # every half degree of a full turn
 TURN = 2 * math.pi
 
 
-@dataclass(frozen=True)
+@record
 class Motion:
     """A mechanism at input coordinates ``x`` (n,)."""
 

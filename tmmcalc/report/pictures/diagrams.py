@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ from tmmcalc.linkage.outputs import coordinate_of, default_outputs
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics, OutputSummary
 from tmmcalc.linkage.trace import unwrapped
+from tmmcalc.records import record
 from tmmcalc.report.numbers import number
 from tmmcalc.report.pictures.cycle import TURN, Motion, along, closed
 from tmmcalc.report.pictures.labels import Labels, signed
@@ -27,7 +28,7 @@ NARROW = 0.08  # names of dead centres that stand closer than this part of the r
 Row = tuple[Real, Real, Real]
 
 
-@dataclass(frozen=True)
+@record
 class Curve:
     """One output: S, v, a over the dense cycle and at the positions, in SI."""
 

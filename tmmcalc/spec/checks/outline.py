@@ -7,10 +7,10 @@ outline holds what could be read; what could not is None, and its own fault is p
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from tmmcalc.records import record
 from tmmcalc.spec.phrases import Path
 from tmmcalc.spec.quantities import NAME
 
@@ -18,7 +18,7 @@ FRAME = 0
 Raw = dict[str, Any]
 
 
-@dataclass(frozen=True)
+@record
 class RawLink:
     """A link as written: its index in the file, its id, and its points (own and centre of mass)."""
 
@@ -33,7 +33,7 @@ class RawLink:
         return ("mechanism", "links", self.index)
 
 
-@dataclass(frozen=True)
+@record
 class RawJoint:
     """A joint as written; ``pins`` are the names of a revolute joint's point on its two links."""
 
@@ -61,7 +61,7 @@ class RawJoint:
         return self.pins[self.links.index(link)]
 
 
-@dataclass(frozen=True)
+@record
 class Outline:
     """The mechanism as written, and the line of each place."""
 
