@@ -46,6 +46,7 @@ def test_console_blocks(document: Path, tmp_path: Path) -> None:
             stderr=subprocess.STDOUT if "error:" in shown else subprocess.PIPE,
             text=True,
         )
+        assert (done.returncode != 0) == ("error:" in shown), f"$ {command}: exit code {done.returncode}\n{done.stderr}"
         same = doctest.OutputChecker().check_output(shown, done.stdout, doctest.ELLIPSIS)
         assert same, f"$ {command}\nshown:\n{shown}\nprinted:\n{done.stdout}"
 

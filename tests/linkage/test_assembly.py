@@ -307,7 +307,9 @@ def test_extra_positions_must_assemble_too() -> None:
 def test_a_driven_slider_up_to_its_limit(size: float) -> None:
     """The rod l = 1 reaches the line x = 0.2 while |0.2 - s| < 1; ranges in the length of the scene."""
     mechanism = scaled(driven_rod(1.0, 0.2, 0.7), size)
-    assert solve_kinematics(mechanism).domain.full
+    (interval,) = solve_kinematics(mechanism).domain.intervals
+    np.testing.assert_allclose((interval.low, interval.high), (-0.8 * size, 1.2 * size), rtol=1e-14)
+    assert [limit.x for limit in interval.limits] == [interval.low, interval.high]
     beyond = with_grid(mechanism, span=1.2 * size * (1 + 1e-7))
     with pytest.raises(AssemblyError, match="does not assemble throughout"):
         solve_kinematics(beyond)

@@ -110,7 +110,6 @@ def test_a_negative_span_goes_against_the_motion() -> None:
     driven = solve_kinematics(with_grid(driven_rod(1.0, 0.2, -0.5), extra=(-0.3,)))
     assert driven.phi[-1] == -0.5
     assert "7'" in driven.labels
-    assert driven.domain.full
 
 
 def test_extra_positions_beyond_a_whole_turn_are_taken_within_it() -> None:

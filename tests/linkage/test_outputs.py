@@ -29,8 +29,9 @@ from linkage.scenes import (
 )
 from tmmcalc import AssemblyError, Kinematics, NoSolutionError, load_spec, solve_kinematics
 from tmmcalc.linkage.chain import compile_chain
-from tmmcalc.linkage.model import Assembly, Link, Mechanism, Output
+from tmmcalc.linkage.model import Assembly, Input, Joint, Link, Mechanism, Output
 from tmmcalc.linkage.outputs import coordinate_of
+from tmmcalc.linkage.results import Extreme
 
 TURN = 2 * math.pi
 TEN_KINDS = ("four-bar", "shaper", "slotter", "inertial-conveyor", "v-engine", "engine-compressor", "four-dyads")
@@ -295,3 +296,33 @@ def test_a_rocker_has_two_dead_centres_wherever_position_0_stands() -> None:
 def test_outputs_default_to_the_last_link_on_the_frame() -> None:
     assert solve_kinematics(replace(shaper(), outputs=())).outputs == ("D0",)
     assert solve_kinematics(replace(full_turn(four_bar(1, 6, 3, 7)), outputs=())).outputs == ("3",)
+
+
+def test_a_crank_alone_has_no_output() -> None:
+    crank = Mechanism(
+        Link(0, {"O": 0j}),
+        (Link(1, {"O": 0j, "A": 0.1 + 0j}),),
+        (Joint("O", "revolute", (0, 1), (0j, 0j)),),
+        Input("O", 2.0, start=0.0),
+    )
+    result = solve_kinematics(crank)
+    assert result.outputs == ()
+    assert result.s.shape == (0, 25)
+    np.testing.assert_allclose(np.abs(result.trace.r[0]), 0.1, rtol=1e-15)
+
+
+def test_what_is_constant_has_no_place_of_its_own() -> None:
+    """A crank's own angle turns evenly: its velocity is the same everywhere, its acceleration zero."""
+    mechanism = replace(crank_slider(0.1, 0.3), outputs=(Output(link=1),), input=Input("O", 2.0, start=0.3))
+    (summary,) = solve_kinematics(mechanism).summaries
+    assert summary.velocity == (Extreme(2.0, 0.3), Extreme(2.0, 0.3))
+
+
+def test_every_place_lies_within_the_analysed_turn() -> None:
+    for speed in (1.0, -1.0):
+        mechanism = replace(crank_slider(0.1, 0.3), input=Input("O", speed, start=1.579))
+        result = solve_kinematics(mechanism)
+        places = [e.x for pair in (result.summaries[0].velocity, result.summaries[0].acceleration) for e in pair]
+        places += [q.transmission_at for q in result.qualities if q.transmission_at is not None]
+        for x in places:
+            assert 0 <= (x - 1.579) * speed < 2 * np.pi + 1e-9

@@ -97,3 +97,20 @@ def test_no_variant_reaches_the_sketch() -> None:
     mechanism = with_sketch(with_input(crank_slider(0.1, 0.15, 0.08), start=-math.pi / 2), B=0.1)
     with pytest.raises(NoSolutionError, match="no assembly variant of RRP"):
         solve_kinematics(mechanism)
+
+
+@pytest.mark.parametrize(
+    ("assembly", "severity", "text"),
+    [
+        (Assembly(sketch={"B": 300 + 50j}), "warning", "are its units right?"),
+        (Assembly(sketch={"A": 0.1 + 0j}), "note", "decides nothing"),
+        (Assembly(sketch={"B": 0.35 - 0.2j}, variants={(2, 3): 1}), "warning", "nearer to the variant -1 of RRR(2,3)"),
+        (Assembly(sketch={"B": 0.35 + 0.2j}), "", ""),
+    ],
+    ids=["units", "useless", "against the sign", "good"],
+)
+def test_odd_sketches_are_told(assembly: Assembly, severity: str, text: str) -> None:
+    mechanism = replace(four_bar(0.1, 0.35, 0.25, 0.4 + 0j), assembly=assembly)
+    told = [grade for grade in solve_kinematics(mechanism).grades if grade.where == "assembly.sketch"]
+    assert [grade.severity for grade in told] == ([severity] if severity else [])
+    assert all(text in grade.message for grade in told)

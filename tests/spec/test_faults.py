@@ -94,6 +94,7 @@ TABLE_FAULTS = [
     ),
     ("positions = 24", "span = 0", "mechanism.grid.span", "0 is zero", "30 deg"),
     ("positions = 24", 'span = "-30 deg"', "mechanism.grid.span", "'-30 deg' is negative", "without the minus"),
+    ("positions = 24", "positions = 10_000_001", "mechanism.grid.positions", "more than 10000000", "or less"),
     ("positions = 24", "span = 90", "mechanism.grid.span", "90 without a unit is in radians", '"90 deg"'),
     ("positions = 24", "extra = [45.5]", "mechanism.grid.extra[0]", "45.5 without a unit is in radians", "45.5 deg"),
     ("positions = 24", 'span = "361 deg"', "mechanism.grid.span", "more than one turn", "360 deg"),
@@ -550,6 +551,11 @@ def test_bare_degrees(shaper: str, faults_of: Faults) -> None:
     assert found.keys() == {"mechanism.input.start", "mechanism.joints[6].guide.angle"}
     assert all("without a unit is in radians" in fault.message for fault in found.values())
     assert '"90 deg"' in found["mechanism.joints[6].guide.angle"].remedy
+
+
+def test_the_working_stroke_begins_at_a_dead_centre(shaper: str, faults_of: Faults) -> None:
+    text = shaper.replace("positions = 24", "working = 6\nidle = 4").replace('start = "extreme"', 'start = "15 deg"')
+    only_fault(faults_of(text), "mechanism.input.start", "begins at a dead centre", 'start = "extreme"')
 
 
 def test_two_outputs_of_one_name(shaper: str, faults_of: Faults) -> None:

@@ -52,7 +52,12 @@ FromStage = Annotated[
     ),
 ]
 Csv = Annotated[
-    bool | None, typer.Option("--csv/--no-csv", help="Write CSV files (default: up to 2000 rows).", show_default=False)
+    bool | None,
+    typer.Option(
+        "--csv/--no-csv",
+        help="Write CSV files (default: up to 2000 rows), or remove old ones.",
+        show_default=False,
+    ),
 ]
 Depfile = Annotated[
     Path | None,

@@ -44,6 +44,8 @@ def command(
 ) -> None:
     """Draw the scheme in the chosen positions with the paths of its points, and the diagrams of the outputs.
 
+    The stage is computed afresh; no stage files are read or written.
+
     Example: tmmcalc plot my.toml kinematics -o my.svg --polygons 6
     """
     if stage not in DRAWN:

@@ -17,6 +17,7 @@ import numpy as np
 from tmmcalc.errors import AssemblyError
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.dyads import RPR, RRP, RRR
+from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Domain, Interval, Limit
 from tmmcalc.numerics.extrema import with_turning_points
@@ -43,6 +44,11 @@ def find_domain(chain: Chain, low: float, high: float) -> Domain:
     whole = intervals[0]
     full = len(intervals) == 1 and not whole.limits
     return Domain(tuple(sorted(intervals, key=lambda i: i.low)), full)
+
+
+def reach_of(mechanism: Mechanism) -> float:
+    """Sum of the distances of all points from their link's origin [m]: no limit of a slider lies farther away."""
+    return sum(abs(p) for link in (mechanism.frame, *mechanism.links) for p in link.points.values())
 
 
 def sample(interval: Interval, count: int = SAMPLES) -> Real:
@@ -157,9 +163,10 @@ def _missing(links: tuple[int, ...], dyad: object, port1: object, port2: object)
     return "the guides are parallel"
 
 
-def coordinate(chain: Chain, x: float) -> str:
-    """The input coordinate as text: a crank angle in degrees or a displacement in mm."""
-    return f"{_coordinate_name(chain)} = {_amount(chain, x)} {'deg' if chain.turns else 'mm'}"
+def coordinate(chain: Chain, *x: float) -> str:
+    """Input coordinates as text: crank angles in degrees or displacements in mm."""
+    amounts = " and ".join(_amount(chain, at) for at in x)
+    return f"{_coordinate_name(chain)} = {amounts} {'deg' if chain.turns else 'mm'}"
 
 
 def _coordinate_name(chain: Chain) -> str:
@@ -168,7 +175,8 @@ def _coordinate_name(chain: Chain) -> str:
 
 def _amount(chain: Chain, x: float) -> str:
     """The input coordinate in degrees or mm, nine digits at most."""
-    return f"{math.degrees(x) if chain.turns else x * 1000:.9g}"
+    amount = math.degrees(x) if chain.turns else x * 1000
+    return f"{round(amount, 9) + 0.0:.9g}" if chain.turns else f"{amount:.9g}"
 
 
 def check_range(chain: Chain, domain: Domain, low: float, high: float) -> None:
@@ -212,6 +220,10 @@ def _between(x: float, low: float, high: float, turn: float | None) -> bool:
 
 
 def describe(chain: Chain, interval: Interval) -> str:
-    """The interval as text: ``angle_1 in [-44.427, 224.427] deg``."""
-    ends = f"[{_amount(chain, interval.low)}, {_amount(chain, interval.high)}]"
-    return f"{_coordinate_name(chain)} in {ends} {'deg' if chain.turns else 'mm'}"
+    """The interval as text: ``angle_1 in [-44.427, 224.427] deg``, ``s_O >= 200 mm``."""
+    name, unit = _coordinate_name(chain), "deg" if chain.turns else "mm"
+    low, high = _amount(chain, interval.low), _amount(chain, interval.high)
+    ends = {limit.x for limit in interval.limits}
+    if interval.low not in ends or interval.high not in ends:
+        return f"{name} >= {low} {unit}" if interval.low in ends else f"{name} <= {high} {unit}"
+    return f"{name} in [{low}, {high}] {unit}"

@@ -77,13 +77,22 @@ def columns(result: Kinematics, *, dimensionless: bool = False) -> list[Column]:
     """All columns of a result in their usual order; raises `UsageError` for dimensionless driven sliders."""
     units = _units(result, dimensionless)
     everything = (
-        ("phi", DEGREES if result.turns else units.length, lambda: result.phi),
+        ("phi", ("deg", 1.0), lambda: _degrees(result.phi))
+        if result.turns
+        else ("phi", units.length, lambda: result.phi),
         *_output_columns(result, units),
         *_link_columns(result, units),
         *_point_columns(result, units),
         *_slide_columns(result, units),
     )
     return [Column(name, unit, partial(_scaled, make, factor)) for name, (unit, factor), make in everything]
+
+
+def _degrees(phi: Real) -> Real:
+    """Degrees of the grid, where a step of 15 is 15 and not 14.999999999999998."""
+    degrees = np.degrees(phi)
+    near = np.round(degrees, 9)
+    return np.where(np.abs(degrees - near) <= 4 * np.spacing(np.abs(degrees)), near, degrees)
 
 
 def _scaled(make: Callable[[], Real], factor: float) -> Real:

@@ -31,8 +31,8 @@ def analysed_range(mechanism: Mechanism, start: float) -> tuple[float, float]:
 def positions(mechanism: Mechanism, summary: OutputSummary | None, start: float) -> tuple[Real, tuple[str, ...]]:
     """Distances phi (n,) of all positions from position 0 [rad or m], in the order of the travel, and their labels.
 
-    They follow the sense of the motion; a negative span goes against it. An extra position beyond a whole turn
-    is taken within it.
+    They follow the sense of the motion. A spec has spans above zero and extra positions within the span; a plain
+    `Mechanism` may also go against the motion (span below zero) and name extra positions in other turns.
     """
     grid, sense = mechanism.grid, _sense(mechanism)
     span = _span(grid)

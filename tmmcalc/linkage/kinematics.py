@@ -18,7 +18,7 @@ import numpy as np
 
 from tmmcalc.errors import AssemblyError, NoSolutionError, SingularityError
 from tmmcalc.linkage import solvers
-from tmmcalc.linkage.assembly import TURN, check_range, coordinate, find_domain
+from tmmcalc.linkage.assembly import TURN, check_range, coordinate, find_domain, reach_of
 from tmmcalc.linkage.chain import Chain, compile_chain
 from tmmcalc.linkage.differentiation import (
     STEPS_DEG,
@@ -37,7 +37,7 @@ from tmmcalc.linkage.rounding import estimate
 from tmmcalc.linkage.structure import Structure, solve_structure
 from tmmcalc.linkage.survey import survey
 from tmmcalc.linkage.trace import continuous, trace
-from tmmcalc.linkage.variants import candidates, distance, given_variants, nearest, sketched_groups
+from tmmcalc.linkage.variants import candidates, distance, given_variants, nearest, sketch_grades, sketched_groups
 
 BOOK_STEP = math.radians(1.5)  # recommended for positions with six decimals
 SEAM = 0.01  # the search for assembly intervals starts at an angle where nothing special happens [rad]
@@ -54,10 +54,12 @@ def solve_kinematics(
     structure = structure or solve_structure(mechanism)
     method = method or Method()
     chain, domain, start = _placed(mechanism, structure)
+    signs = {step.group.name: step.variant for step in chain.steps}
+    sketched_at = start if mechanism.assembly.at is None else mechanism.assembly.at
     low, high = analysed_range(mechanism, start)
     check_range(chain, domain, low, high)
     dense = survey(chain, low, high)
-    qualities = assess(chain, dense)
+    qualities = assess(chain, dense, start)
     check_regular(chain, qualities)
     outputs = default_outputs(chain)
     summaries = tuple(summarise(chain, output, dense, start) for output in outputs)
@@ -68,9 +70,10 @@ def solve_kinematics(
     _check_positions(chain, x, values)
     values = replace(values, angle=continuous(values.angle, x, *dense.tracks()))
     s, ds, dds = _displacements(chain, outputs, values)
+    _freeze(phi, x, s, ds, dds, *(v for v in vars(values).values() if isinstance(v, np.ndarray)))
     return Kinematics(
         structure=structure,
-        variants={step.group.name: step.variant for step in chain.steps},
+        variants=signs,
         input_joint=mechanism.input.joint,
         turns=chain.turns,
         speed=mechanism.input.speed,
@@ -88,9 +91,9 @@ def solve_kinematics(
         domain=domain,
         summaries=summaries,
         qualities=qualities,
-        grades=grade(chain, qualities),
+        grades=(*sketch_grades(mechanism, structure, signs, sketched_at), *grade(chain, qualities)),
         method=method,
-        error=estimate(chain, x, evaluate, [quality.regularity_at for quality in qualities]),
+        error=estimate(chain, x, evaluate, [q.regularity_at for q in qualities if q.regularity_at is not None]),
         counters={"positions": len(x), "survey_positions": len(dense.x), "dyads": len(chain.steps)},
     )
 
@@ -120,7 +123,9 @@ def _domain(chain: Chain) -> Domain:
     drive = chain.mechanism.input
     if chain.turns:
         return find_domain(chain, SEAM - math.pi, SEAM + math.pi)
-    return find_domain(chain, *analysed_range(chain.mechanism, drive.start or 0.0))
+    low, high = analysed_range(chain.mechanism, drive.start or 0.0)
+    beyond = reach_of(chain.mechanism) + high - low
+    return find_domain(chain, low - beyond, high + beyond)
 
 
 def _start(chain: Chain, domain: Domain) -> float:
@@ -130,7 +135,7 @@ def _start(chain: Chain, domain: Domain) -> float:
         return given
     check_range(chain, domain, -math.pi, math.pi)
     dense = survey(chain, -math.pi, math.pi)
-    check_regular(chain, assess(chain, dense))
+    check_regular(chain, assess(chain, dense, -math.pi))
     return _principal(working_start(chain, dense))
 
 
@@ -176,9 +181,16 @@ def _check_positions(chain: Chain, x: Real, values: Trace) -> None:
         )
 
 
+def _freeze(*arrays: np.ndarray) -> None:
+    """A result is frozen, its arrays with it."""
+    for array in arrays:
+        array.flags.writeable = False
+
+
 def _displacements(chain: Chain, outputs: tuple[Output, ...], values: Trace) -> tuple[Real, Real, Real]:
     """Displacement from position 0 and its transfer functions, each (O, n)."""
-    rows = np.array([_row(chain, output, values) for output in outputs]).reshape(len(outputs), 3, -1)
+    n = values.r.shape[1]
+    rows = np.array([_row(chain, output, values) for output in outputs]).reshape(len(outputs), 3, n)
     s, ds, dds = rows[:, 0], rows[:, 1], rows[:, 2]
     return s - s[:, :1], ds, dds
 

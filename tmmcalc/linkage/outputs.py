@@ -13,17 +13,18 @@ import math
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError
-from tmmcalc.linkage.assembly import TURN, coordinate
+from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import DeadCentre, Extreme, OutputSummary
-from tmmcalc.linkage.survey import Survey
+from tmmcalc.linkage.survey import Survey, along_motion
 from tmmcalc.numerics.extrema import around, refine, turning, with_turning_points
 from tmmcalc.numerics.roots import bracketed
 
 STILL = 1e-12  # an output whose rate is below this, against the size of the mechanism, does not move
 EQUAL = 1e-9  # strokes that differ by less [rad] count as equal
+CONSTANT = 1e-13  # a rate that varies less, against its largest value, is constant
 CANDIDATES = 2  # local extrema refined in the search for the global one
 
 
@@ -162,7 +163,7 @@ def summarise(chain: Chain, output: Output, dense: Survey, start: float) -> Outp
     stroke = _stroke(dense, _gain(output, samples[0]), values, samples[0])
     if dense.full and centres.size > 1:
         centres, values = order_from_working(chain, output, centres, values, _gain(output, samples[0]))
-        centres = _along_motion(chain, centres, start)
+        centres = along_motion(chain, centres, start)
     angles: tuple[float | None, float | None] = (None, None)
     if dense.full and centres.size == 2:
         angles = _stroke_angles(chain, centres)
@@ -173,7 +174,7 @@ def summarise(chain: Chain, output: Output, dense: Survey, start: float) -> Outp
         stroke,
         *angles,
         angles[0] / angles[1] if angles[0] is not None and angles[1] else None,
-        *_extremes(chain, output, dense, samples),
+        *_extremes(chain, output, dense, samples, start),
     )
 
 
@@ -189,22 +190,18 @@ def _stroke(dense: Survey, gain: float, values: Real, track: Real) -> float | No
     return float(np.max(np.abs(np.diff(np.append(values, values[0] + gain))))) if gain else float(np.ptp(values))
 
 
-def _along_motion(chain: Chain, centres: Real, start: float) -> Real:
-    """The same angles, counted from ``start`` along the motion within one turn."""
-    sense = math.copysign(1.0, chain.mechanism.input.speed)
-    along = np.mod((centres - start) * sense, TURN)
-    return start + sense * np.where(along > TURN - EQUAL, along - TURN, along)
-
-
 def _stroke_angles(chain: Chain, centres: Real) -> tuple[float, float]:
     working = float((centres[1] - centres[0]) * math.copysign(1.0, chain.mechanism.input.speed)) % TURN
     return working, TURN - working
 
 
 def _extremes(
-    chain: Chain, output: Output, dense: Survey, samples: Coordinates
+    chain: Chain, output: Output, dense: Survey, samples: Coordinates, start: float
 ) -> tuple[tuple[Extreme, Extreme], tuple[Extreme, Extreme]]:
-    """Smallest and largest velocity and acceleration in time, at the exact input coordinates."""
+    """Smallest and largest velocity and acceleration in time, at the exact input coordinates.
+
+    What does not change over the range is said to stand at position 0.
+    """
     drive, x, periodic = chain.mechanism.input, dense.x, dense.full
 
     def in_time(rate: Real, rate2: Real) -> tuple[Real, Real]:
@@ -226,7 +223,12 @@ def _extremes(
     if not periodic:
         at, values = np.where(at_end, x[rows], at), np.where(at_end, sampled_values, values)
 
+    if periodic:
+        at = along_motion(chain, at, start)
+
     def best(kind: int, sign: int) -> Extreme:
+        if np.ptp(in_range[kind]) <= CONSTANT * np.max(np.abs(in_range[kind])):
+            return Extreme(float(in_range[kind][0]), start)
         own = np.flatnonzero((kinds == kind) & (signs == sign))
         k = own[np.argmax(sign * values[own])]
         return Extreme(float(values[k]), float(at[k]))
@@ -241,8 +243,3 @@ def _candidates(values: Real, sign: int, periodic: bool) -> list[int]:
     if not found.size:
         found = np.array([int(np.argmax(sign * values))])
     return list(found[np.argsort(-sign * inside[found])][:CANDIDATES])
-
-
-def describe_dead_centres(chain: Chain, summary: OutputSummary) -> str:
-    """The dead centres as text."""
-    return ", ".join(coordinate(chain, centre.x) for centre in summary.dead_centres)

@@ -18,16 +18,15 @@ from tmmcalc.errors import SingularityError
 from tmmcalc.linkage.assembly import coordinate
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.plane import Real, square
-from tmmcalc.linkage.results import Grade, GroupQuality
-from tmmcalc.linkage.survey import Survey
+from tmmcalc.linkage.results import Extreme, Grade, GroupQuality
+from tmmcalc.linkage.survey import Survey, along_motion
 from tmmcalc.numerics.extrema import around, refine, turning
 
 SINGULAR = 1e-6  # regularity of a dead point: below it velocities have no trustworthy digits
 NEARLY_SINGULAR = 0.05  # amplification above 20
-POOR = math.sin(math.radians(20))  # transmission angle below 20 degrees: warning
-MODEST = math.sin(math.radians(30))  # below 30 degrees: note
+POOR = math.radians(20)  # transmission angle: a warning below
+MODEST = math.radians(30)  # a note below
 CONSTANT = 1e-14  # a squared sine that varies less has no minimum to refine
-CANDIDATES = 2  # local minima refined in the search for the global one
 
 
 class _Measure(NamedTuple):
@@ -58,72 +57,109 @@ def _measures(chain: Chain, configuration: Configuration) -> list[_Measure]:
     return measures
 
 
-def assess(chain: Chain, dense: Survey) -> tuple[GroupQuality, ...]:
-    """Worst transmission and regularity of every dyad over the surveyed range."""
+def assess(chain: Chain, dense: Survey, start: float) -> tuple[GroupQuality, ...]:
+    """Transmission and regularity of every dyad over the surveyed range, which begins at ``start``."""
     measures = _measures(chain, dense.configuration)
-    worst, guesses = [], []
-    for m, measure in enumerate(measures):
-        squares = measure(chain, dense.configuration, dense.x)
-        i = int(np.argmin(squares))
-        worst.append((max(float(squares[i]), 0.0), float(dense.x[i])))
-        if np.ptp(squares) > CONSTANT:
-            low = turning(squares[:-1] if dense.full else squares, -1, dense.full)
-            guesses += [(m, int(j)) for j in low[np.argsort(squares[low])][:CANDIDATES]]
-    if guesses:
-        owner, row = np.array(guesses).T
-
-        def f(at: Real, which: np.ndarray) -> Real:
-            configuration = chain.evaluate(at, order=0)
-            rows = np.array([measure(chain, configuration, at) for measure in measures])
-            return rows[owner[which], np.arange(len(at))]
-
-        for m, at, sine2 in zip(owner, *refine(f, *around(dense.x, row, dense.full)), strict=True):
-            worst[m] = min(worst[m], (max(float(sine2), 0.0), float(at)))
-    return tuple(_quality(chain, k, measures, worst) for k in range(len(chain.steps)))
+    squares = np.array([measure(chain, dense.configuration, dense.x) for measure in measures])
+    minima = _minima(chain, dense, measures, squares, start)
+    return tuple(_quality(chain, k, measures, squares, minima) for k in range(len(chain.steps)))
 
 
-def _quality(chain: Chain, k: int, measures: list[_Measure], worst: list[tuple[float, float]]) -> GroupQuality:
-    own = [w for measure, w in zip(measures, worst, strict=True) if measure.k == k]
-    transmission, regularity = own[0], own[-1]
+def _minima(
+    chain: Chain, dense: Survey, measures: list[_Measure], squares: Real, start: float
+) -> list[list[tuple[float, float]]]:
+    """All local minima (squared sine, place) of every measure, the least first; the ends of a range among them."""
+    guesses = [
+        (m, int(j))
+        for m, row in enumerate(squares)
+        if np.ptp(row) > CONSTANT
+        for j in turning(row[:-1] if dense.full else row, -1, dense.full)
+    ]
+    found: list[list[tuple[float, float]]] = [[] for _ in measures]
+    if not guesses:
+        return found
+    owner, row = np.array(guesses).T
+
+    def f(at: Real, which: np.ndarray) -> Real:
+        configuration = chain.evaluate(at, order=0)
+        rows = np.array([measure(chain, configuration, at) for measure in measures])
+        return rows[owner[which], np.arange(len(at))]
+
+    at, sine2 = refine(f, *around(dense.x, row, dense.full))
+    better = squares[owner, row] < sine2
+    at, sine2 = np.where(better, dense.x[row], at), np.where(better, squares[owner, row], sine2)
+    if dense.full:
+        at = along_motion(chain, at, start)
+    for m, place, value in zip(owner, at, sine2, strict=True):
+        found[m].append((max(float(value), 0.0) + 0.0, float(place)))
+    # of minima that rounding alone tells apart the first counts as the least
+    return [sorted(minima, key=lambda minimum: (round(minimum[0], 12), minimum[1])) for minima in found]
+
+
+def _quality(
+    chain: Chain, k: int, measures: list[_Measure], squares: Real, minima: list[list[tuple[float, float]]]
+) -> GroupQuality:
+    rows = [m for m, measure in enumerate(measures) if measure.k == k]
+    angles = [Extreme(_angle(sine2), x) for sine2, x in minima[rows[0]]]
+    sines = [Extreme(math.sqrt(sine2), x) for sine2, x in minima[rows[-1]]]
+    constant_angle, constant_sine = (max(float(squares[m, 0]), 0.0) for m in (rows[0], rows[-1]))
     return GroupQuality(
         chain.steps[k].group.name,
-        math.pi / 2 if 1 - transmission[0] < CONSTANT else math.asin(math.sqrt(transmission[0])),
-        transmission[1],
-        math.sqrt(regularity[0]),
-        regularity[1],
+        angles[0].value if angles else _angle(constant_angle),
+        angles[0].x if angles else None,
+        sines[0].value if sines else math.sqrt(constant_sine),
+        sines[0].x if sines else None,
+        tuple(sorted((e for e in angles if e.value < MODEST), key=lambda e: e.x)),
+        tuple(sorted((e for e in sines if e.value < NEARLY_SINGULAR), key=lambda e: e.x)),
     )
 
 
+def _angle(sine2: float) -> float:
+    """The angle [rad] of a squared sine; exactly 90 degrees where rounding alone keeps it from there."""
+    return math.pi / 2 if 1 - sine2 < CONSTANT else math.asin(math.sqrt(sine2))
+
+
 def check_regular(chain: Chain, qualities: tuple[GroupQuality, ...]) -> None:
-    """Raise `SingularityError` if the range passes through a dead point."""
-    for quality in qualities:
-        if not quality.regularity >= SINGULAR:
-            raise SingularityError(
-                f"dead point at {coordinate(chain, quality.regularity_at)}: regularity "
-                f"{quality.regularity:.3g} is below {SINGULAR:g}; velocities are not defined there and the assembly "
-                "variant beyond it is not determined",
-                where=f"kinematics, group {quality.group}",
-                value=quality.regularity,
-                limit=SINGULAR,
-                remedy="change a length, or analyse a range that keeps clear of it: input.start and grid.span",
-            )
+    """Raise `SingularityError` if the range passes through a dead point, with all its places."""
+    for step, quality in zip(chain.steps, qualities, strict=True):
+        if quality.regularity >= SINGULAR:
+            continue
+        dead = [e.x for e in quality.singular if e.value < SINGULAR]
+        places = f"at {coordinate(chain, *dead)}" if dead else "at every position"
+        raise SingularityError(
+            f"dead point {places}: {_CAUSES[step.group.kind]}; velocities are not defined "
+            f"(regularity {quality.regularity:.3g}, limit {SINGULAR:g})",
+            where=f"kinematics, group {quality.group}",
+            value=quality.regularity,
+            limit=SINGULAR,
+            remedy="change a length, or analyse a range that keeps clear of it: input.start and grid.span",
+        )
+
+
+_CAUSES = {
+    "RRR": "both links stand in line, a change point from which the motion can go on in two ways",
+    "RRP": "the rod stands across the guide, a change point from which the motion can go on in two ways",
+    "RPR": "the pivots come as near as the guide's offset allows, which leaves its direction open",
+    "PRP": "the two guides are parallel",
+    "RPP": "the two lines of the slider are parallel",
+}
 
 
 def grade(chain: Chain, qualities: tuple[GroupQuality, ...]) -> tuple[Grade, ...]:
-    """Notes and warnings on weak transmission and nearly singular places, with their angle and number."""
+    """Notes and warnings on every weak transmission and nearly singular place, with its angle and number."""
     grades = []
     for quality in qualities:
         where = f"group {quality.group}"
-        if quality.regularity < NEARLY_SINGULAR:
-            at = coordinate(chain, quality.regularity_at)
-            text = f"nearly singular at {at}: errors and velocities are amplified {quality.amplification:.4g} times"
+        for near in quality.singular:
+            at = coordinate(chain, near.x)
+            text = f"nearly singular at {at}: errors and velocities are amplified {1 / near.value:.4g} times"
             grades.append(Grade("warning", where, text))
-        sine = math.sin(quality.transmission)
-        if sine < MODEST:
-            limit = 20 if sine < POOR else 30
-            text = (
-                f"smallest transmission angle {math.degrees(quality.transmission):.4g} deg at "
-                f"{coordinate(chain, quality.transmission_at)}, below {limit} deg"
-            )
-            grades.append(Grade("warning" if sine < POOR else "note", where, text))
+        for weak in quality.weak:
+            limit = 20 if weak.value < POOR else 30
+            at = coordinate(chain, weak.x)
+            text = f"transmission angle {math.degrees(weak.value):.4g} deg at {at}, below {limit} deg"
+            grades.append(Grade("warning" if weak.value < POOR else "note", where, text))
+        if quality.transmission_at is None and quality.transmission < MODEST:
+            text = f"transmission angle {math.degrees(quality.transmission):.4g} deg at every position, below 30 deg"
+            grades.append(Grade("warning" if quality.transmission < POOR else "note", where, text))
     return tuple(grades)

@@ -10,11 +10,13 @@ from typing import Literal
 
 import numpy as np
 
+from tmmcalc.errors import UsageError
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.structure import Structure
 from tmmcalc.records import record
 
 MethodName = Literal["closed", "projection", "differences"]
+METHODS = ("closed", "projection", "differences")
 
 
 @record
@@ -31,6 +33,12 @@ class Method:
     step: float | None = None
     decimals: int | None = None
 
+    def __post_init__(self) -> None:
+        """Refuse what is not a method."""
+        if self.name not in METHODS:
+            known = ", ".join(METHODS)
+            raise UsageError(f"there is no method {self.name!r}", where="kinematics", remedy=f"methods: {known}")
+
 
 @record
 class Limit:
@@ -43,7 +51,7 @@ class Limit:
 
 @record
 class Interval:
-    """An interval of the input coordinate [rad or m]; no limits if it is a full turn or the asked range."""
+    """An interval of the input coordinate [rad or m]; an end without a limit is open as far as the links reach."""
 
     low: float
     high: float
@@ -58,10 +66,10 @@ class Interval:
 
 @record
 class Domain:
-    """All intervals where the mechanism assembles, within one turn of the crank or the range of a slider."""
+    """All intervals where the mechanism assembles, within one turn of the crank or the reach of a slider."""
 
     intervals: tuple[Interval, ...]
-    full: bool  # the crank turns fully, or the slider covers the asked range
+    full: bool  # the crank turns fully, or the slider has no limit
 
 
 @record
@@ -103,13 +111,15 @@ class OutputSummary:
 
 @record
 class GroupQuality:
-    """Worst transmission and regularity of one dyad over the analysed range."""
+    """Transmission and regularity of one dyad over the analysed range."""
 
     group: str
     transmission: float  # smallest transmission angle [rad]
-    transmission_at: float  # input coordinate there [rad or m]
+    transmission_at: float | None  # input coordinate there [rad or m]; None: the same everywhere
     regularity: float  # smallest regularity [-]
-    regularity_at: float
+    regularity_at: float | None
+    weak: tuple[Extreme, ...]  # every local minimum of the transmission angle below 30 degrees
+    singular: tuple[Extreme, ...]  # every local minimum of the regularity below 0.05
 
     @property
     def pressure(self) -> float:

@@ -15,6 +15,7 @@ from tmmcalc.linkage.trace import unwrapped
 STEPS = 360  # one a degree on a full turn
 SWIFT = 1.0  # a link that turns more in one step [rad] gets that step halved
 HALVINGS = 12
+SAME = 1e-9  # angles nearer than this [rad] to a whole turn before position 0 are position 0
 
 
 class Survey(NamedTuple):
@@ -67,3 +68,10 @@ def survey(chain: Chain, low: float, high: float) -> Survey:
 def _angles(configuration: Configuration, links: tuple[int, ...], x: Real) -> Real:
     u = [np.broadcast_to(configuration.motions[k].u, x.shape) for k in links]
     return unwrapped(np.angle(u))
+
+
+def along_motion(chain: Chain, x: Real, start: float) -> Real:
+    """The same crank angles (m,), counted from ``start`` along the motion within one turn."""
+    sense = math.copysign(1.0, chain.mechanism.input.speed)
+    along = np.mod((x - start) * sense, TURN)
+    return start + sense * np.where(along > TURN - SAME, along - TURN, along)

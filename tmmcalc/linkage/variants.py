@@ -14,8 +14,10 @@ from itertools import product
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.assembly import reach_of
+from tmmcalc.linkage.chain import Chain, compile_chain
 from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.results import Grade
 from tmmcalc.linkage.structure import Group, Structure
 
 ONE_ASSEMBLY = ("PRP", "RPP")
@@ -101,3 +103,25 @@ def nearest(found: list[tuple[float, dict[str, int]]], groups: list[Group]) -> d
             )
         return max(found[:2], key=lambda pair: sum(pair[1].values()))[1]
     return found[0][1]
+
+
+def sketch_grades(mechanism: Mechanism, structure: Structure, signs: dict[str, int], at: float) -> tuple[Grade, ...]:
+    """What is odd about the sketch: far from the mechanism, against the given signs, or of no use."""
+    if not mechanism.assembly.sketch:
+        return ()
+    where = "assembly.sketch"
+    sketched = sketched_groups(mechanism, structure, {})
+    if not sketched:
+        text = "decides nothing: none of its points moves with a dyad that has two variants"
+        return (Grade("note", where, text),)
+    gap, size = distance(compile_chain(mechanism, structure, signs), at), reach_of(mechanism)
+    grades = []
+    if gap > size:
+        text = f"lies {gap:.4g} m from the mechanism, whose points reach {size:.4g} m: are its units right?"
+        grades.append(Grade("warning", where, text))
+    for group in sketched:
+        other = -signs[group.name]
+        if distance(compile_chain(mechanism, structure, {**signs, group.name: other}), at) < gap * (1 - 1e-6):
+            text = f"stands nearer to the variant {other:+d} of {group.name}, which is not the one taken"
+            grades.append(Grade("warning", where, text))
+    return tuple(grades)

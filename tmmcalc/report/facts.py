@@ -50,10 +50,24 @@ def facts_of(result: Kinematics) -> list[Fact]:
         facts.append(Fact("its acceleration", text, {f"acceleration[{unit}^2]": result.acceleration}))
     facts.append(Fact("assembly variants", signs, {"variants": result.variants}))
     facts.append(_domain_fact(result))
+    facts += _method_facts(result)
     for summary in result.summaries:
         facts += _output_facts(result, summary)
     facts += [_quality_fact(result, quality) for quality in result.qualities]
     return [*facts, _error_fact(result)]
+
+
+def _method_facts(result: Kinematics) -> list[Fact]:
+    """The method of the table, if it is not the default; the summary is exact whatever the method."""
+    method = result.method
+    if method.name == "closed":
+        return []
+    text: str = method.name
+    if method.step is not None:
+        text += f", step {angle(math.degrees(method.step))} deg" if result.turns else f", step {number(method.step)} m"
+    if method.decimals is not None:
+        text += f", positions rounded to {method.decimals} decimals"
+    return [Fact("method of the table", f"{text}\n(dead centres and extremes are exact)", {"method": method.name})]
 
 
 def _error_fact(result: Kinematics) -> Fact:
@@ -74,14 +88,20 @@ def unit_fact(result: Kinematics) -> Fact:
 def _domain_fact(result: Kinematics) -> Fact:
     domain = result.domain
     if domain.full:
-        text = "everywhere: the crank turns fully" if result.turns else "over the whole range"
+        text = "everywhere: the crank turns fully" if result.turns else "wherever the slider stands"
         return Fact("assembles", text, {"assembles_everywhere": True})
     factor, unit = (math.degrees(1.0), "deg") if result.turns else (1.0, "m")
-    ranges = [[i.low * factor, i.high * factor] for i in domain.intervals]
     write = angle if result.turns else number
-    text = " and ".join(f"[{write(a)}, {write(b)}]" for a, b in ranges)
+    ranges, texts = [], []
+    for interval in domain.intervals:
+        ends = {limit.x for limit in interval.limits}
+        places = {"from": interval.low, "to": interval.high}
+        limits = {key: x * factor for key, x in places.items() if x in ends}
+        low, high = (write(limits[key]) if key in limits else "..." for key in places)
+        ranges.append(limits)
+        texts.append(f"[{low}, {high}]")
     values = {"assembles_everywhere": False, f"assembles_for[{unit}]": ranges}
-    return Fact("assembles", f"for {input_column(result)} in {text} {unit}", values)
+    return Fact("assembles", f"for {input_column(result)} in {' and '.join(texts)} {unit}", values)
 
 
 def _output_facts(result: Kinematics, summary: OutputSummary) -> list[Fact]:
@@ -106,7 +126,7 @@ def _output_facts(result: Kinematics, summary: OutputSummary) -> list[Fact]:
 
 def _called(summary: OutputSummary) -> str:
     """The output for people: ``D``, ``link 3``."""
-    return f"link {summary.name}" if summary.angular else summary.name
+    return f"link {summary.name}" if summary.name.isdigit() else summary.name
 
 
 def _stroke_facts(summary: OutputSummary) -> list[Fact]:
@@ -126,6 +146,9 @@ def _stroke_facts(summary: OutputSummary) -> list[Fact]:
 
 def _extreme_fact(result: Kinematics, label: str, key: str, unit: str, pair: tuple[Extreme, Extreme]) -> Fact:
     peak = max(abs(extreme.value) for extreme in pair)
+    if pair[0] == pair[1]:
+        value = pair[0].value
+        return Fact(label, f"{number(value)} {unit} everywhere", {f"{key}_{w}[{unit}]": value for w in ("min", "max")})
     parts, values = [], {}
     for word, extreme in zip(("min", "max"), pair, strict=True):
         parts.append(f"{word} {number(extreme.value, peak=peak)} {unit} at {_place(result, extreme.x)}")
@@ -142,8 +165,11 @@ def _quality_fact(result: Kinematics, quality: GroupQuality) -> Fact:
         f"pressure_max_{group}[deg]": pressure,
         f"amplification_max_{group}": quality.amplification,
     }
-    if pressure == 0:  # the best there is, so it is the same everywhere
-        return Fact(f"transmission of {group}", "angle 90 deg everywhere (pressure angle 0)", values)
+    if quality.regularity_at is not None:
+        values |= {f"amplification_max_{group}_at_{k}": v for k, v in _at(result, quality.regularity_at).items()}
+    if quality.transmission_at is None:
+        text = f"angle {number(transmission, 5)} deg everywhere (pressure angle {number(pressure, 5)} deg)"
+        return Fact(f"transmission of {group}", text, values)
     values |= {f"transmission_min_{group}_at_{k}": v for k, v in _at(result, quality.transmission_at).items()}
     text = f"min angle {number(transmission, 5)} deg at {_place(result, quality.transmission_at)}"
     return Fact(f"transmission of {group}", f"{text}\n(max pressure angle {number(pressure, 5)} deg)", values)

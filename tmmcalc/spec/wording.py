@@ -175,6 +175,11 @@ def _too_small(item: Item, path: Path) -> Finding:
     return Finding(path, f"{show(value)} is less than {limit}, the least allowed", f"write {limit} or more")
 
 
+def _too_large(item: Item, path: Path) -> Finding:
+    limit = item["ctx"]["le"]
+    return Finding(path, f"{show(item['input'])} is more than {limit}, the most allowed", f"write {limit} or less")
+
+
 def _other(item: Item, path: Path) -> Finding:
     return Finding(path, f"{show(item['input'])}: {item['msg']}")
 
@@ -262,6 +267,7 @@ _WORDING: dict[str, Callable[[Item, Path], Finding]] = {
     "bool_type": _not_bool,
     "literal_error": _not_listed,
     "greater_than_equal": _too_small,
+    "less_than_equal": _too_large,
     "union_tag_not_found": _no_kind,
     "union_tag_invalid": _wrong_kind,
 }

@@ -124,6 +124,14 @@ def check_grid(outline: Outline) -> Iterator[Finding]:
             f"{strokes[0]} without {other}: the two strokes have each a number of steps",
             f"add {other} = 8, or write positions = 24 instead",
         )
+    start = subtable(outline.table, "input").get("start", "extreme")
+    joint = _input_joint(outline)
+    if strokes and start != "extreme" and not (joint and joint.kind == "prismatic"):
+        yield Finding(
+            (*_INPUT, "start"),
+            f"start = {show(start)} together with {' and '.join(strokes)}: the working stroke begins at a dead centre",
+            'write start = "extreme", or positions in place of working and idle',
+        )
     for key in ("positions", "span"):
         if strokes and key in grid:
             yield Finding(
