@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from tmmcalc.cli.options import Csv, Depfile, Form, Format, Fresh, FromStage, Out, Quiet, Set, SpecFile, Store
 from tmmcalc.cli.work import Job, title
-from tmmcalc.errors import StructureError
 
 
 def command(
@@ -29,14 +28,8 @@ def command(
     scene = job.spec()
     run = job.run(scene, "structure")
     result = run.results["structure"]
+    from tmmcalc.linkage.structure import check_solvable
     from tmmcalc.report.structure import structure_document
 
     job.finish(structure_document(result, title(scene, spec, "structure")), run, form)
-    higher = [group for group in result.groups if not group.kind]
-    if higher:
-        names = ", ".join(f"{g.name} of order {g.order}" for g in higher)
-        raise StructureError(
-            f"recognised, but not solvable yet: {names}",
-            where="structure",
-            remedy="drive another link, if the task allows: the class depends on the input link",
-        )
+    check_solvable(result)

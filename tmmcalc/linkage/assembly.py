@@ -16,7 +16,6 @@ import numpy as np
 
 from tmmcalc.errors import AssemblyError
 from tmmcalc.linkage.chain import Chain
-from tmmcalc.linkage.dyads import RPR, RRP, RRR
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Domain, Interval, Limit
@@ -95,39 +94,12 @@ def _joined(parts: list[Interval], turn: float) -> list[Interval]:
     return [*parts[1:-1], Interval(last.low, first.high + turn, limits)]
 
 
-def _length(value: float) -> str:
-    """A length in mm with at most 7 digits."""
-    return f"{value * 1000:.7g} mm"
-
-
 def _limit(chain: Chain, k: int, x: float) -> Limit:
     """What stops dyad k at its limit position x."""
     step = chain.steps[k]
     port1, port2 = step.ports(chain.evaluate(np.array([x]), order=0, steps=k).motions)
-    return Limit(x, step.group.name, _reason(step.group.links, step.dyad, port1, port2))
-
-
-def _reason(links: tuple[int, ...], dyad: object, port1: object, port2: object) -> str:
-    a, b = links
-    if isinstance(dyad, RRR):
-        q = abs((port2.r - port1.r).item())  # type: ignore[attr-defined]  # ports are those of the kind
-        if abs(q - dyad.l_a - dyad.l_b) < abs(q - abs(dyad.l_a - dyad.l_b)):
-            return (
-                f"links {a} and {b} are stretched: the distance of their outer pins reaches "
-                f"l_{a} + l_{b} = {_length(dyad.l_a)} + {_length(dyad.l_b)} = {_length(dyad.l_a + dyad.l_b)}"
-            )
-        return (
-            f"links {a} and {b} are folded: the distance of their outer pins falls to "
-            f"|l_{a} - l_{b}| = |{_length(dyad.l_a)} - {_length(dyad.l_b)}| = {_length(abs(dyad.l_a - dyad.l_b))}"
-        )
-    if isinstance(dyad, RRP):
-        return (
-            f"link {a} stands perpendicular to the guide of link {b}: the distance of its outer pin from the "
-            f"pin's line reaches l_{a} = {_length(dyad.l)}"
-        )
-    if isinstance(dyad, RPR):
-        return f"the pivots of links {a} and {b} come as near as the offset of the guide, {_length(abs(dyad.h))}"
-    return f"the guides of links {a} and {b} are parallel"
+    a, b = step.group.links
+    return Limit(x, step.group.name, step.dyad.limit(a, b, port1, port2))
 
 
 def _never(chain: Chain, k: int, intervals: list[Interval]) -> AssemblyError:
@@ -137,30 +109,16 @@ def _never(chain: Chain, k: int, intervals: list[Interval]) -> AssemblyError:
     margins = chain.margins(x, k)
     best = int(np.argmax(margins))
     ports = step.ports(chain.evaluate(x[best : best + 1], order=0, steps=k).motions)
+    a, b = step.group.links
     what = "any crank angle" if chain.turns else "any position of the input slider"
     return AssemblyError(
-        f"cannot be assembled at {what}: {_missing(step.group.links, step.dyad, *ports)} "
+        f"cannot be assembled at {what}: {step.dyad.gap(a, b, *ports)} "
         f"({coordinate(chain, float(x[best]))}, where it comes nearest)",
         where=f"kinematics, group {step.group.name}",
         value=float(margins[best]),
         limit=0.0,
         remedy="change these lengths or the positions of the pivots",
     )
-
-
-def _missing(links: tuple[int, ...], dyad: object, port1: object, port2: object) -> str:
-    a, b = links
-    if isinstance(dyad, RRR):
-        q = abs((port2.r - port1.r).item())  # type: ignore[attr-defined]  # ports are those of the kind
-        if q > dyad.l_a + dyad.l_b:
-            return f"the outer pins are {_length(q)} apart, more than l_{a} + l_{b} = {_length(dyad.l_a + dyad.l_b)}"
-        return f"the outer pins are {_length(q)} apart, less than |l_{a} - l_{b}| = {_length(abs(dyad.l_a - dyad.l_b))}"
-    if isinstance(dyad, RRP):
-        z = (port1.r - port2.r) * np.conj(port2.e)  # type: ignore[attr-defined]  # ports are those of the kind
-        return f"the pin is {_length(abs(dyad.h - z.imag.item()))} off its line, more than l_{a} = {_length(dyad.l)}"
-    if isinstance(dyad, RPR):
-        return f"the pivots are always nearer to each other than the offset {_length(abs(dyad.h))} of the guide"
-    return "the guides are parallel"
 
 
 def coordinate(chain: Chain, *x: float) -> str:

@@ -12,14 +12,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import StructureError
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.dyads import Dyad
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
 from tmmcalc.linkage.mounts import Motions, Rates, Slide, Slides
 from tmmcalc.linkage.plane import LinkMotion, Plane, Real, frame
 from tmmcalc.linkage.steps import Step, build, seat
-from tmmcalc.linkage.structure import Structure
+from tmmcalc.linkage.structure import Structure, check_solvable
 
 _STILL = Rates(*(np.zeros(()) for _ in range(4)))
 
@@ -108,13 +107,6 @@ def compile_chain(mechanism: Mechanism, structure: Structure, variants: Mapping[
 
     Raises `StructureError` for a group of class III or higher.
     """
-    for group in structure.groups:
-        if not group.kind:
-            raise StructureError(
-                f"group {group.name} of class {group.class_number}, order {group.order} is recognised, "
-                "but only groups of class II (dyads) can be solved yet",
-                where=f"kinematics, {structure.formula}",
-                remedy="drive another link of the loop, if the task allows: the class depends on the input link",
-            )
+    check_solvable(structure)
     steps = tuple(build(mechanism, group, variants.get(group.name, 1)) for group in structure.groups)
     return Chain(mechanism, structure, steps)

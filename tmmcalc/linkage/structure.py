@@ -99,6 +99,18 @@ def solve_structure(mechanism: Mechanism) -> Structure:
     return Structure(3 * n - 2 * p, n, p, input_link, tuple(groups))
 
 
+def check_solvable(structure: Structure) -> None:
+    """Raise `StructureError` if a group is not a dyad: class III and higher are recognised, not yet solved."""
+    higher = [group for group in structure.groups if not group.kind]
+    if higher:
+        names = ", ".join(f"{group.name} of order {group.order}" for group in higher)
+        raise StructureError(
+            f"recognised, but not solvable yet: {names}",
+            where=f"{STAGE}, {structure.formula}",
+            remedy="drive another link, if the task allows: the class depends on the input link",
+        )
+
+
 def _names(links: Iterable[int]) -> str:
     links = sorted(links)
     return f"link {links[0]}" if len(links) == 1 else "links " + ", ".join(map(str, links))

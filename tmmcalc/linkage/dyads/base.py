@@ -10,7 +10,8 @@ exchanged). A kind is a named tuple of its metric with
 2. ``place(port1, port2)``: stage 1, positions, for the chosen variant;
 3. ``columns``, ``velocity``, ``acceleration``: the plane vector equation c1 x + c2 y = w of stages 2, 3;
 4. ``regularity``: |sin| of the angle between the columns, 0 at a dead point; ``transmission``: the sine
-   of the transmission angle.
+   of the transmission angle;
+5. ``limit`` and ``gap``: in words, what holds the links at a limit position, and by how much they miss each other.
 
 Ports are `Point` for an outer revolute and `Guide` for an outer prismatic joint.
 """
@@ -45,3 +46,14 @@ class Dyad(Protocol):
 
     def transmission(self, placed: Any) -> Real:
         """Sine of the transmission angle; its complement is the pressure angle."""
+
+    def limit(self, a: int, b: int, port1: Any, port2: Any) -> str:
+        """What holds the links numbered a and b at a limit position; ports at that position."""
+
+    def gap(self, a: int, b: int, port1: Any, port2: Any) -> str:
+        """By how much the links numbered a and b miss each other; ports at one position."""
+
+
+def mm(length: float) -> str:
+    """A length [m] as text."""
+    return f"{length * 1000:.7g} mm"

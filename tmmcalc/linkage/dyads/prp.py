@@ -67,6 +67,14 @@ class PRP(NamedTuple):
         """|sin| of the angle between the guides."""
         return self.regularity(placed, 0.0)
 
+    def limit(self, a: int, b: int, port1: Guide, port2: Guide) -> str:
+        """Parallel guides, the only way in which two lines fail to meet."""
+        return f"the guides of links {a} and {b} are parallel"
+
+    def gap(self, a: int, b: int, port1: Guide, port2: Guide) -> str:
+        """Parallel guides."""
+        return self.limit(a, b, port1, port2)
+
 
 def _sliding(guide: Guide, offset: Plane, ds: Real) -> Plane:
     """Acceleration of a point that slides with ds, without its dds part."""

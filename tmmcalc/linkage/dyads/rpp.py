@@ -64,3 +64,11 @@ class RPP(NamedTuple):
     def transmission(self, placed: RPPPlaced) -> Real:
         """|sin| of the constant angle between the two lines."""
         return self.regularity(placed, 0.0)
+
+    def limit(self, a: int, b: int, port1: Point, port2: Guide) -> str:
+        """Parallel lines of the slider, at every position or at none."""
+        return f"the two lines of link {b} are parallel"
+
+    def gap(self, a: int, b: int, port1: Point, port2: Guide) -> str:
+        """Parallel lines of the slider."""
+        return self.limit(a, b, port1, port2)

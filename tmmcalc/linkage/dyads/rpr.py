@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.linkage.dyads.base import mm
 from tmmcalc.linkage.plane import Plane, Point, Real, square
 
 
@@ -67,3 +68,11 @@ class RPR(NamedTuple):
     def transmission(self, placed: RPRPlaced) -> Real:
         """|s|/Q, the cosine of the pressure angle between the slot's normal and the pin's circle."""
         return np.abs(placed.s) / np.abs(placed.q)
+
+    def limit(self, a: int, b: int, port1: Point, port2: Point) -> str:
+        """The pivots at the distance of the offset."""
+        return f"the pivots of links {a} and {b} come as near as the offset of the guide, {mm(abs(self.h))}"
+
+    def gap(self, a: int, b: int, port1: Point, port2: Point) -> str:
+        """The pivots nearer than the offset."""
+        return f"the pivots are always nearer to each other than the offset {mm(abs(self.h))} of the guide"

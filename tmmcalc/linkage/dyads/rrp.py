@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.linkage.dyads.base import mm
 from tmmcalc.linkage.plane import Guide, Plane, Point, Real
 
 
@@ -75,3 +76,15 @@ class RRP(NamedTuple):
     def transmission(self, placed: RRPPlaced) -> Real:
         """|cos| of the angle between rod and guide: the rod's pressure angle is its complement."""
         return self.regularity(placed, 0.0)
+
+    def limit(self, a: int, b: int, port1: Point, port2: Guide) -> str:
+        """The rod across the guide."""
+        return (
+            f"link {a} stands perpendicular to the guide of link {b}: the distance of its outer pin from the pin's "
+            f"line reaches l_{a} = {mm(self.l)}"
+        )
+
+    def gap(self, a: int, b: int, port1: Point, port2: Guide) -> str:
+        """The distance of the outer pin from the line against the rod's length."""
+        off = float(np.abs(self.h - self._in_guide(port1, port2).imag).item())
+        return f"the pin is {mm(off)} off its line, more than l_{a} = {mm(self.l)}"

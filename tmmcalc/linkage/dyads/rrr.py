@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.linkage.dyads.base import mm
 from tmmcalc.linkage.plane import Plane, Point, Real, cross, square
 
 
@@ -69,3 +70,27 @@ class RRR(NamedTuple):
     def transmission(self, placed: RRRPlaced) -> Real:
         """|sin| of the angle between the links."""
         return self.regularity(placed, 0.0)
+
+    def _distance(self, port1: Point, port2: Point) -> float:
+        return float(np.abs(port2.r - port1.r).item())
+
+    def limit(self, a: int, b: int, port1: Point, port2: Point) -> str:
+        """Stretched or folded, with the lengths."""
+        most, least = self.l_a + self.l_b, abs(self.l_a - self.l_b)
+        q = self._distance(port1, port2)
+        if abs(q - most) < abs(q - least):
+            return (
+                f"links {a} and {b} are stretched: the distance of their outer pins reaches "
+                f"l_{a} + l_{b} = {mm(self.l_a)} + {mm(self.l_b)} = {mm(most)}"
+            )
+        return (
+            f"links {a} and {b} are folded: the distance of their outer pins falls to "
+            f"|l_{a} - l_{b}| = |{mm(self.l_a)} - {mm(self.l_b)}| = {mm(least)}"
+        )
+
+    def gap(self, a: int, b: int, port1: Point, port2: Point) -> str:
+        """The distance of the outer pins against the sum or difference of the lengths."""
+        q, most, least = self._distance(port1, port2), self.l_a + self.l_b, abs(self.l_a - self.l_b)
+        if q > most:
+            return f"the outer pins are {mm(q)} apart, more than l_{a} + l_{b} = {mm(most)}"
+        return f"the outer pins are {mm(q)} apart, less than |l_{a} - l_{b}| = {mm(least)}"
