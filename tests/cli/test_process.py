@@ -147,6 +147,16 @@ def test_colour_on_a_terminal_only_and_not_against_the_will(folder: Path) -> Non
     assert "\033" not in on_terminal(folder, 80, *fault, NO_COLOR="1")
 
 
+@posix
+def test_a_long_stage_shows_that_it_runs_and_a_short_one_does_not(folder: Path) -> None:
+    show = ("--columns", "phi", "--positions", "0")
+    long = on_terminal(folder, 80, "kinematics", "my.toml", "--set", "mechanism.grid.positions=600000", *show)
+    assert "kinematics: running" in long
+    assert long.index("kinematics: running") < long.index("kinematics: computed in")
+    short = on_terminal(folder, 80, "kinematics", "my.toml", *show)
+    assert "running" not in short
+
+
 def imported(folder: Path, *args: str) -> set[str]:
     """Modules that a command imports beyond those of typer itself."""
     code = (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,7 +14,7 @@ from tmmcalc.errors import LimitError, UsageError
 from tmmcalc.records import record
 
 if TYPE_CHECKING:
-    from tmmcalc.pipeline.outcome import RunResult
+    from tmmcalc.pipeline.outcome import Event, RunResult
     from tmmcalc.report.document import Document
     from tmmcalc.spec import Spec
 
@@ -50,11 +50,31 @@ class Job:
 
     def run(self, spec: Spec, target: str | None) -> RunResult:
         """Run the pipeline with messages on standard error, and write the depfile."""
-        from tmmcalc.pipeline.runner import run
-
         if self.depfile is not None:
             self._check_depfile(self.depfile)
-        result = run(
+        if self.quiet or not sys.stderr.isatty():
+            result = self._run(spec, target, None, show_damage if self.quiet else show_event)
+        else:
+            from tmmcalc.cli.progress import Progress
+
+            with Progress() as progress:
+                result = self._run(spec, target, progress.start, progress.done)
+        if self.depfile is not None:
+            from tmmcalc.pipeline.depfile import write
+
+            write(self.depfile, result.files, [self.file])
+        return result
+
+    def _run(
+        self,
+        spec: Spec,
+        target: str | None,
+        on_start: Callable[[str], None] | None,
+        on_event: Callable[[Event], None],
+    ) -> RunResult:
+        from tmmcalc.pipeline.runner import run
+
+        return run(
             spec,
             target=target,
             out=self.folder,
@@ -62,13 +82,9 @@ class Job:
             from_stage=self.from_stage,
             csv=self.csv,
             settings=self.settings,
-            on_event=show_damage if self.quiet else show_event,
+            on_start=on_start,
+            on_event=on_event,
         )
-        if self.depfile is not None:
-            from tmmcalc.pipeline.depfile import write
-
-            write(self.depfile, result.files, [self.file])
-        return result
 
     def _check_depfile(self, file: Path) -> None:
         """Refuse what would only come out after the computation."""

@@ -35,6 +35,7 @@ def run(
     from_stage: str | None = None,
     csv: bool | None = None,
     settings: Settings | None = None,
+    on_start: Callable[[str], None] | None = None,
     on_event: Callable[[Event], None] | None = None,
     stages: Mapping[str, Stage] = STAGES,
 ) -> RunResult:
@@ -42,8 +43,8 @@ def run(
 
     With ``out`` each stage leaves its files there, and one whose files are valid is loaded, not computed.
     ``fresh`` computes all; ``from_stage`` that stage and all after it. ``csv``: True, False, or None for up
-    to 2000 rows. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``on_event`` is
-    called as soon as a stage is done.
+    to 2000 rows. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``on_start`` is
+    called with the name of a stage before it runs, ``on_event`` as soon as it is done.
 
     Raises UsageError for an unknown stage or option, a target that the scene leaves out, and files that
     cannot be read or written; and what a stage raises. The files of earlier stages stay valid.
@@ -56,6 +57,8 @@ def run(
     work = _Run(spec, options, forced, archive, on_event)
     for step in scene.steps:
         if step.runs:
+            if on_start is not None:
+                on_start(step.stage)
             work.do(stages[step.stage])
         elif step.asked:
             work.tell(Event(step.stage, "left out", step.reason))

@@ -10,16 +10,16 @@ class GridTable(Table):
     """Positions of the input: equal steps over a span, or a working and an idle part."""
 
     positions: int = Field(
-        default=24, ge=4, le=10_000_000, description="Number of equal steps of the input over its span."
+        default=24, ge=4, le=4_000_000, description="Number of equal steps of the input over its span."
     )
     working: int | None = Field(
         default=None,
         ge=2,
-        le=10_000_000,
+        le=4_000_000,
         description="Number of equal steps over the working stroke, with idle in place of positions.",
     )
     idle: int | None = Field(
-        default=None, ge=2, le=10_000_000, description="Number of equal steps over the idle stroke; needs working."
+        default=None, ge=2, le=4_000_000, description="Number of equal steps over the idle stroke; needs working."
     )
     span: InputSpan | None = Field(
         default=None,

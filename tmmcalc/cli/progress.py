@@ -1,0 +1,65 @@
+"""A sign of life on a terminal: the running stage and its time, once it takes longer than a moment."""
+
+from __future__ import annotations
+
+import threading
+from types import TracebackType
+from typing import TYPE_CHECKING
+
+from tmmcalc.cli.messages import show_event
+
+if TYPE_CHECKING:
+    from rich.progress import Progress as Bar
+
+    from tmmcalc.pipeline.outcome import Event
+
+PATIENCE = 0.5  # seconds before anything is shown: short commands stay quiet and do not load rich
+
+
+class Progress:
+    """Context in which stages run: ``start`` and ``done`` are told by the pipeline."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._timer: threading.Timer | None = None
+        self._bar: Bar | None = None
+
+    def __enter__(self) -> Progress:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+        self._stop()
+
+    def start(self, stage: str) -> None:
+        """A stage begins."""
+        self._stop()
+        self._timer = threading.Timer(PATIENCE, self._show, [stage])
+        self._timer.daemon = True
+        self._timer.start()
+
+    def done(self, event: Event) -> None:
+        """A stage has ended, or something about it is to be said."""
+        self._stop()
+        show_event(event)
+
+    def _show(self, stage: str) -> None:
+        from rich.console import Console
+        from rich.progress import Progress as Bar
+        from rich.progress import SpinnerColumn, TextColumn, TimeElapsedColumn
+
+        with self._lock:
+            if self._timer is None:
+                return
+            columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+            self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
+            self._bar.add_task(f"{stage}: running")
+            self._bar.start()
+
+    def _stop(self) -> None:
+        with self._lock:
+            if self._timer is not None:
+                self._timer.cancel()
+                self._timer = None
+            if self._bar is not None:
+                self._bar.stop()
+                self._bar = None
