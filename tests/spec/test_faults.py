@@ -558,6 +558,30 @@ def test_the_working_stroke_begins_at_a_dead_centre(shaper: str, faults_of: Faul
     only_fault(faults_of(text), "mechanism.input.start", "begins at a dead centre", 'start = "extreme"')
 
 
+POLAR = 'points = { C = [0, 0], D = ["290 mm", 0] }'
+
+
+@pytest.mark.parametrize(
+    ("point", "fragment", "remedy"),
+    [
+        ('{ length = "290 mm" }', "is not a point", "[x, y]"),
+        ('{ length = "290 mm", angel = 0 }', "is not a point", '{ length = "60 mm", angle = "30 deg" }'),
+        ('{ length = "290 mm", angle = 30 }', "30 without a unit is in radians", "30 deg"),
+        ('{ length = "290 N", angle = 0 }', "'290 N' is a force, a length is needed", "200 mm"),
+    ],
+)
+def test_polar_points(shaper: str, faults_of: Faults, point: str, fragment: str, remedy: str) -> None:
+    text = shaper.replace(POLAR, POLAR.replace('["290 mm", 0]', point))
+    only_fault(faults_of(text), "mechanism.links[3].points.D", fragment, remedy)
+
+
+def test_a_polar_point_is_the_same_point(shaper: str) -> None:
+    polar = POLAR.replace('["290 mm", 0]', '{ length = "290 mm", angle = "90 deg" }')
+    upright = POLAR.replace('["290 mm", 0]', '[0, "290 mm"]')
+    same = [to_linkage(parse_spec(shaper.replace(POLAR, points)).mechanism) for points in (polar, upright)]
+    assert same[0] == same[1]
+
+
 def test_two_outputs_of_one_name(shaper: str, faults_of: Faults) -> None:
     second = '\n[[mechanism.outputs]]\npoint = "D"\ndirection = "90 deg"\n'
     only_fault(faults_of(shaper + second), "mechanism.outputs[1]", "a second output is called 'D'", 'name = "Dy"')

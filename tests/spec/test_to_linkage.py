@@ -6,8 +6,8 @@ import pytest
 
 from tmmcalc.linkage.model import Assembly, Grid, Input, Joint, Output
 from tmmcalc.spec import parse_spec
-from tmmcalc.spec.linkage import to_linkage, unit_direction
-from tmmcalc.spec.units import parse
+from tmmcalc.spec.linkage import to_linkage
+from tmmcalc.spec.units import parse, unit_direction
 
 
 def test_shaper(shaper: str) -> None:

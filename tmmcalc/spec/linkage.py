@@ -6,9 +6,6 @@ mass becomes the point ``S<id>``. Masses and gravity stay behind: kinematics doe
 
 from __future__ import annotations
 
-import cmath
-import math
-
 from tmmcalc.linkage.model import FRAME, Assembly, Grid, Input, Joint, Link, Mechanism, Output
 
 from .assembly import AssemblyTable
@@ -18,8 +15,7 @@ from .joints import GuideTable, PrismaticTable, RevoluteTable, SliderTable
 from .links import LinkTable
 from .mechanism import MechanismTable
 from .outputs import OutputTable
-
-_QUARTERS = (1 + 0j, 1j, -1 + 0j, -1j)
+from .units import unit_direction
 
 Points = dict[int, dict[str, complex]]
 
@@ -38,14 +34,6 @@ def to_linkage(mechanism: MechanismTable) -> Mechanism:
         grid=_grid(mechanism.grid),
         assembly=_assembly(mechanism.assembly),
     )
-
-
-def unit_direction(angle: float) -> complex:
-    """Return e^(i angle), exact (1, i, -1, -i) where the angle [rad] is a whole number of right angles."""
-    quarters = round(angle / (math.pi / 2))
-    if abs(angle - quarters * (math.pi / 2)) <= 2 * math.ulp(angle):
-        return _QUARTERS[quarters % 4]
-    return cmath.rect(1.0, angle)
 
 
 def _complex(point: list[float]) -> complex:

@@ -13,7 +13,7 @@ from pydantic import Field
 from pydantic_core import core_schema
 
 from .phrases import either, nearest, show
-from .units import DIMENSIONS, UNITS, UnitError, parse
+from .units import DIMENSIONS, UNITS, UnitError, parse, unit_direction
 
 if TYPE_CHECKING:
     from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -101,6 +101,35 @@ class Quantity(_Reader):
         return rf"^\s*{number}\s*({'|'.join(_unit_pattern(unit) for unit in units)})\s*$"
 
 
+class PolarForm:
+    """A point may also be a table ``{ length, angle }``: its distance from the origin and its direction."""
+
+    EXAMPLE = '{ length = "60 mm", angle = "30 deg" }'
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
+        return core_schema.no_info_before_validator_function(self.cartesian, handler(source))
+
+    def __get_pydantic_json_schema__(
+        self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        polar = {
+            "type": "object",
+            "properties": {"length": Quantity("length").describe(), "angle": Quantity("angle").describe()},
+            "required": ["length", "angle"],
+            "additionalProperties": False,
+        }
+        return {"anyOf": [handler(schema), polar]}
+
+    def cartesian(self, value: object) -> object:
+        """Return [x, y] of a polar table, any other value as it is; raise UnitError with the fault."""
+        if not isinstance(value, dict):
+            return value
+        if value.keys() != {"length", "angle"}:
+            raise UnitError(f"{show(value)} is not a point", f"write [x, y] or {self.EXAMPLE}")
+        place = parse(value["length"], "length") * unit_direction(parse(value["angle"], "angle"))
+        return [place.real, place.imag]
+
+
 class Name(_Reader):
     """A name of a point or joint: a Latin letter, then letters, digits, ``_`` or ``'``."""
 
@@ -156,6 +185,6 @@ InputAcceleration = Annotated[float, Quantity("angular acceleration", "accelerat
 PointName = Annotated[str, Name("point")]
 JointName = Annotated[str, Name("joint")]
 # Lists of fixed length, not tuples: tuples become prefixItems, which common TOML editors do not follow.
-Point = Annotated[list[Length], Field(min_length=2, max_length=2)]
+Point = Annotated[list[Length], Field(min_length=2, max_length=2), PolarForm()]
 LinkPair = Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=2, max_length=2)]
 NamePair = Annotated[list[PointName], Field(min_length=2, max_length=2)]

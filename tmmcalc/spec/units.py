@@ -11,12 +11,14 @@ of integers too, and the one division at the end rounds once: ``"290 mm"`` is th
 
 from __future__ import annotations
 
+import cmath
 import math
 import re
 from typing import NamedTuple
 
 from .phrases import either, nearest, show
 
+_QUARTERS = (1 + 0j, 1j, -1 + 0j, -1j)
 FULL_TURN = 2 * math.pi * (1 + 1e-12)  # a bare angle above it is degrees in disguise
 LARGEST = 1e250  # larger and smaller (1/LARGEST) magnitudes are slips, and their squares overflow
 
@@ -175,6 +177,14 @@ def dimension_of(value: object) -> str | None:
     if not isinstance(value, str) or (reading := _take_apart(value)) is None:
         return None
     return _DIMENSION_OF.get(reading.unit)
+
+
+def unit_direction(angle: float) -> complex:
+    """Return e^(i angle), exact (1, i, -1, -i) where the angle [rad] is a whole number of right angles."""
+    quarters = round(angle / (math.pi / 2))
+    if abs(angle - quarters * (math.pi / 2)) <= 2 * math.ulp(angle):
+        return _QUARTERS[quarters % 4]
+    return cmath.rect(1.0, angle)
 
 
 def _bare(value: float, dimensions: tuple[str, ...]) -> float:
