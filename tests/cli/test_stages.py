@@ -294,3 +294,27 @@ def test_plot_refuses(cli: Cli, flags: tuple[str, ...]) -> None:
     code, out, _ = cli("plot", "my.toml", *flags)
     assert (code, out) == (2, "")
     assert not list(Path().glob("*.svg"))
+
+
+def test_a_mechanism_without_output_has_no_study(cli: Cli) -> None:
+    crank = """
+[mechanism.input]
+joint = "O"
+speed = 1
+start = 0
+[mechanism.fixed]
+O = [0, 0]
+[[mechanism.links]]
+id = 1
+points = { O = [0, 0], A = [1, 0] }
+[[mechanism.joints]]
+name = "O"
+kind = "revolute"
+links = [0, 1]
+"""
+    Path("crank.toml").write_text(crank)
+    code, out, err = cli("kinematics", "crank.toml", "-q", "--study")
+    assert (code, out) == (3, "")
+    assert "no output" in err
+    assert "[[mechanism.outputs]]" in err
+    assert cli("kinematics", "crank.toml", "-q")[0] == 0

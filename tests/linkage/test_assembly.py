@@ -322,3 +322,16 @@ def test_guides_that_become_parallel() -> None:
     with pytest.raises(SingularityError, match="dead point at angle_1 = 90 deg"):
         solve_kinematics(part(trammel(0.1, math.pi / 2), 0.1, 2.0))
     assert solve_kinematics(part(trammel(0.1, math.pi / 2), 0.1, 1.5)).domain.full
+
+
+@pytest.mark.parametrize("far", [0.0, 10.0, 1e4])
+def test_the_limits_of_a_driven_slider_do_not_depend_on_where_the_axes_stand(far: float) -> None:
+    """The line of the guide is given by the joint alone, far from any named point."""
+    near = driven_rod(1.0, 0.2, 0.7)
+    joints = tuple(
+        replace(joint, points=(joint.points[0], joint.points[1] + 1j * far)) if 0 in joint.links else joint
+        for joint in near.joints
+    )
+    (interval,) = solve_kinematics(replace(near, joints=joints)).domain.intervals
+    (expected,) = solve_kinematics(near).domain.intervals
+    np.testing.assert_allclose((interval.low, interval.high), (expected.low, expected.high), atol=1e-14 * (1 + far))

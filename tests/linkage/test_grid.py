@@ -18,7 +18,7 @@ from linkage.scenes import (
     with_input,
     with_output,
 )
-from tmmcalc import NoSolutionError, solve_kinematics
+from tmmcalc import Kinematics, NoSolutionError, solve_kinematics
 
 TURN = 2 * math.pi
 
@@ -36,13 +36,13 @@ def test_equal_steps_close_the_turn(positions: int, speed: float) -> None:
     check_finite(result)
 
 
-def check_finite(result: object) -> None:
+def check_finite(result: Kinematics) -> None:
     """No NaN and no infinity in any array of a result."""
-    t = result.trace  # type: ignore[attr-defined]
+    t = result.trace
     for values in (t.r, t.dr, t.ddr, t.angle, t.dangle, t.ddangle, t.s, t.ds, t.dds):
         assert np.all(np.isfinite(values))
-        assert np.all(np.isfinite(result.in_time(values, values)))  # type: ignore[attr-defined]
-    for values in (result.s, result.ds, result.dds, result.x, result.phi):  # type: ignore[attr-defined]
+        assert np.all(np.isfinite(result.in_time(values, values)))
+    for values in (result.s, result.ds, result.dds, result.x, result.phi):
         assert np.all(np.isfinite(values))
 
 

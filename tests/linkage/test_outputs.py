@@ -251,14 +251,14 @@ def test_extremes_over_a_part_of_a_turn(seed: int) -> None:
         assert low - 1e-12 <= extreme.x <= high + 1e-12
 
 
-def check_extremes(found: tuple[object, ...], scan: list[tuple[float, float]]) -> None:
+def check_extremes(found: tuple[Extreme, ...], scan: list[tuple[float, float]]) -> None:
     scale = [max(map(abs, pair)) for pair in scan]
     for k, (pair, size) in enumerate(zip(scan, scale, strict=True)):
         low, high = found[2 * k], found[2 * k + 1]
-        assert low.value <= pair[0] + 1e-12 * size  # type: ignore[attr-defined]
-        assert high.value >= pair[1] - 1e-12 * size  # type: ignore[attr-defined]
-        assert low.value == pytest.approx(pair[0], abs=1e-6 * size)  # type: ignore[attr-defined]
-        assert high.value == pytest.approx(pair[1], abs=1e-6 * size)  # type: ignore[attr-defined]
+        assert low.value <= pair[0] + 1e-12 * size
+        assert high.value >= pair[1] - 1e-12 * size
+        assert low.value == pytest.approx(pair[0], abs=1e-6 * size)
+        assert high.value == pytest.approx(pair[1], abs=1e-6 * size)
 
 
 @pytest.mark.parametrize("first", [-0.006, -0.003, -0.002, -1e-3, -1e-5, 1e-5, 1e-3, 0.01])

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from random_mechanisms import KINDS, build, scenes
+from random_mechanisms import KINDS, RandomMechanism, build, scenes
 from transforms import renumbered, swapped
 
 from tmmcalc import StructureError, solve_kinematics, solve_structure
@@ -146,8 +146,8 @@ def test_chains_of_dyads_are_taken_apart_as_they_were_built(kinds: list[str], se
 
 @given(scenes(), st.integers(0, 2**32 - 1))
 @STABLE
-def test_names_and_order_of_joints_do_not_matter(scene: object, seed: int) -> None:
-    mechanism, rng = scene.mechanism, np.random.default_rng(seed)  # type: ignore[attr-defined]
+def test_names_and_order_of_joints_do_not_matter(scene: RandomMechanism, seed: int) -> None:
+    mechanism, rng = scene.mechanism, np.random.default_rng(seed)
     numbers = {
         link.id: int(k) + 1 for link, k in zip(mechanism.links, rng.permutation(len(mechanism.links)), strict=True)
     }

@@ -10,7 +10,7 @@ from transforms import moved, renumbered
 
 from linkage.scenes import crank_slider, four_bar, full_turn, shaper, slotted, with_input, yoke
 from tmmcalc import AssemblyError, Kinematics, NoSolutionError, UsageError, solve_kinematics
-from tmmcalc.linkage.model import Assembly, Mechanism
+from tmmcalc.linkage.model import Assembly, Input, Mechanism
 
 
 def with_sketch(mechanism: Mechanism, at: float | None = None, **points: complex) -> Mechanism:
@@ -114,3 +114,13 @@ def test_odd_sketches_are_told(assembly: Assembly, severity: str, text: str) -> 
     told = [grade for grade in solve_kinematics(mechanism).grades if grade.where == "assembly.sketch"]
     assert [grade.severity for grade in told] == ([severity] if severity else [])
     assert all(text in grade.message for grade in told)
+
+
+def test_a_sketch_read_where_nothing_assembles_is_told() -> None:
+    mechanism = full_turn(four_bar(0.1, 0.35, 0.25, 0.4 + 0j), 0.3)
+    long_crank = replace(four_bar(0.5, 0.35, 0.25, 0.4 + 0j), input=Input("O", 1.0, start=0.1))
+    sketch = Assembly(sketch={"B": 0.35 + 0.2j}, variants={(2, 3): 1}, at=math.pi)
+    ranged = replace(long_crank, grid=replace(long_crank.grid, span=0.05), assembly=sketch)
+    told = [grade.message for grade in solve_kinematics(ranged).grades if grade.where == "assembly.sketch"]
+    assert told == ["was not compared: the mechanism does not assemble where it was read"]
+    assert solve_kinematics(mechanism).grades == ()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -24,8 +25,10 @@ TURN = 2 * math.pi
         (lambda x: 1e6 + np.sin(x), 1.5, 0.3, math.pi / 2, 1e6 + 1),
     ],
 )
-def test_one_extremum(f: object, guess: float, radius: float, at: float, value: float) -> None:
-    found, best = refine(lambda x, _: f(x), np.array([guess]), np.array([radius]))  # type: ignore[operator]
+def test_one_extremum(
+    f: Callable[[np.ndarray], np.ndarray], guess: float, radius: float, at: float, value: float
+) -> None:
+    found, best = refine(lambda x, _: f(x), np.array([guess]), np.array([radius]))
     noise = 1e-16 * abs(value) / radius**2
     assert found[0] == pytest.approx(at, abs=max(1e-11 * max(radius, 0.1), math.sqrt(noise) * 1e-2))
     assert best[0] == pytest.approx(value, rel=1e-14, abs=1e-15)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -23,9 +24,9 @@ PROBLEMS = [  # name, function, bracket, root
 
 
 @pytest.mark.parametrize(("name", "f", "bracket", "root"), PROBLEMS, ids=[p[0] for p in PROBLEMS])
-def test_one_root(name: str, f: object, bracket: tuple[float, float], root: float) -> None:
+def test_one_root(name: str, f: Callable[[np.ndarray], np.ndarray], bracket: tuple[float, float], root: float) -> None:
     for low, high in (bracket, bracket[::-1]):
-        found = bracketed(lambda x, _: f(x), np.array([low]), np.array([high]))  # type: ignore[operator]
+        found = bracketed(lambda x, _: f(x), np.array([low]), np.array([high]))
         assert found[0] == pytest.approx(root, rel=1e-14, abs=1e-15 if root == 0 else 1e-18 + abs(root) * 1e-14) or (
             name == "ninth power" and abs(found[0] - root) < 1e-15 * 8
         )

@@ -31,12 +31,15 @@ TOUCH = 1e-12  # a margin (a squared sine) this small is a change point, not a g
 def find_domain(chain: Chain, low: float, high: float) -> Domain:
     """Assembly intervals of the input coordinate; a crank's are sought on the turn from ``low``.
 
-    Raises `AssemblyError` if there is none at all.
+    A driven slider's are sought beyond [low, high] as well, as far as the links can reach; that range itself is
+    sampled as densely as a turn. Raises `AssemblyError` if there is none at all.
     """
     turn = TURN if chain.turns else None
-    intervals = [Interval(low, low + turn if turn else high)]
+    beyond = 0.0 if turn else 2 * reach_of(chain.mechanism) + high - low
+    core = np.empty(0) if turn else np.linspace(low, high, SAMPLES + 1)
+    intervals = [Interval(low - beyond, low + turn if turn else high + beyond)]
     for k in range(len(chain.steps)):
-        found = [part for interval in intervals for part in _cut(chain, k, interval, turn)]
+        found = [part for interval in intervals for part in _cut(chain, k, interval, turn, core)]
         if not found:
             raise _never(chain, k, intervals)
         intervals = _joined(found, turn) if turn else found
@@ -46,8 +49,9 @@ def find_domain(chain: Chain, low: float, high: float) -> Domain:
 
 
 def reach_of(mechanism: Mechanism) -> float:
-    """Sum of the distances of all points from their link's origin [m]: no limit of a slider lies farther away."""
-    return sum(abs(p) for link in (mechanism.frame, *mechanism.links) for p in link.points.values())
+    """Sum of the distances of all points and joints from their link's origin [m]: nothing stands farther away."""
+    named = sum(abs(p) for link in (mechanism.frame, *mechanism.links) for p in link.points.values())
+    return named + sum(abs(p) for joint in mechanism.joints for p in joint.points)
 
 
 def sample(interval: Interval, count: int = SAMPLES) -> Real:
@@ -59,9 +63,12 @@ def sample(interval: Interval, count: int = SAMPLES) -> Real:
     return (interval.low + interval.high) / 2 - (interval.high - interval.low) / 2 * np.cos(u)
 
 
-def _cut(chain: Chain, k: int, interval: Interval, turn: float | None) -> list[Interval]:
-    """The parts of an interval where dyad k reaches."""
+def _cut(chain: Chain, k: int, interval: Interval, turn: float | None, core: Real) -> list[Interval]:
+    """The parts of an interval where dyad k reaches; ``core`` (m,) are places to sample besides."""
     x = sample(interval)
+    if core.size:
+        x = np.sort(np.concatenate((x, core[(core > x[0]) & (core < x[-1])])))
+        x = x[np.append(True, np.diff(x) > 0)]
     period = None if interval.limits else turn
     x, m = with_turning_points(
         lambda at, _: chain.margins(at, k), x, chain.margins(x, k), near=NEAR, period=period, touch=TOUCH

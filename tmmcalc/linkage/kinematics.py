@@ -18,7 +18,7 @@ import numpy as np
 
 from tmmcalc.errors import AssemblyError, NoSolutionError, SingularityError
 from tmmcalc.linkage import solvers
-from tmmcalc.linkage.assembly import TURN, check_range, coordinate, find_domain, reach_of
+from tmmcalc.linkage.assembly import TURN, check_range, coordinate, find_domain
 from tmmcalc.linkage.chain import Chain, compile_chain
 from tmmcalc.linkage.differentiation import (
     STEPS_DEG,
@@ -123,9 +123,7 @@ def _domain(chain: Chain) -> Domain:
     drive = chain.mechanism.input
     if chain.turns:
         return find_domain(chain, SEAM - math.pi, SEAM + math.pi)
-    low, high = analysed_range(chain.mechanism, drive.start or 0.0)
-    beyond = reach_of(chain.mechanism) + high - low
-    return find_domain(chain, low - beyond, high + beyond)
+    return find_domain(chain, *analysed_range(chain.mechanism, drive.start or 0.0))
 
 
 def _start(chain: Chain, domain: Domain) -> float:
@@ -211,9 +209,16 @@ def step_study(mechanism: Mechanism, result: Kinematics, decimals: int = 6) -> l
     """Error of central differences of the first output against their step (textbook 2.4, 2.9).
 
     Lengths are in units of the crank length; positions are rounded to ``decimals`` and, beside that, taken in
-    double precision. The steps are those of the textbook's range, as parts of a turn or of the range.
+    double precision. The steps are those of the textbook's range, as parts of a turn or of the range. Raises
+    `NoSolutionError` if the mechanism has no output.
     """
     chain = compile_chain(mechanism, result.structure, result.variants)
+    if not result.outputs:
+        raise NoSolutionError(
+            "there is no output whose differences could be studied",
+            where="kinematics, --study",
+            remedy="name one in [[mechanism.outputs]]",
+        )
     output = default_outputs(chain)[0]
     unit = result.crank_length or 1.0
     scale = 1.0 if output.link is not None else unit

@@ -23,11 +23,6 @@ def cross(a: Plane | complex, b: Plane | complex) -> Real:
     return a.real * b.imag - a.imag * b.real  # type: ignore[return-value]  # scalars count as 0-d arrays
 
 
-def dot(a: Plane | complex, b: Plane | complex) -> Real:
-    """Scalar product a . b = a_x b_x + a_y b_y."""
-    return a.real * b.real + a.imag * b.imag  # type: ignore[return-value]  # scalars count as 0-d arrays
-
-
 def square(a: Plane) -> Real:
     """Squared length |a|^2, without the root and the overflow guard of ``abs``."""
     return a.real * a.real + a.imag * a.imag

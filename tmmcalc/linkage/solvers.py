@@ -32,7 +32,7 @@ def closed(c1: Plane, c2: Plane) -> PairSolver:
 
 
 def projection(c1: Plane, c2: Plane) -> PairSolver:
-    """Solve the equations projected on the fixed axes X and Y, as in textbook (2.50) to (2.57)."""
+    """Solve the equations projected on two perpendicular axes, as in textbook (2.50) to (2.57)."""
     c1, c2 = np.broadcast_arrays(c1, c2)
     matrix = np.empty((*c1.shape, 2, 2))
     matrix[..., 0, 0], matrix[..., 0, 1] = c1.real, c2.real

@@ -115,6 +115,8 @@ def sketch_grades(mechanism: Mechanism, structure: Structure, signs: dict[str, i
         text = "decides nothing: none of its points moves with a dyad that has two variants"
         return (Grade("note", where, text),)
     gap, size = distance(compile_chain(mechanism, structure, signs), at), reach_of(mechanism)
+    if not np.isfinite(gap):
+        return (Grade("note", where, "was not compared: the mechanism does not assemble where it was read"),)
     grades = []
     if gap > size:
         text = f"lies {gap:.4g} m from the mechanism, whose points reach {size:.4g} m: are its units right?"

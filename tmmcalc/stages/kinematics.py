@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.model import Mechanism
     from tmmcalc.spec import Spec
 
-TRACE_ARRAYS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "joint_s", "joint_ds", "joint_dds")
+_TRACE_ARRAYS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "joint_s", "joint_ds", "joint_dds")
 _TRACE_FIELDS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "s", "ds", "dds")
 _OUTPUT_ARRAYS = ("s", "ds", "dds")
 
@@ -40,7 +40,7 @@ def dump(result: Kinematics) -> Record:
     """Arrays go to npz: x (n,), outputs s, ds, dds (O, n), points r (P, n), links angle (L, n), joints (J, n)."""
     arrays: dict[str, np.ndarray] = {"label": np.array(result.labels), "phi": result.phi, "x": result.x}
     arrays |= {f"output_{name}": getattr(result, name) for name in _OUTPUT_ARRAYS}
-    arrays |= {name: getattr(result.trace, own) for name, own in zip(TRACE_ARRAYS, _TRACE_FIELDS, strict=True)}
+    arrays |= {name: getattr(result.trace, own) for name, own in zip(_TRACE_ARRAYS, _TRACE_FIELDS, strict=True)}
     left_out = {"labels", "phi", "x", *_OUTPUT_ARRAYS, "trace", "error", "counters"}
     scalars = {name: plain(value) for name, value in vars(result).items() if name not in left_out and value is not None}
     names = {"points": result.trace.point_names, "links": result.trace.link_ids, "joints": result.trace.joint_names}
@@ -50,7 +50,7 @@ def dump(result: Kinematics) -> Record:
 def load(record: Record) -> Kinematics:
     """Build the result from its record."""
     arrays, rows = record.arrays, record.scalars["rows"]
-    own = (arrays[name] for name in TRACE_ARRAYS)
+    own = (arrays[name] for name in _TRACE_ARRAYS)
     r, dr, ddr, angle, dangle, ddangle, s, ds, dds = own
     points, links, joints = (tuple(rows[name]) for name in ("points", "links", "joints"))
     trace = Trace(points, r, dr, ddr, links, angle, dangle, ddangle, joints, s, ds, dds)
