@@ -1,0 +1,33 @@
+"""The machine as one rotating mass: reduced moment and reduced inertia over one cycle of the input shaft.
+
+``theta`` is the angle of the input shaft counted from position 0 along its motion, from 0 to ``period``; the speed
+omega = dtheta/dt is positive, and a positive moment drives. All functions are held on the points of panels (K, N).
+"""
+
+from __future__ import annotations
+
+from tmmcalc.numerics.panels import Panels, Values
+from tmmcalc.records import record
+
+
+@record
+class Cycle:
+    """Reduced quantities of one cycle, without motor and constant inertia.
+
+    The moment at the speed omega is ``moment + viscous omega + quadratic omega^2`` (textbook 3.34); the kinetic
+    energy is (constant + ``inertia``) omega^2 / 2 (3.39).
+    """
+
+    panels: Panels  # of [0, period]
+    inertia: Values  # J(theta) of the links [kg*m^2], (K, N), not negative
+    slope: Values  # dJ/dtheta [kg*m^2/rad], (K, N)
+    moment: Values  # M(theta) [N*m], (K, N): loads, weights, springs, friction
+    viscous: Values  # [N*m*s/rad], (K, N), zero where nothing is viscous
+    quadratic: Values  # [N*m*s^2/rad^2], (K, N)
+    speed: float  # mean speed asked for, > 0 [rad/s]
+    error: float = 0.0  # estimated relative error of the functions [-]
+
+    @property
+    def period(self) -> float:
+        """Angle of one cycle [rad]: 2 pi, of a four-stroke engine 4 pi."""
+        return float(self.panels.edges[-1] - self.panels.edges[0])

@@ -1,0 +1,201 @@
+"""Boundary and initial value problems y' = f(x, y) on panels by Radau IIA collocation, stiff or not.
+
+Every panel carries the polynomial that meets the equation at its Radau points; `numerics.newton` solves for all of
+them. Panels that do not resolve the solution are cut where the equations bend, graded towards their start where a stiff
+layer hides in it, or halved, until the last Legendre coefficients of the solution are at rounding level.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.errors import AccuracyError
+from tmmcalc.numerics.newton import Ends, Measure, Rates, State, newton
+from tmmcalc.numerics.panels import NARROWEST, Panels, Values
+from tmmcalc.numerics.radau import Radau, radau
+from tmmcalc.records import record
+
+TOLERANCE = 2e-13  # of the last Legendre coefficients, relative
+ROUGH = 1e-2  # Newton step before the first look at the panels
+CLOSE = 1e-13  # Newton step that would come next, relative
+PASSES = 60
+STIFF = 16.0  # decay over a panel above which its start may hide a layer
+ON_EDGE = NARROWEST / 16  # of the range: a bend this near to an edge counts as marked
+SNAP = 0.05  # of the panel: an edge so near to a bend moves there
+LAYER = 2.0  # decay over the first panel of a graded layer
+EPS = float(np.finfo(float).eps)
+
+System = Callable[[Panels], Rates]
+"""The equations at the Radau points of panels."""
+Kinks = Callable[[Values, Values], Values]
+"""x and watched functions (K, N) and (w, K, N) at the Radau points -> places (any number,) where f is not smooth."""
+
+
+def periodic(m: int) -> Ends:
+    """Conditions of a periodic solution of m states."""
+    return Ends(-np.eye(m), np.eye(m), np.zeros(m))
+
+
+def initial(y: Values) -> Ends:
+    """Conditions of a solution that starts from ``y`` (m,)."""
+    return Ends(np.eye(len(y)), np.zeros((len(y), len(y))), y)
+
+
+@record
+class Orbit:
+    """A solution on its panels."""
+
+    panels: Panels
+    y: Values  # (m, K, N) at the Gauss points
+    edges: Values  # (m, K + 1)
+    monodromy: Values  # (m, m) dy(end)/dy(start)
+    trace: float  # integral of the trace of df/dy: the logarithm of the determinant of the exact monodromy
+    error: float  # estimated largest relative error
+    iterations: int  # Newton steps on all meshes
+    passes: int  # meshes
+
+
+def solve(
+    system: System,
+    first: Panels,
+    guess: Values,
+    *,
+    ends: Ends | None = None,
+    floor: Values | None = None,
+    typical: Values | None = None,
+    kinks: Kinks | None = None,
+    fixed: Values | None = None,
+    tolerance: float = TOLERANCE,
+    passes: int = PASSES,
+) -> Orbit:
+    """Solution that meets ``ends`` (by default a periodic one), from a ``guess`` (m, K, N) at the Gauss points.
+
+    States stay above their ``floor`` (m,); a state with a finite floor is resolved relative to its value, another to
+    its largest, or to its ``typical`` size (m,) if that is larger. ``kinks`` tells where the equations bend as the
+    solution stands: panels are cut there first, and of such cuts those that are not ``fixed`` edges (by default the
+    first ones) move along.
+    Raises `AccuracyError` if Newton's method does not converge, or ``passes`` meshes do not resolve the solution.
+    """
+    scheme, m = radau(first.order), len(guess)
+    closing = periodic(m) if ends is None else ends
+    scale = Measure(np.full(m, -np.inf) if floor is None else floor, np.zeros(m) if typical is None else typical)
+    now, state = first, _first(scheme, guess)
+    steps = 0
+    for passed in range(1, passes + 1):
+        rates, step = system(now), np.inf
+        for target in (ROUGH, CLOSE):
+            settled = newton(scheme, now.width, rates, closing, state, scale, target, step)
+            state, step, steps = settled.state, settled.step, steps + settled.iterations
+            f, jacobian, watched = rates(state.y)
+            measure = _roughness(scheme, now, state, f, jacobian, watched, scale)
+            bends = kinks(_points(scheme, now), watched) if kinks else np.empty(0)
+            rough = measure > tolerance
+            if target == CLOSE:  # a bend before the first point of a panel shows in none
+                hidden = bends[_off_edges(now, bends) > ON_EDGE * (now.edges[-1] - now.edges[0])]
+                rough[np.searchsorted(now.edges, hidden) - 1] = True
+            rough &= now.width > NARROWEST * (now.edges[-1] - now.edges[0])
+            if rough.any():
+                break
+        else:
+            error = float(np.max(measure)) + settled.next + 4 * EPS
+            return _orbit(scheme, now, state, jacobian, settled.monodromy, error, steps, passed)
+        finer = _refined(now, rough, jacobian, bends, first.edges if fixed is None else fixed)
+        state = _moved(scheme, now, state, finer)
+        now = finer
+    raise AccuracyError(
+        f"{passes} meshes do not resolve the solution",
+        where="collocation",
+        value=float(np.max(measure)),
+        limit=tolerance,
+    )
+
+
+def _first(scheme: Radau, guess: Values) -> State:
+    y = guess @ scheme.from_gauss.T
+    start = y[:, 0] @ scheme.start
+    return State(start, y - start[:, None, None])
+
+
+def _roughness(
+    scheme: Radau, mesh: Panels, state: State, f: Values, jacobian: Values, watched: Values, scale: Measure
+) -> Values:
+    """What every panel leaves unresolved (K,), relative: last coefficients of states, rates and watched functions."""
+    size = np.max(scale.sizes(state.y), axis=2)
+    last = scheme.coefficients[-3:].T
+    missed = np.abs(_missed(scheme, state))
+    states = (np.max(np.abs(state.rise @ last), axis=2) + missed) / size
+    share = mesh.width / size
+    # a rate carries the rounding of the states times the stiffness: that is no reason to refine
+    sway = np.max(np.einsum("abkn,bk->akn", np.abs(jacobian), size), axis=2)
+    rates = (np.max(np.abs(f @ last), axis=2) / 4 - 2 * EPS * sway) * share
+    largest = np.max(np.abs(watched), axis=(1, 2))
+    others = np.max(np.abs(watched @ last), axis=2) / np.where(largest > 0, largest, 1.0)[:, None]
+    return np.max(np.concatenate((states, rates, others)), axis=0)
+
+
+def _missed(scheme: Radau, state: State) -> Values:
+    """How far (m, K) the start of every panel is off the polynomial through its points: there a layer shows."""
+    return state.before - state.rise @ scheme.start
+
+
+def _points(scheme: Radau, mesh: Panels) -> Values:
+    return mesh.edges[:-1, None] + mesh.width[:, None] * scheme.points
+
+
+def _off_edges(mesh: Panels, places: Values) -> Values:
+    """Distance of places (any number,) from the nearest edge."""
+    k = np.clip(np.searchsorted(mesh.edges, places), 1, mesh.count)
+    return np.minimum(np.abs(places - mesh.edges[k - 1]), np.abs(mesh.edges[k] - places))
+
+
+def _refined(mesh: Panels, rough: NDArray[np.bool_], jacobian: Values, bends: Values, fixed: Values) -> Panels:
+    """The mesh with its rough panels cut: at bends, or towards their start where a layer may hide in it, or in half.
+
+    An edge that marked a bend before moves along with it, unless it is ``fixed``.
+    """
+    least = NARROWEST * (mesh.edges[-1] - mesh.edges[0])
+    rates = np.abs(np.linalg.eigvals(jacobian[:, :, rough].transpose(2, 3, 0, 1)))
+    decay = np.max(rates, axis=(1, 2)) * mesh.width[rough]
+    halvings = np.where(decay > STIFF, np.minimum(np.log2(decay / LAYER), np.log2(mesh.width[rough] / least)), 1.0)
+    stays = np.ones(mesh.count + 1, bool)
+    cuts = []
+    for k, count in zip(np.flatnonzero(rough), halvings, strict=True):
+        low, high = mesh.edges[k], mesh.edges[k + 1]
+        bent = bends[(bends > low) & (bends < high)]
+        near = [i for i in (k, k + 1) if np.any(np.abs(bent - mesh.edges[i]) < SNAP * (high - low))]
+        moving = [i for i in near if mesh.edges[i] not in fixed]
+        stays[moving] = False
+        if bent.size and (moving or np.min(_off_edges(mesh, bent)) > least):
+            cuts.append(bent)
+        else:
+            cuts.append(low + (high - low) * 0.5 ** np.arange(1, max(int(np.ceil(count)), 1) + 1))
+    return Panels(np.sort(np.concatenate((mesh.edges[stays], *cuts))), mesh.order)
+
+
+def _moved(scheme: Radau, mesh: Panels, state: State, finer: Panels) -> State:
+    """The state interpolated on a finer mesh."""
+    parent = np.searchsorted(mesh.edges, (finer.edges[:-1] + finer.edges[1:]) / 2) - 1
+    t = (finer.edges[:-1] - mesh.edges[parent])[:, None] + finer.width[:, None] * scheme.points
+    t /= mesh.width[parent, None]
+    matrix = scheme.interpolation(t.ravel()).reshape(*t.shape, -1)
+    return State(state.start, np.einsum("kij,akj->aki", matrix, state.rise[:, parent]))
+
+
+def _orbit(
+    scheme: Radau,
+    mesh: Panels,
+    state: State,
+    jacobian: Values,
+    monodromy: Values,
+    error: float,
+    iterations: int,
+    passes: int,
+) -> Orbit:
+    base = state.start[:, None, None]
+    rise = state.rise @ scheme.to_gauss.T + _missed(scheme, state)[..., None] * scheme.nodal
+    edges = np.concatenate((state.before, state.rise[:, -1:, -1]), axis=1)
+    trace = np.einsum("aakn,n,k->", jacobian, scheme.primitive[-1], mesh.width)
+    return Orbit(mesh, base + rise, state.start[:, None] + edges, monodromy, float(trace), error, iterations, passes)
