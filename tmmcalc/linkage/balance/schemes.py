@@ -1,0 +1,201 @@
+"""Rotating weights against the shaking force: on the crank, and on shafts that turn against it or twice as fast.
+
+A weight on a shaft geared to the crank as ``order`` to 1 (negative: against it) with the static moment u stands at
+u exp(i order phi) from its axis; its inertia force is u (order^2 omega^2 - i order eps_1) exp(i order phi). It meets
+the harmonic c_order of the shaking force and no other, so that the least mean square of what remains is reached,
+weight by weight, by u = -c_order / (order^2 omega^2 - i order eps_1), whatever the speed; what remains is
+sqrt(sum of |c_k|^2) over the other orders. Order 1 is the counterweight on the crank, textbook (3.72)-(3.74): the
+mean of the hodograph in the crank frame. Orders 1 and -1 are the pair of counter-rotating weights (Lanchester),
+orders 2 and -2 the same for the second harmonic.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
+
+from tmmcalc.errors import UsageError
+from tmmcalc.linkage.balance.shaking import WHERE, Shaking, crank_angle, crank_pivot
+from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.loading import Body
+from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.machine.balancing.weights import sized
+from tmmcalc.numerics.fourier import Magnitude, Series, magnitude
+from tmmcalc.records import record
+
+NOTHING = 1e-12  # a force below this part of the whole needs no weight, and none can bear a moment
+
+
+@record
+class RotatingWeight:
+    """A weight on a shaft that turns ``order`` times as fast as the crank; order 1 is the crank itself."""
+
+    order: int  # not zero; negative: against the crank
+    moment: complex  # static moment where O->A points along the fixed x axis [kg*m]; of order 1 in the crank frame
+    axis: complex  # place of the shaft in the frame [m]
+
+    def amplitude(self, speed: float, acceleration: float = 0.0) -> complex:
+        """Inertia force f [N] of the weight, which is f exp(i order phi)."""
+        return self.moment * per_moment(self.order, speed, acceleration)
+
+
+@record
+class Balance:
+    """What rotating weights leave of the shaking force and moment, at the positions of a `Shaking` and over the turn.
+
+    The moment is about the point of the `Shaking`. That of the weights' own inertia, which arises if the crank
+    accelerates, depends on their sizes and is left out.
+    """
+
+    scheme: str
+    weights: tuple[RotatingWeight, ...]
+    force: Plane  # left, in fixed axes [N], (n,)
+    turned: Plane  # left, in the crank frame [N], (n,)
+    moment: Real  # left [N*m], (n,)
+    series: Series  # of the force left
+    moment_series: Series  # of the moment left
+    before: Magnitude  # of the force [N]
+    after: Magnitude  # of the force left [N]
+    moment_before: Magnitude  # [N*m]
+    moment_after: Magnitude  # [N*m]
+    ratio: float | None  # rms force before to after [-]; None where nothing but rounding is left
+    gap: float = 0.0  # minimax: the largest force left is at most this part above the least possible [-]
+
+
+def per_moment(order: int, speed: float, acceleration: float) -> complex:
+    """Inertia force of a unit static moment [1/s^2]."""
+    return complex(order * order * speed * speed, -order * acceleration)
+
+
+def with_weights(
+    shaking: Shaking, weights: Sequence[RotatingWeight], scheme: str = "given weights", gap: float = 0.0
+) -> Balance:
+    """What these weights, of any size, leave of the shaking force and moment."""
+    forces: dict[int, complex] = {}
+    moments: dict[int, complex] = {}
+    for weight in weights:
+        f = weight.amplitude(shaking.speed, shaking.acceleration)
+        forces[weight.order] = forces.get(weight.order, 0j) + f
+        half = np.conj(weight.axis - shaking.about) * f / 2j
+        moments[weight.order] = moments.get(weight.order, 0j) + half
+        moments[-weight.order] = moments.get(-weight.order, 0j) + np.conj(half)
+    series, moment_series = shaking.series.plus(forces), shaking.moment_series.plus(moments)
+    added = Series(np.zeros(1, np.complex128)).plus(forces).at(shaking.phi)
+    twisted = Series(np.zeros(1, np.complex128)).plus(moments).at(shaking.phi).real
+    force, after = shaking.force + added, magnitude(series)
+    return Balance(
+        scheme=scheme,
+        weights=tuple(weights),
+        force=force,
+        turned=force * np.exp(-1j * shaking.phi),
+        moment=shaking.moment + twisted,
+        series=series,
+        moment_series=moment_series,
+        before=shaking.size,
+        after=after,
+        moment_before=shaking.moment_size,
+        moment_after=magnitude(moment_series),
+        ratio=shaking.size.rms / after.rms if after.rms > NOTHING * shaking.scale else None,
+        gap=gap,
+    )
+
+
+def least_squares_counterweight(shaking: Shaking) -> Balance:
+    """One counterweight on the crank, for the least mean square of the force left. Textbook (3.74)."""
+    return rotating_weights(shaking, (1,), scheme="least squares")
+
+
+def lanchester(shaking: Shaking, highest: int = 1, axes: Mapping[int, complex] | None = None) -> Balance:
+    """Pairs of counter-rotating weights: orders 1 and -1, with ``highest`` = 2 also 2 and -2.
+
+    ``axes`` [m] by order places the shafts, by default all at the crank's pivot; see `axes_against_moment`.
+    """
+    orders = tuple(sign * k for k in range(1, highest + 1) for sign in (1, -1))
+    names = {1: "counter-rotating pair", 2: "counter-rotating pairs of first and second order"}
+    return rotating_weights(shaking, orders, axes, scheme=names.get(highest, f"pairs up to order {highest}"))
+
+
+def rotating_weights(
+    shaking: Shaking,
+    orders: Iterable[int],
+    axes: Mapping[int, complex] | None = None,
+    scheme: str = "rotating weights",
+) -> Balance:
+    """One weight for every order, each taking its harmonic of the shaking force away altogether.
+
+    Raises `UsageError` for the order 0, an order named twice, or another axis for order 1 than the crank's pivot.
+    """
+    orders = tuple(orders)
+    places = _places(shaking, orders, axes)
+    return with_weights(shaking, [_against(shaking, k, places[k]) for k in orders], scheme)
+
+
+def _against(shaking: Shaking, order: int, axis: complex) -> RotatingWeight:
+    factor = per_moment(order, shaking.speed, shaking.acceleration)
+    return RotatingWeight(order, -shaking.series.coefficient(order) / factor, axis)
+
+
+def _places(shaking: Shaking, orders: tuple[int, ...], axes: Mapping[int, complex] | None) -> dict[int, complex]:
+    """The axis of every order."""
+    if 0 in orders or len(set(orders)) != len(orders):
+        raise UsageError(
+            f"the orders {orders} of the rotating weights are not different whole numbers other than 0",
+            where=WHERE,
+            remedy="order 1 is the crank, -1 a shaft that turns against it at its speed",
+        )
+    axes = axes or {}
+    if axes.get(1, shaking.pivot) != shaking.pivot:
+        raise UsageError(
+            "the weight of order 1 sits on the crank and has no axis of its own",
+            where=WHERE,
+            remedy="leave order 1 out of the axes",
+        )
+    return {k: axes.get(k, shaking.pivot) for k in orders}
+
+
+def axes_against_moment(shaking: Shaking, orders: Iterable[int]) -> dict[int, complex]:
+    """Axes [m] by order, as near to the pivot as can be, on which the weights also cancel moment harmonics.
+
+    The weights are those of `rotating_weights`. For every rate |k| among ``orders`` other than the crank's own weight
+    the harmonics k and -k of the shaking moment vanish, where there is a force to do it.
+    """
+    orders = tuple(orders)
+    places = _places(shaking, orders, None)
+    fixed = with_weights(shaking, [_against(shaking, k, places[k]) for k in orders]).moment_series
+    for rate in sorted({abs(k) for k in orders}):
+        movable = {
+            k: f
+            for k in (rate, -rate)
+            if k in orders and k != 1 and abs(f := -shaking.series.coefficient(k)) > NOTHING * shaking.scale
+        }
+        if movable:
+            shifts = _shifts(movable, -fixed.coefficient(rate))
+            places |= {k: places[k] + shift for k, shift in zip(movable, shifts, strict=True)}
+    return places
+
+
+def _shifts(forces: Mapping[int, complex], target: complex) -> Sequence[complex]:
+    """Least displacements d [m] of the axes of forces f exp(i k phi) that add ``target`` to one moment coefficient.
+
+    The moment Im(conj(d) f exp(i k phi)) has the coefficient conj(d) f / 2i of order k, and its conjugate of -k.
+    """
+    rows = []
+    for k, f in forces.items():
+        along_x, along_y = f / 2j, -f / 2
+        rows += [along_x, along_y] if k > 0 else [along_x.conjugate(), along_y.conjugate()]
+    matrix = np.array([[c.real for c in rows], [c.imag for c in rows]])
+    d = np.linalg.lstsq(matrix, np.array([target.real, target.imag]), rcond=None)[0]
+    return [complex(d[i], d[i + 1]) for i in range(0, len(d), 2)]
+
+
+def crank_body(chain: Chain, weight: RotatingWeight, *, mass: float | None = None, radius: float | None = None) -> Body:
+    """The counterweight on the crank as a point mass of the crank, its mass [kg] or radius [m] chosen.
+
+    Raises `UsageError` for a weight on another shaft, or unless exactly one of mass and radius is given.
+    """
+    if weight.order != 1:
+        raise UsageError(f"the weight of order {weight.order} does not turn with the crank", where=WHERE)
+    made = sized(weight.moment, mass=mass, radius=radius)
+    arm = made.radius * np.exp(1j * (made.angle + crank_angle(chain)))
+    return Body(chain.structure.input_link, made.mass, 0.0, complex(crank_pivot(chain) + arm))
