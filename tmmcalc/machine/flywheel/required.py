@@ -1,0 +1,161 @@
+"""The true flywheel: the least constant inertia for which the motion under the real motor is even enough.
+
+Nothing is approximated here: every trial is the steady motion under the motor's characteristic, with the viscous and
+quadratic forces and the lag of the motor. The inertia found is the smallest one, not below what is at hand, with
+delta <= [delta]. The fluctuation need not fall steadily with the inertia (a lagging motor resonates with it), so
+inertias between are probed for an earlier root, and the result says whether delta fell in all trials.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.flywheel.curve import energy_curve
+from tmmcalc.machine.flywheel.drive import fluctuation
+from tmmcalc.machine.flywheel.methods import METHODS, tangents
+from tmmcalc.machine.flywheel.positional import check
+from tmmcalc.machine.flywheel.search import Model, Trial, between, corrections, least_inertia, sufficient, tried
+from tmmcalc.machine.motors.characteristics import Characteristic
+from tmmcalc.machine.regime import Regime
+from tmmcalc.machine.steady import driven
+from tmmcalc.records import record
+
+PROBES = 1  # inertias tried between the one at hand and the root
+PROBES_LAGGING = 5  # the same where the motor lags, so that a resonance may stand between
+BEYOND = (1.5, 3.0)  # times the root: inertias tried above it where the motor lags
+SHORTEST = 0.01  # of the root: where the probes begin if less is at hand
+ABOVE = 2.0  # times the inertia that just does not stall: where the search begins if Mertsalov's stalls
+EQUAL = 1e-9  # relative differences of delta that do not count as rising
+
+_MERTSALOV = METHODS[2]
+
+
+@record
+class RequiredInertia:
+    """The least constant inertia for the asked fluctuation, and the motion with it."""
+
+    inertia: float  # total constant inertia, reduced to the input shaft [kg*m^2]
+    addition: float  # the flywheel: what of it is not at hand yet [kg*m^2]
+    needed: bool  # False: the inertia at hand suffices
+    delta: float  # coefficient of speed fluctuation reached [-]
+    regime: Regime  # the steady motion with it
+    trials: tuple[Trial, ...]  # all inertias tried, ascending
+    monotone: bool  # among the trials delta falls as the inertia grows
+    remarks: tuple[str, ...]
+
+    @property
+    def evaluations(self) -> int:
+        """Number of inertias tried."""
+        return len(self.trials)
+
+
+def required_inertia(
+    cycle: Cycle,
+    characteristic: Characteristic,
+    delta: float,
+    constant_inertia: float,
+    time_constant: float = 0.0,
+    *,
+    probes: int | None = None,
+) -> RequiredInertia:
+    """Least constant inertia, not below ``constant_inertia`` [kg*m^2], with delta <= ``delta`` under the motor.
+
+    ``characteristic`` is the motor's moment on the input shaft, ``time_constant`` its lag [s]; ``probes`` inertias in
+    between are tried for an earlier root. Raises `NoSolutionError` if the motor cannot carry the load with any
+    inertia, `UsageError` for a ``delta`` outside (0, 1).
+    """
+    check(delta, cycle.speed, constant_inertia)
+    trials, near = _ample(cycle, characteristic, delta, constant_inertia, time_constant)
+    model, start = fluctuation(cycle, characteristic, time_constant, near), trials[-1]
+    at_hand = trials[0].inertia == constant_inertia
+    first = root = trials[0] if at_hand else tried(model, constant_inertia, trials)
+    if not sufficient(first, delta):
+        inside, beyond = (PROBES_LAGGING, BEYOND) if time_constant > 0 else (PROBES, ())
+        root = least_inertia(model, delta, first, start, trials)
+        root = _earliest(model, delta, first, root, inside if probes is None else probes, trials)
+        for factor in beyond:
+            tried(model, factor * root.inertia, trials)
+    regime = near
+    if root is not start:
+        regime = driven(cycle, root.inertia, characteristic, time_constant=time_constant, guess=near)
+    return _result(delta, first, root, regime, trials)
+
+
+def correction_history(
+    cycle: Cycle,
+    characteristic: Characteristic,
+    delta: float,
+    constant_inertia: float,
+    time_constant: float = 0.0,
+    *,
+    tolerance: float = 1e-3,
+    limit: int = 12,
+) -> tuple[Trial, ...]:
+    """The textbook's correction J := J delta/[delta] (3.60) on the same model, as in `search.corrections`."""
+    model = fluctuation(cycle, characteristic, time_constant)
+    return corrections(model, delta, constant_inertia, tolerance=tolerance, limit=limit)
+
+
+def _ample(
+    cycle: Cycle, characteristic: Characteristic, delta: float, constant_inertia: float, time_constant: float
+) -> tuple[list[Trial], Regime]:
+    """The motion with the inertia by Mertsalov, or the one at hand if that is more; `driven` says why if there is none.
+
+    If the machine stalls with it, a second trial follows with enough inertia to run.
+    """
+    alone = float(tangents(energy_curve(cycle), delta, cycle.speed, (_MERTSALOV,)).inertia[0])
+    inertia, trials = max(alone, constant_inertia), []
+    try:
+        regime = driven(cycle, inertia, characteristic, time_constant=time_constant)
+    except NoSolutionError as error:
+        if error.value != inertia or error.limit is None:
+            raise
+        # the error of a stall tells the inertia that just carries the machine over its peak load
+        trials = [Trial(inertia, None)]
+        inertia = ABOVE * error.limit
+        regime = driven(cycle, inertia, characteristic, time_constant=time_constant)
+    return [*trials, Trial(inertia, regime.delta)], regime
+
+
+def _earliest(model: Model, delta: float, first: Trial, root: Trial, count: int, trials: list[Trial]) -> Trial:
+    """The earliest root that ``count`` probes between the inertia at hand and the ``root`` found reveal."""
+    low, start = first, max(first.inertia, SHORTEST * root.inertia)
+    for i in range(1, count + 1):
+        probe = tried(model, start * (root.inertia / start) ** (i / (count + 1)), trials)
+        if sufficient(probe, delta):
+            return between(model, delta, low, probe, trials)
+        low = probe
+    return root
+
+
+def _result(delta: float, first: Trial, root: Trial, regime: Regime, trials: list[Trial]) -> RequiredInertia:
+    ordered = tuple(sorted(trials, key=lambda trial: trial.inertia))
+    rises = [(a, b) for a, b in pairwise(ordered) if _size(b) > _size(a) * (1 + EQUAL)]
+    remarks = []
+    if first is root:
+        remarks.append(f"no flywheel needed: delta is {regime.delta:.4g} without one, {delta:.4g} is allowed")
+    elif first.delta is None:
+        remarks.append("without a flywheel the machine stalls or runs away")
+    for a, b in rises:
+        risen = "to a stall" if b.delta is None else f"to {b.delta:.4g}"
+        remarks.append(
+            f"delta rises from {a.delta:.4g} at {a.inertia:.5g} kg*m^2 {risen} at {b.inertia:.5g} kg*m^2: "
+            "more inertia is not always better here"
+        )
+    return RequiredInertia(
+        root.inertia,
+        root.inertia - first.inertia,
+        first is not root,
+        regime.delta,
+        regime,
+        ordered,
+        not rises,
+        tuple(remarks),
+    )
+
+
+def _size(trial: Trial) -> float:
+    return math.inf if trial.delta is None else trial.delta

@@ -1,0 +1,233 @@
+"""The rim of a flywheel: from a diameter to its section and mass, from a section to its diameter, and its stress.
+
+             width b
+            +-------+  ---          D = mean diameter, D_o = D + h outer, D_i = D - h inner
+            |  rim  |   h           m = rho pi D h b
+            +-------+  ---          J = m (D^2 + h^2) / 4 = m (D_o^2 + D_i^2) / 8, for a thin rim m D^2 / 4
+               |arm
+        -------+------- axis
+
+Arms and hub give a part of the inertia and of the mass that depends on the drawing; `Proportions` says what is assumed.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.machine.flywheel.materials import CAST_IRON, Material
+from tmmcalc.numerics.roots import bracketed
+from tmmcalc.records import record
+
+POISSON = 0.3
+
+
+@record
+class Proportions:
+    """Proportions of the wheel where the user gives none."""
+
+    width_to_thickness: float = 2.0  # b/h; customary 1 to 2.5
+    thickness_to_diameter: float = 0.1  # h/D of a rim whose diameter is free
+    rim_inertia: float = 0.9  # share of the rim in the inertia of the wheel; arms and hub give the rest
+    rim_mass: float = 0.85  # share of the rim in the mass of the wheel; customary 0.85 to 0.9
+
+
+DEFAULT = Proportions()
+
+
+@record
+class Rim:
+    """A rim and what it is loaded with."""
+
+    material: Material
+    diameter: float  # D, mean [m]
+    thickness: float  # h, radial [m]
+    width: float  # b, axial [m]
+    mass: float  # of the rim [kg]
+    total_mass: float  # with arms and hub [kg]
+    thin_mass: float  # 4 J/D^2, the textbook's estimate of a thin rim that carries the whole inertia [kg]
+    inertia: float  # of the rim alone [kg*m^2]
+    speed: float  # of the outer edge [m/s]
+    stress: float  # hoop stress rho v^2 of a thin ring, at the mean diameter [Pa]
+    peak_stress: float  # hoop stress of the full ring at its inner edge, arms left out [Pa]
+    safety: float  # tensile strength over peak stress [-]
+    allowed: bool  # the outer edge keeps below the material's rim speed
+
+    @property
+    def outer(self) -> float:
+        """Outer diameter [m]."""
+        return self.diameter + self.thickness
+
+    @property
+    def inner(self) -> float:
+        """Inner diameter [m]."""
+        return self.diameter - self.thickness
+
+
+def largest_diameter(speed: float, material: Material = CAST_IRON) -> float:
+    """Largest outer diameter [m] that the material allows at the shaft's largest speed [rad/s].
+
+    >>> largest_diameter(60.0)
+    1.0
+    """
+    return 2 * material.rim_speed / speed
+
+
+def rim_of_mean_diameter(
+    inertia: float, diameter: float, speed: float, material: Material = CAST_IRON, proportions: Proportions = DEFAULT
+) -> Rim:
+    """Rim of the mean ``diameter`` [m] for a flywheel of the given ``inertia`` [kg*m^2] at ``speed`` [rad/s].
+
+    Raises `NoSolutionError` if the wheel would be full before it is heavy enough.
+    """
+    _check(inertia=inertia, diameter=diameter, speed=speed)
+    c = _per_thickness(inertia, material, proportions) / diameter
+    # h^2 (D^2 + h^2) = c, a quadratic for h^2 in the form that does not cancel
+    thickness = math.sqrt(2 * c / (diameter**2 + math.sqrt(diameter**4 + 4 * c)))
+    if thickness >= diameter:
+        raise _full(inertia, diameter, "mean")
+    return _rim(diameter, thickness, proportions.width_to_thickness * thickness, inertia, speed, material, proportions)
+
+
+def rim_of_outer_diameter(
+    inertia: float, outer: float, speed: float, material: Material = CAST_IRON, proportions: Proportions = DEFAULT
+) -> Rim:
+    """Rim of the ``outer`` diameter [m]: the lightest that a limit of room or of rim speed leaves.
+
+    Raises `NoSolutionError` if a full disk of the same proportions is too light.
+    """
+    _check(inertia=inertia, outer=outer, speed=speed)
+    c = _per_thickness(inertia, material, proportions)
+
+    def missing(h: np.ndarray, _: np.ndarray) -> np.ndarray:
+        return h * (outer**4 - (outer - 2 * h) ** 4) / 8 - c
+
+    if missing(np.array(outer / 2), np.array(0)) < 0:
+        raise _full(inertia, outer, "outer")
+    thickness = float(bracketed(missing, np.zeros(1), np.array([outer / 2]))[0])
+    width = proportions.width_to_thickness * thickness
+    return _rim(outer - thickness, thickness, width, inertia, speed, material, proportions)
+
+
+def rim_of_section(
+    inertia: float,
+    width: float,
+    thickness: float,
+    speed: float,
+    material: Material = CAST_IRON,
+    proportions: Proportions = DEFAULT,
+) -> Rim:
+    """Rim of the section ``width`` by ``thickness`` [m]: its diameter follows.
+
+    D^3 + h^2 D = 4 J/(rho pi h b) has one positive root. Raises `NoSolutionError` if it leaves no hole.
+    """
+    _check(inertia=inertia, width=width, thickness=thickness, speed=speed)
+    q = 4 * proportions.rim_inertia * inertia / (material.density * math.pi * thickness * width)
+    diameter = _cubic(q, thickness)
+    if diameter <= thickness:
+        raise NoSolutionError(
+            f"a section of {width:.4g} x {thickness:.4g} m is too heavy: it asks for a diameter of {diameter:.4g} m",
+            where="flywheel rim",
+            value=diameter,
+            limit=thickness,
+            remedy="take a smaller section",
+        )
+    return _rim(diameter, thickness, width, inertia, speed, material, proportions)
+
+
+def rim_of_diameter_and_width(
+    inertia: float,
+    diameter: float,
+    width: float,
+    speed: float,
+    material: Material = CAST_IRON,
+    proportions: Proportions = DEFAULT,
+) -> Rim:
+    """Rim of the mean ``diameter`` and the ``width`` [m]: its thickness follows.
+
+    h^3 + D^2 h = 4 J/(rho pi D b) has one positive root. Raises `NoSolutionError` if it leaves no hole.
+    """
+    _check(inertia=inertia, diameter=diameter, width=width, speed=speed)
+    thickness = _cubic(
+        4 * proportions.rim_inertia * inertia / (material.density * math.pi * diameter * width), diameter
+    )
+    if thickness >= diameter:
+        raise _full(inertia, diameter, "mean")
+    return _rim(diameter, thickness, width, inertia, speed, material, proportions)
+
+
+def _cubic(q: float, p: float) -> float:
+    """The positive root of x^3 + p^2 x = q."""
+    return 2 * p / math.sqrt(3) * math.sinh(math.asinh(1.5 * math.sqrt(3) * q / p**3) / 3)
+
+
+def rim_of_proportions(
+    inertia: float,
+    speed: float,
+    material: Material = CAST_IRON,
+    proportions: Proportions = DEFAULT,
+    *,
+    room: float = math.inf,
+) -> Rim:
+    """Rim of the default proportions, its outer diameter held below the material's limit and the ``room`` [m]."""
+    _check(inertia=inertia, speed=speed, room=room)
+    share = proportions.thickness_to_diameter
+    free = (_per_thickness(inertia, material, proportions) / (share**2 * (1 + share**2))) ** 0.2
+    limit = min(room, largest_diameter(speed, material))
+    if free * (1 + share) > limit:
+        return rim_of_outer_diameter(inertia, limit, speed, material, proportions)
+    return rim_of_mean_diameter(inertia, free, speed, material, proportions)
+
+
+def _per_thickness(inertia: float, material: Material, proportions: Proportions) -> float:
+    """D h^2 (D^2 + h^2) [m^5] of a rim with the inertia that falls to it."""
+    return 4 * proportions.rim_inertia * inertia / (material.density * math.pi * proportions.width_to_thickness)
+
+
+def _rim(
+    diameter: float,
+    thickness: float,
+    width: float,
+    inertia: float,
+    speed: float,
+    material: Material,
+    proportions: Proportions,
+) -> Rim:
+    mass = material.density * math.pi * diameter * thickness * width
+    outer, inner = (diameter + thickness) / 2, (diameter - thickness) / 2
+    edge = speed * outer
+    peak = material.density * speed**2 / 4 * ((3 + POISSON) * outer**2 + (1 - POISSON) * inner**2)
+    return Rim(
+        material,
+        diameter,
+        thickness,
+        width,
+        mass,
+        mass / proportions.rim_mass,
+        4 * inertia / diameter**2,
+        mass * (diameter**2 + thickness**2) / 4,
+        edge,
+        material.density * (speed * diameter / 2) ** 2,
+        peak,
+        material.strength / peak,
+        edge <= material.rim_speed * (1 + 1e-12),
+    )
+
+
+def _full(inertia: float, diameter: float, which: str) -> NoSolutionError:
+    return NoSolutionError(
+        f"a wheel of {diameter:.4g} m {which} diameter is a full disk before it has {inertia:.5g} kg*m^2",
+        where="flywheel rim",
+        value=diameter,
+        remedy="allow a larger diameter, a wider rim (width_to_thickness), a stronger material or a faster shaft",
+    )
+
+
+def _check(**sizes: float) -> None:
+    for name, value in sizes.items():
+        if not value > 0:
+            raise UsageError(
+                f"the {name} is {value:g}, it must be above zero", where="flywheel rim", value=value, limit=0.0
+            )

@@ -1,0 +1,65 @@
+"""Wittenbauer's picture (textbook Fig. 3.17): the closed energy-mass curve with its two outer tangents."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.flywheel.curve import energy_curve
+from tmmcalc.machine.flywheel.methods import METHODS, tangents
+from tmmcalc.machine.flywheel.positional import check
+from tmmcalc.numerics.panels import Values
+from tmmcalc.records import record
+
+
+@record
+class EnergyMass:
+    """The energy-mass curve and the exact tangents.
+
+    Both tangents meet in the origin of the total inertia and the total energy, the point (-inertia, -energy)
+    of the picture.
+    """
+
+    theta: Values  # [rad], (m,), from 0 to the period, the touching points among them
+    links: Values  # J of the links, abscissa [kg*m^2], (m,)
+    work: Values  # A, change of kinetic energy, ordinate [J], (m,)
+    slopes: tuple[float, float]  # k_max, k_min: half the square of the extreme speeds [rad^2/s^2]
+    intercepts: tuple[float, float]  # b_max, b_min on the axis of energies [J]; their distance is the segment GH
+    touching: tuple[float, float]  # angles where the tangents touch [rad]
+    inertia: float  # J_F, total constant inertia [kg*m^2]
+    energy: float  # T0, kinetic energy of the whole machine at theta = 0 [J]
+    drive: float  # constant moment that closes the cycle [N*m]
+
+    def angles(self, scale: float) -> tuple[float, float]:
+        """Angles [rad] of the tangents in a drawing, ``scale`` = mu_J/mu_T [kg*m^2/mm over J/mm] (3.50)."""
+        return math.atan(self.slopes[0] * scale), math.atan(self.slopes[1] * scale)
+
+
+def energy_mass(
+    cycle: Cycle, delta: float, speed: float | None = None, moment: float | Values | None = None
+) -> EnergyMass:
+    """The picture for the coefficient ``delta``; arguments as in `positional_flywheels`."""
+    w = cycle.speed if speed is None else speed
+    check(delta, w, 0.0)
+    curve = energy_curve(cycle, w, moment)
+    exact = tangents(curve, delta, w, METHODS[:1])
+    on = cycle.panels
+    k_max, k_min, b_max, b_min = (float(v[0]) for v in exact[1:5])
+    inertia = float(exact.inertia[0])
+    touching = float(exact.fastest.theta[0]), float(exact.slowest.theta[0])
+    every = np.append(np.column_stack((on.edges[:-1], on.x)).ravel(), on.edges[-1])
+    theta = np.sort(np.append(every, [at for at in touching if at not in every]))
+    work, links = on.at(np.stack((curve.work, curve.inertia)), theta)
+    return EnergyMass(
+        theta,
+        links,
+        work,
+        (k_max, k_min),
+        (b_max, b_min),
+        touching,
+        inertia,
+        k_max * inertia - b_max,
+        curve.drive,
+    )

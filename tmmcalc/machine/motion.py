@@ -1,0 +1,126 @@
+"""The steady motion of a machine: the regime, the idle run beside it, the recurrence of the textbook."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+
+from tmmcalc.errors import AccuracyError, NoSolutionError
+from tmmcalc.machine import recurrence
+from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.driver import ConstantInertia, Driver
+from tmmcalc.machine.motors.characteristics import Parabolic
+from tmmcalc.machine.positional import positional
+from tmmcalc.machine.recurrence import NodalRegime, Turn
+from tmmcalc.machine.regime import Regime
+from tmmcalc.machine.steady import driven
+from tmmcalc.machine.verdicts import Verdict, verdicts
+from tmmcalc.numerics.panels import Values
+from tmmcalc.records import record
+
+
+@record
+class Textbook:
+    """The motion by the recurrence (3.57) on the grid of the positions."""
+
+    a: float  # A of the parabola M_d = A - B omega^2 [N*m]
+    b: float  # B [N*m*s^2/rad^2]
+    regime: NodalRegime  # the periodic one, directly
+    turns: tuple[Turn, ...]  # the iteration from the rated speed (3.58)
+    error: float  # largest difference of its speeds from the exact regime, against the mean speed [-]
+
+
+@record
+class Motion:
+    """Result of the motion stage over n positions; moments, inertias and speeds are those of the input shaft."""
+
+    labels: tuple[str, ...]  # (n,)
+    phi: Values  # (n,) input coordinate counted from position 0 [rad]
+    theta: Values  # (n,) the same along the motion
+    kind: Literal["motor", "positional"]
+    characteristic: str  # name of the motor's characteristic; of positional forces "constant moment"
+    inertia: ConstantInertia
+    regime: Regime
+    idle: Regime | None  # without technological loads; None where there is none
+    omega: Values  # (n,) angular speed [rad/s], positive
+    eps: Values  # (n,) angular acceleration [rad/s^2]
+    time: Values  # (n,) since position 0 [s]
+    driving: Values  # (n,) moment of the drive [N*m]
+    load: Values  # (n,) reduced moment of everything else at that speed [N*m]
+    omega_idle: Values | None  # (n,) [rad/s]
+    textbook: Textbook | None
+    verdicts: tuple[Verdict, ...]
+
+
+def solve_motion(
+    cycle: Cycle,
+    idle: Cycle | None,
+    inertia: ConstantInertia,
+    driver: Driver | None,
+    speed: float,
+    positions: tuple[tuple[str, ...], Values, Values],
+) -> Motion:
+    """The steady motion; ``driver`` None: a constant driving moment at the mean ``speed`` [rad/s].
+
+    ``idle`` is the cycle without technological loads; ``positions`` are labels, phi and theta (n,). Raises
+    `NoSolutionError` where the machine stalls, runs away or its energy does not last for a cycle.
+    """
+    labels, phi, theta = positions
+    regime = _regime(cycle, inertia, driver, speed)
+    quiet = _idle(idle, inertia, driver, speed)
+    at = np.clip(theta, 0.0, cycle.period)
+    omega, eps, driving = regime.panels.at(np.stack((regime.omega, regime.acceleration, regime.driving)), at)
+    load = cycle.panels.at(np.stack((cycle.moment, cycle.viscous, cycle.quadratic)), at)
+    return Motion(
+        labels=labels,
+        phi=phi,
+        theta=theta,
+        kind="positional" if driver is None else "motor",
+        characteristic="constant moment" if driver is None else driver.characteristic.name,
+        inertia=inertia,
+        regime=regime,
+        idle=quiet,
+        omega=omega,
+        eps=eps,
+        time=regime.time_at(at),
+        driving=driving,
+        load=load[0] + load[1] * omega + load[2] * omega**2,
+        omega_idle=quiet.omega_at(at) if quiet is not None else None,
+        textbook=_textbook(cycle, inertia, driver, theta, omega),
+        verdicts=verdicts(regime, driver.characteristic) if driver is not None else (),
+    )
+
+
+def _regime(cycle: Cycle, inertia: ConstantInertia, driver: Driver | None, speed: float) -> Regime:
+    if driver is None:
+        return positional(cycle, inertia.total, speed)
+    return driven(cycle, inertia.total, driver.characteristic, time_constant=driver.time_constant)
+
+
+def _idle(idle: Cycle | None, inertia: ConstantInertia, driver: Driver | None, speed: float) -> Regime | None:
+    """The idle run, if the machine has one: it is shown beside the loaded one and decides nothing."""
+    if idle is None:
+        return None
+    try:
+        return _regime(idle, inertia, driver, speed)
+    except (NoSolutionError, AccuracyError):
+        return None
+
+
+def _textbook(
+    cycle: Cycle, inertia: ConstantInertia, driver: Driver | None, theta: Values, omega: Values
+) -> Textbook | None:
+    """The recurrence of the course, for a parabola on an equal grid."""
+    n = len(theta) - 1
+    motor = driver.characteristic if driver is not None and not driver.time_constant else None
+    if not isinstance(motor, Parabolic) or np.ptp(np.diff(theta)) > 1e-9 * cycle.period / n:
+        return None
+    try:
+        nodes = recurrence.on_nodes(cycle, inertia.total, motor.a, motor.b, n)
+        regime = recurrence.periodic(nodes)
+        turns = recurrence.turns(nodes, motor.nominal)
+    except (NoSolutionError, AccuracyError):
+        return None
+    error = float(np.max(np.abs(regime.omega - omega)) / np.mean(omega))
+    return Textbook(motor.a, motor.b, regime, turns, error)

@@ -1,0 +1,148 @@
+"""Work per cycle, efficiency and power, and the motor that they ask for (textbook 3.35-3.37).
+
+Work of the loads is told apart by its sign over the cycle: what drives, what resists, what friction and dampers
+take. A working machine is driven by a motor and its efficiency is A_c/(A_c + A_F); an engine is driven by its loads,
+and its efficiency is (A_d + A_F)/A_d. Weights and springs give back over a cycle what they take.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.motors.choice import Choice
+from tmmcalc.machine.motors.model import Motor
+from tmmcalc.numerics.panels import Values
+from tmmcalc.records import record
+
+LOSSES = ("friction", "damper")
+STORES = ("weight", "spring")
+NOTHING = 1e-12  # work below this part of the largest is none
+
+
+@record
+class WorkPart:
+    """Work of one cause over a cycle."""
+
+    name: str
+    kind: str  # "load", "weight", "spring", "damper", "friction"
+    work: float  # [J]
+
+
+@record
+class MotorDuty:
+    """The motor against its duty: what is asked of it at its shaft, and how it was found."""
+
+    motor: Motor
+    ratio: float  # u, speed of the motor over the speed of the input shaft
+    chosen: bool  # from a catalogue, and not given
+    reasons: tuple[str, ...]
+    rotor: float  # J_R u^2 [kg*m^2], 0 if the inertia of the rotor is not known
+    mean_load: float  # mean resisting moment at the motor shaft over its rated moment [-]
+    peak_load: float  # largest resisting moment at the motor shaft over its rated moment [-]
+
+
+@record
+class Power:
+    """Result of the power stage; moments and work are those of the input shaft."""
+
+    machine: Literal["working", "engine", "idle"]
+    parts: tuple[WorkPart, ...]
+    driving: float  # A_d > 0 [J]
+    resisting: float  # A_c < 0 [J]
+    losses: float  # A_F < 0 [J]
+    stored: float  # work of weights and springs over a cycle, 0 but for rounding [J]
+    efficiency: float | None  # eta [-]; None where nothing useful is done
+    cycle_time: float  # T [s] at the mean speed
+    mean_power: float  # of the drive of a working machine, of the useful output of an engine [W]
+    peak_power: tuple[float, float]  # least and largest instant power of all loads [W]
+    mean_moment: float  # driving moment that makes the work of the cycle zero [N*m]; of an engine its load
+    peak_moment: float  # largest resisting reduced moment [N*m]
+    peak_at: float  # theta there [rad]
+    transmission: float  # efficiency of the gears to the motor [-]
+    motor_power: float | None  # required of the motor, P/eta [W]; None for an engine
+    duty: MotorDuty | None  # None without a motor
+    error: float  # estimated relative error of the work [-]
+    counters: dict[str, int]
+
+
+def moment_at(cycle: Cycle, speed: float) -> Values:
+    """Reduced moment (K, N) [N*m] at a constant speed [rad/s]."""
+    return cycle.moment + cycle.viscous * speed + cycle.quadratic * speed**2
+
+
+def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float = 1.0) -> Power:
+    """Work, efficiency and power of a cycle at its mean speed; ``transmission`` is the efficiency of the gears."""
+    scale = max((abs(part.work) for part in parts), default=0.0)
+    loads = [part.work for part in parts if part.kind == "load" and abs(part.work) > NOTHING * scale]
+    driving, resisting = sum(w for w in loads if w > 0), sum(w for w in loads if w < 0)
+    losses = sum(part.work for part in parts if part.kind in LOSSES)
+    machine: Literal["working", "engine", "idle"] = "idle"
+    if loads:
+        machine = "engine" if driving + losses + resisting > 0 else "working"
+    moment = moment_at(cycle, cycle.speed)
+    (least, least_at), (largest, _) = cycle.panels.extremes(moment)
+    time = cycle.period / cycle.speed
+    total = driving + resisting + losses
+    mean_power = abs(total) / time
+    return Power(
+        machine=machine,
+        parts=parts,
+        driving=driving,
+        resisting=resisting,
+        losses=losses,
+        stored=sum(part.work for part in parts if part.kind in STORES),
+        efficiency=_efficiency(machine, driving, resisting, losses),
+        cycle_time=time,
+        mean_power=mean_power,
+        peak_power=(least * cycle.speed, largest * cycle.speed),
+        mean_moment=-total / cycle.period,
+        peak_moment=max(-least, 0.0),
+        peak_at=least_at,
+        transmission=transmission,
+        motor_power=mean_power / transmission if machine != "engine" else None,
+        duty=None,
+        error=cycle.error,
+        counters={"panels": len(cycle.panels.edges) - 1},
+    )
+
+
+def _efficiency(machine: str, driving: float, resisting: float, losses: float) -> float | None:
+    """(3.36) of a working machine, (3.37) of an engine."""
+    if machine == "engine":
+        return (driving + losses) / driving
+    useful = resisting + driving  # what drives on the way helps the motor
+    return useful / (useful + losses) if machine == "working" and useful < 0 else None
+
+
+def duty_of(power: Power, motor: Motor, ratio: float, reasons: tuple[str, ...], chosen: bool) -> MotorDuty:
+    """How a motor stands to the load of the machine."""
+    rated = motor.nominal_moment * ratio * power.transmission
+    return MotorDuty(
+        motor,
+        ratio,
+        chosen,
+        reasons,
+        (motor.inertia or 0.0) * ratio**2,
+        max(power.mean_moment, 0.0) / rated,
+        power.peak_moment / rated,
+    )
+
+
+def chosen_motor(
+    power: Power, catalogue: tuple[Motor, ...], input_speed: float, ratio: float | None, synchronous: float | None
+) -> Choice:
+    """The least motor of a catalogue that covers the required power; raises `NoSolutionError` if there is none.
+
+    Peaks of the load are the flywheel's business; how far they exceed the rated moment stands in the duty.
+    """
+    from tmmcalc.machine.motors.choice import choose
+
+    if not power.motor_power:
+        raise NoSolutionError(
+            "nothing resists over the cycle, so no motor can be chosen by its power",
+            where="power",
+            remedy="give the motor by its name or its data, or add the loads that it has to overcome",
+        )
+    return choose(power.motor_power, catalogue, synchronous=synchronous, input_speed=input_speed, ratio=ratio)

@@ -1,0 +1,208 @@
+"""The textbook's recurrence for steady motion with the parabolic characteristic M_d = A - B omega^2 (3.57, 3.58, 3.60).
+
+On n + 1 nodes of equal steps dphi, with the reduced moment M_c[i] and the total reduced inertia J[i],
+
+    w_i^2 = ((J_(i-1) - B dphi) w_(i-1)^2 + (M_c(i-1) + M_c(i) + 2 A) dphi) / (J_i + B dphi)            (3.57)
+
+which is the trapezoid rule for the work of motor and load: second order in dphi, and alternating where B dphi > J. The
+map of a cycle is affine in w_0^2, so the periodic solution needs no iteration; the textbook's turn-by-turn history is
+here for the report. The last node repeats the first.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.machine.cycle import Cycle
+from tmmcalc.numerics.panels import Values
+from tmmcalc.records import record
+
+WHERE = "recurrence (3.57)"
+BOOK = 1e-4  # largest difference of the speeds at both ends of a cycle, textbook program 2.1 [rad/s]
+TURNS = 1000
+CORRECTIONS = 12
+
+
+@record
+class Nodes:
+    """What the recurrence knows of the machine: nodal tables of one cycle and the parabola of the motor."""
+
+    moment: Values  # M_c, reduced moment of the loads [N*m], negative where it resists (n + 1,)
+    inertia: Values  # J, total reduced inertia [kg*m^2], (n + 1,)
+    a: float  # A of the motor's parabola, on the input shaft [N*m]
+    b: float  # B [N*m*s^2/rad^2]
+    step: float  # dphi [rad]
+
+    def __post_init__(self) -> None:
+        """Refuse tables that are no cycle."""
+        if len(self.moment) != len(self.inertia) or len(self.moment) < 2:
+            sizes = f"{len(self.moment)} moments, {len(self.inertia)} inertias"
+            raise UsageError(f"{sizes}: both tables have n + 1 nodes", where=WHERE)
+        if not (np.min(self.inertia) > 0 and self.step > 0 and self.b >= 0):
+            raise UsageError(
+                f"least inertia {np.min(self.inertia):g} kg*m^2, step {self.step:g} rad, B = {self.b:g}",
+                where=WHERE,
+                remedy="inertia and step are positive, B not negative",
+            )
+
+
+def on_nodes(cycle: Cycle, constant_inertia: float, a: float, b: float, n: int) -> Nodes:
+    """The nodal tables of a cycle for ``n`` equal steps, with ``constant_inertia`` [kg*m^2] added.
+
+    Where the load jumps at a node the larger load counts, as the textbook counts it at both ends of its action.
+    Resistances that depend on speed are taken at the mean speed of the cycle.
+    """
+    if n < 2:
+        raise UsageError(f"{n} steps", where=WHERE, value=n, limit=2, remedy="at least 2")
+    theta = np.linspace(0.0, cycle.period, n + 1)
+    moment = cycle.moment + (cycle.viscous + cycle.quadratic * cycle.speed) * cycle.speed
+    after, inertia = cycle.panels.at(np.stack((moment, cycle.inertia)), theta)
+    before = cycle.panels.at(moment, theta, before=True)
+    after[-1], before[0], inertia[-1] = after[0], before[-1], inertia[0]
+    larger = np.where(np.abs(after) >= np.abs(before), after, before)
+    return Nodes(larger, inertia + constant_inertia, a, b, cycle.period / n)
+
+
+@record
+class Turn:
+    """One cycle of the textbook's iteration (3.58)."""
+
+    first: float  # w_0 [rad/s]
+    last: float  # w_n [rad/s]
+
+
+@record
+class NodalRegime:
+    """Speeds at the nodes over one cycle, periodic or not."""
+
+    omega: Values  # (n + 1,) [rad/s]
+    node_min: int
+    node_max: int
+    delta: float  # coefficient of speed fluctuation over the nodes [-]
+    multiplier: float  # factor of a deviation of w_0^2 after one cycle [-]
+    warning: float  # largest B dphi / J [-]: above 1 the recurrence alternates and the step is too wide
+
+
+@record
+class Correction:
+    """One step of the flywheel correction (3.60)."""
+
+    constant_inertia: float  # J_c [kg*m^2]
+    delta: float  # reached with it [-]
+
+
+def march(nodes: Nodes, start: float) -> NodalRegime:
+    """Speeds (n + 1,) over one cycle from ``start`` [rad/s] at node 0 (3.57).
+
+    Raises `AccuracyError` if the square of a speed comes out negative.
+
+    >>> even = Nodes(np.full(5, -10.0), np.full(5, 2.0), 50.0, 0.4, math.pi / 2)
+    >>> march(even, 10.0).omega.round(12).tolist()
+    [10.0, 10.0, 10.0, 10.0, 10.0]
+    """
+    squares = _squares(nodes, start * start)
+    least = int(np.argmin(squares))
+    if squares[least] <= 0:
+        worst = warning(nodes)
+        cause = "the step is too wide" if worst > 1 else "the load stops the machine"
+        raise AccuracyError(
+            f"w^2 is {squares[least]:.4g} at node {least}: {cause} (largest B dphi / J = {worst:.3g})",
+            where=WHERE,
+            value=float(squares[least]),
+            limit=0.0,
+            remedy="more nodes, or the exact regime",
+        )
+    omega = np.sqrt(squares)
+    low, high = int(np.argmin(omega)), int(np.argmax(omega))
+    delta = 2 * float((omega[high] - omega[low]) / (omega[high] + omega[low]))
+    return NodalRegime(omega, low, high, delta, multiplier(nodes), warning(nodes))
+
+
+def periodic(nodes: Nodes) -> NodalRegime:
+    """The periodic solution, from the affine map of w_0^2 over the cycle.
+
+    Raises `AccuracyError` as `march` does, `NoSolutionError` if B = 0.
+    """
+    if nodes.b == 0:
+        raise NoSolutionError(
+            "B = 0: the motor does not regulate the speed, so any would repeat, or none",
+            where=WHERE,
+            value=nodes.b,
+            limit=0.0,
+            remedy="forces of position alone with a constant balancing moment",
+        )
+    square = float(_squares(nodes, 0.0)[-1]) / (1 - multiplier(nodes))
+    if square <= 0:
+        raise AccuracyError(
+            f"no speed repeats after a cycle: it would need w_0^2 = {square:.4g}",
+            where=WHERE,
+            value=square,
+            limit=0.0,
+            remedy="more nodes, a stronger motor, or less load",
+        )
+    return march(nodes, math.sqrt(square))
+
+
+def turns(nodes: Nodes, start: float, tolerance: float = BOOK) -> tuple[Turn, ...]:
+    """The textbook's iteration: cycle after cycle from ``start`` [rad/s] until |w_n - w_0| < ``tolerance`` (3.58).
+
+    Raises `AccuracyError` as `march` does, or if the speeds do not settle within 1000 cycles.
+    """
+    history: list[Turn] = []
+    for _ in range(TURNS):
+        last = float(march(nodes, start).omega[-1])
+        history.append(Turn(start, last))
+        if abs(last - start) < tolerance:
+            return tuple(history)
+        start = last
+    raise AccuracyError(
+        f"both ends still differ by {abs(history[-1].last - history[-1].first):.3g} rad/s after {TURNS} cycles",
+        where=WHERE,
+        value=abs(history[-1].last - history[-1].first),
+        limit=tolerance,
+        remedy="the direct periodic solution",
+    )
+
+
+def corrections(
+    nodes: Nodes, constant_inertia: float, limit: float, count: int = CORRECTIONS
+) -> tuple[Correction, ...]:
+    """History of J_c := J_c delta / [delta] (3.60), at most ``count`` steps.
+
+    ``constant_inertia`` [kg*m^2] is what of the inertia in ``nodes`` is constant. The history ends when delta is at
+    most the ``limit``, which it only approaches from above: the slip of the motor damps the fluctuation too, so that
+    delta falls more slowly than 1 / J_c.
+    """
+    variable, history = nodes.inertia - constant_inertia, []
+    for _ in range(count):
+        now = Nodes(nodes.moment, variable + constant_inertia, nodes.a, nodes.b, nodes.step)
+        history.append(Correction(constant_inertia, periodic(now).delta))
+        if history[-1].delta <= limit:
+            break
+        constant_inertia *= history[-1].delta / limit
+    return tuple(history)
+
+
+def warning(nodes: Nodes) -> float:
+    """Largest B dphi / J: below 1 the recurrence is sound, above it alternates."""
+    return float(nodes.b * nodes.step / np.min(nodes.inertia))
+
+
+def multiplier(nodes: Nodes) -> float:
+    """Factor by which a deviation of w_0^2 changes over one cycle."""
+    damping = nodes.b * nodes.step
+    return float(np.prod((nodes.inertia[:-1] - damping) / (nodes.inertia[1:] + damping)))
+
+
+def _squares(nodes: Nodes, first: float) -> Values:
+    """w^2 (n + 1,) from w_0^2; a recurrence has no vectorised form that keeps its digits."""
+    damping = nodes.b * nodes.step
+    factors = ((nodes.inertia[:-1] - damping) / (nodes.inertia[1:] + damping)).tolist()
+    rises = (nodes.moment[:-1] + nodes.moment[1:] + 2 * nodes.a) * nodes.step / (nodes.inertia[1:] + damping)
+    squares = [first]
+    for factor, rise in zip(factors, rises.tolist(), strict=True):
+        squares.append(factor * squares[-1] + rise)
+    return np.array(squares)

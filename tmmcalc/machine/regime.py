@@ -1,0 +1,118 @@
+"""The steady regime: what a solution for the speed over one cycle says of the machine."""
+
+from __future__ import annotations
+
+import cmath
+
+import numpy as np
+
+from tmmcalc.machine.cycle import Cycle
+from tmmcalc.numerics.collocation import Orbit
+from tmmcalc.numerics.panels import Panels, Values
+from tmmcalc.records import record
+
+LOST = 1e-300  # a multiplier below it counts as zero
+INTERPOLATION = 4e-15  # relative rounding of a function carried from one set of points to another
+
+
+@record
+class Regime:
+    """Steady motion of the input shaft over one cycle; all functions at the points of ``panels`` (K, N)."""
+
+    panels: Panels  # of [0, period], not always those of the cycle
+    omega: Values  # angular speed [rad/s]
+    acceleration: Values  # angular acceleration [rad/s^2]
+    driving: Values  # driving moment M_d [N*m]
+    time: Values  # since theta = 0, at the edges (K + 1,) [s]
+    omega_min: float  # [rad/s]
+    theta_min: float  # where it stands [rad]
+    omega_max: float
+    theta_max: float
+    mean: float  # (omega_max + omega_min)/2, the mean of the textbook (3.52) [rad/s]
+    time_mean: float  # period angle over cycle time [rad/s]
+    delta: float  # coefficient of speed fluctuation (omega_max - omega_min)/mean [-]
+    cycle_time: float  # [s]
+    mean_moment: float  # of the driving moment over the angle: work of a cycle per radian [N*m]
+    rms_moment: float  # of the driving moment over the time, which heats the motor [N*m]
+    mean_power: float  # of the driving moment [W]
+    multipliers: tuple[complex, ...]  # factors by which deviations change in a cycle, the slowest to die first
+    stable: bool | None  # None: indifferent, for nothing depends on the speed
+    constant_inertia: float  # J_c [kg*m^2]
+    residual: float  # work of all moments over the cycle, against the work of their magnitudes [-]
+    error: float  # estimated relative error of omega [-]
+    counters: dict[str, int]  # Newton steps, meshes
+
+    def omega_at(self, theta: Values) -> Values:
+        """Angular speed (m,) [rad/s] at angles (m,) [rad] within the cycle."""
+        return self.panels.at(self.omega, theta)
+
+    def time_at(self, theta: Values) -> Values:
+        """Time (m,) [s] from theta = 0 to angles (m,) [rad] within the cycle."""
+        return self.panels.primitive_at(1 / self.omega, theta)
+
+
+def regime_of(
+    cycle: Cycle,
+    constant: float,
+    omega: Values,
+    driving: Values,
+    multipliers: tuple[complex, ...],
+    error: float,
+    counters: dict[str, int],
+) -> Regime:
+    """The regime with the speed ``omega`` and the moment ``driving``, both (K, N) on the panels of ``cycle``.
+
+    ``error`` is the relative error of omega but for that of the cycle's own data.
+    """
+    on = cycle.panels
+    (low, low_at), (high, high_at) = on.extremes(omega)
+    time, edges = on.primitive(1 / omega)[1], on.edges
+    inertia = cycle.inertia + constant
+    load = cycle.moment + (cycle.viscous + cycle.quadratic * omega) * omega
+    net = driving + load
+    work, heat, surplus, turnover = on.total(
+        np.stack((driving, driving * driving / omega, net, np.abs(driving) + np.abs(load)))
+    )
+    kinetic = float(on.total(inertia * omega * omega)) / cycle.period
+    # errors of the inertia count most where it is least; what is left of the work shifts the level of the speed,
+    # less what the motor takes back
+    inexact = (cycle.error + INTERPOLATION) * float(np.max(cycle.inertia) / np.min(inertia)) / 2
+    regulation = min(abs(np.log(max(abs(mu), LOST))) for mu in multipliers) or 1.0
+    astray = abs(float(surplus)) + cycle.error * float(turnover)
+    mean, total_time, period = (high + low) / 2, float(time[-1]), cycle.period
+    slowest = max(abs(mu) for mu in multipliers)
+    return Regime(
+        on,
+        omega,
+        (net - cycle.slope * omega * omega / 2) / inertia,
+        driving,
+        time,
+        low,
+        low_at % float(edges[-1]),
+        high,
+        high_at % float(edges[-1]),
+        mean,
+        period / total_time,
+        (high - low) / mean,
+        total_time,
+        float(work) / period,
+        float(heat / total_time) ** 0.5,
+        float(work) / total_time,
+        multipliers,
+        None if slowest == 1 else slowest < 1,
+        constant,
+        float(surplus) / float(turnover) if turnover else 0.0,
+        float(error + inexact + astray / (regulation * kinetic)),
+        counters,
+    )
+
+
+def multipliers(orbit: Orbit) -> tuple[complex, ...]:
+    """Floquet multipliers, the largest first; their product is exact, and so is a single one."""
+    product = np.exp(orbit.trace)
+    if len(orbit.y) == 1:
+        return (complex(product),)
+    half = float(np.trace(orbit.monodromy)) / 2
+    root = cmath.sqrt(half * half - product)
+    first = half + root if half >= 0 else half - root
+    return first, complex(product) / first if first else 0j

@@ -1,0 +1,204 @@
+"""The way to the steady regime: from the no-load speed turn by turn, or straight by a periodic solution.
+
+Without lag all motions of the one-mass machine keep their order: a faster one stays faster at every angle. So the
+motion that starts at the no-load speed sinks (or rises) to the nearest regime and passes none. A periodic solution is
+that regime if all motions between it and the start draw together, which is checked on the slopes of the moments; if
+that does not tell, the machine is followed turn by turn until it does, or stands still.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from tmmcalc.errors import AccuracyError
+from tmmcalc.machine.onemass import OneMass, balanced_speed, onto
+from tmmcalc.machine.regime import multipliers
+from tmmcalc.numerics.collocation import TOLERANCE, Orbit, System, initial, solve
+from tmmcalc.numerics.panels import NARROWEST, Panels, Values
+
+TURNS = 300  # cycles followed before the search is given up
+LEG = 1e-8  # tolerance of the motion that is followed
+STANDSTILL = 0.005  # of the no-load speed
+SLOW = 0.2  # of the no-load speed: a motion that cannot be followed below it has come to a stand
+RUNAWAY = 20.0  # times the no-load speed
+BETWEEN = np.linspace(0.0, 1.0, 9)[:, None, None]  # motions looked at between two
+NEAR = 0.05  # largest relative distance of a lagging motion from the regime it is to settle in
+
+
+class Halt(NamedTuple):
+    """Why there is no regime: the machine stops, or runs away, in some cycle at some angle."""
+
+    stall: bool
+    theta: float  # in the cycle [rad]
+    turn: int  # 1 is the first cycle from the no-load speed
+
+
+Guess = tuple[Panels, Values]  # panels that refine those of the cycle, and a speed (K, N) on them
+
+
+def settled(machine: OneMass, guess: Guess | None = None) -> Orbit | Halt:
+    """The regime reached from the no-load speed, or why there is none.
+
+    Raises `AccuracyError` if neither shows within `TURNS` cycles.
+    """
+    guesses = [] if guess is None else [guess]
+    even = balanced_speed(machine)
+    if even is not None:
+        guesses.append((machine.cycle.panels, np.full(machine.cycle.inertia.shape, even)))
+    for panels, omega in guesses:
+        found = _periodic(machine, panels, omega)
+        if found is not None:
+            return found
+    return followed(machine)
+
+
+def next_to(machine: OneMass, guess: Guess) -> Orbit | None:
+    """A stable periodic solution near a guess, of whatever origin."""
+    try:
+        orbit = _solved(machine, guess[0], machine.state(*guess))
+    except AccuracyError:
+        return None
+    return orbit if abs(multipliers(orbit)[0]) < 1 else None
+
+
+def _periodic(machine: OneMass, panels: Panels, omega: Values) -> Orbit | None:
+    """The periodic solution near a guess if it is the regime reached from the no-load speed, else None."""
+    without_lag = OneMass(machine.cycle, machine.constant, machine.characteristic)
+    orbit = next_to(without_lag, (panels, omega))
+    if orbit is None or not _draws(without_lag, orbit, None):
+        return None
+    if not machine.lag:
+        return orbit
+    try:
+        return _solved(machine, orbit.panels, machine.state(orbit.panels, without_lag.speed(orbit.panels, orbit.y[0])))
+    except AccuracyError:
+        return None
+
+
+def _solved(machine: OneMass, panels: Panels, guess: Values) -> Orbit:
+    return solve(
+        machine.equations(),
+        panels,
+        guess,
+        floor=machine.floor,
+        typical=machine.typical,
+        kinks=machine.kinks,
+        fixed=machine.cycle.panels.edges,
+        tolerance=max(TOLERANCE, machine.cycle.error),
+    )
+
+
+def _draws(machine: OneMass, orbit: Orbit, other: Values | None) -> bool:
+    """Whether all motions between a regime and another speed draw together over a cycle.
+
+    The ``other`` speed (K, N) is on the panels of the orbit, by default the no-load speed.
+    """
+    cycle = onto(machine.cycle, orbit.panels)
+    omega = machine.speed(orbit.panels, orbit.y[0])
+    if other is None:
+        other = np.maximum(machine.reference, np.max(omega))
+    between = omega + BETWEEN * (other - omega)
+    rate = machine.gain(cycle, between) / between
+    return float(orbit.panels.total(np.max(rate, axis=0) / (cycle.inertia + machine.constant))) < 0
+
+
+def followed(machine: OneMass) -> Orbit | Halt:
+    """The regime that the motion from the no-load speed at theta = 0 settles in, or where it ends."""
+    edge = machine.cycle.panels.edges[:1]
+    inertia = float(_inertia_at(machine, edge)[0])
+    y = np.array([inertia * machine.reference**2 / 2, float(machine.characteristic.moment(machine.reference))])
+    y = y[: machine.states]
+    for turn in range(1, TURNS + 1):
+        leg = _turn(machine, y, turn)
+        if isinstance(leg, Halt):
+            return leg
+        orbit = _joined(machine, leg)
+        if orbit is not None:
+            return orbit
+        y = leg.edges[:, -1]
+    raise AccuracyError(
+        f"the speed still changes after {TURNS} cycles from the no-load speed",
+        where="steady motion",
+        value=float(TURNS),
+        remedy="more resistance that grows with speed, a steeper motor characteristic, or less inertia",
+    )
+
+
+class _Leg(NamedTuple):
+    """One cycle of a motion."""
+
+    panels: Panels
+    y: Values  # (m, K, N)
+    edges: Values  # (m, K + 1)
+
+
+def _joined(machine: OneMass, leg: _Leg) -> Orbit | None:
+    """The regime next to a motion, if the motion is bound to settle in it."""
+    try:
+        orbit = _solved(machine, leg.panels, leg.y)
+    except AccuracyError:
+        return None
+    energy = leg.panels.at(leg.y[0][None], orbit.panels.x.ravel()).reshape(orbit.y[0].shape)
+    omega = machine.speed(orbit.panels, energy)
+    if not machine.lag:
+        return orbit if _draws(machine, orbit, omega) else None
+    apart = np.max(np.abs(omega / machine.speed(orbit.panels, orbit.y[0]) - 1))
+    return orbit if apart < NEAR and abs(multipliers(orbit)[0]) < 1 else None
+
+
+def _turn(machine: OneMass, y: Values, turn: int) -> _Leg | Halt:
+    """The motion over one cycle from the state ``y`` (m,) at theta = 0."""
+    system, edges = machine.equations(), machine.cycle.panels.edges
+    least = 2 * NARROWEST * machine.cycle.period
+    todo = list(pairwise(edges.tolist()))[::-1]
+    parts: list[Orbit] = []
+    while todo:
+        low, high = todo.pop()
+        bounds = np.array([low, high])
+        inertia = _inertia_at(machine, bounds)
+        part = _part(machine, system, bounds, y, inertia[0])
+        if part is None:
+            if high - low < least:
+                return _stopped(machine, float(low), y, inertia[0], turn)
+            middle = (low + high) / 2
+            todo += [(middle, high), (low, middle)]
+            continue
+        parts.append(part)
+        y = part.edges[:, -1]
+        pace = float(np.sqrt(2 * y[0] / inertia[1])) / machine.reference
+        if not STANDSTILL < pace < RUNAWAY:
+            return Halt(pace < 1, float(high), turn)
+    joined = Panels(np.append([p.panels.edges[0] for p in parts], edges[-1]), machine.cycle.panels.order)
+    ends = np.column_stack([*(p.edges[:, 0] for p in parts), y])
+    return _Leg(joined, np.concatenate([p.y for p in parts], axis=1), ends)
+
+
+def _part(machine: OneMass, system: System, bounds: Values, y: Values, inertia: float) -> Orbit | None:
+    """The motion over one panel, None if it does not resolve it."""
+    panel = Panels(bounds, machine.cycle.panels.order)
+    omega = np.full((1, panel.order), np.sqrt(2 * y[0] / inertia))
+    guess = machine.state(panel, omega, y[-1] if machine.lag else None)
+    try:
+        return solve(system, panel, guess, ends=initial(y), floor=machine.floor, tolerance=LEG, passes=1)
+    except AccuracyError:
+        return None
+
+
+def _inertia_at(machine: OneMass, theta: Values) -> Values:
+    """Total inertia at edges: the limit from within at either end of the cycle."""
+    return machine.cycle.panels.at(machine.cycle.inertia, theta) + machine.constant
+
+
+def _stopped(machine: OneMass, theta: float, y: Values, inertia: float, turn: int) -> Halt:
+    pace = float(np.sqrt(2 * y[0] / inertia)) / machine.reference
+    if pace < SLOW:
+        return Halt(True, theta, turn)
+    raise AccuracyError(
+        f"the motion cannot be followed beyond {np.degrees(theta):.6g} deg of cycle {turn}",
+        where="steady motion",
+        value=pace * machine.reference,
+        remedy="mark the angle as a break of the load if it jumps there, or give the motor a less steep characteristic",
+    )

@@ -1,0 +1,139 @@
+"""When the motor cannot carry the machine through its cycle: the least inertia that can, and what there is to say."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tmmcalc.errors import AccuracyError, NoSolutionError
+from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.onemass import SPEEDS, OneMass
+from tmmcalc.machine.settling import Guess, Halt, next_to, settled
+from tmmcalc.numerics.collocation import Orbit
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.motors.characteristics import Characteristic
+
+WHERE = "steady motion"
+FIRST = 10.0  # first trial: the inertia with which the surplus work changes the speed by a tenth
+GROWTH = 10.0
+LARGEST = 1e9  # times the first trial: where the search upwards ends
+LEAST = 1e-9  # times an inertia that carries the load: with so little the links alone do
+MESSAGE = 1e-3  # tolerance of the inertia in a message
+
+Machine = Callable[[float], OneMass]  # of its constant inertia
+
+
+def stall_inertia(
+    cycle: Cycle, characteristic: Characteristic, *, time_constant: float = 0.0, tolerance: float = 1e-6
+) -> float:
+    """Least constant inertia [kg*m^2] that carries the machine through its peak load, to a relative ``tolerance``.
+
+    Zero if the links alone do. Raises `NoSolutionError` if the mean load is too much for the motor, or the machine does
+    not settle with any inertia.
+    """
+
+    def machine(inertia: float) -> OneMass:
+        return OneMass(cycle, inertia, characteristic, time_constant)
+
+    check_mean_load(machine(1.0))
+    high, orbit = _carrying(machine)
+    if isinstance(settled(machine(LEAST * high)), Orbit):
+        return 0.0
+    low = LEAST * high
+    while high > low * (1 + tolerance):
+        middle = max((low * high) ** 0.5, high / 2)
+        found = _carried(machine, middle, high, orbit)
+        if found is None:
+            low = middle
+        else:
+            high, orbit = middle, found
+    return high
+
+
+def _carrying(machine: Machine) -> tuple[float, Orbit]:
+    """An inertia that carries the load, and the regime with it."""
+    cycle, reference = machine(1.0).cycle, machine(1.0).reference
+    work = cycle.panels.primitive(cycle.moment - cycle.panels.total(cycle.moment) / cycle.period)[0]
+    inertia = first = FIRST * float(np.ptp(work)) / reference**2 or 1.0
+    while inertia <= LARGEST * first:
+        found = settled(machine(inertia))
+        if isinstance(found, Orbit):
+            return inertia, found
+        inertia *= GROWTH
+    raise NoSolutionError(
+        f"the machine settles in no regime, not even with a constant inertia of {inertia:.4g} kg*m^2",
+        where=WHERE,
+        value=inertia,
+        remedy="a motor whose moment falls with the speed, or less load",
+    )
+
+
+def _carried(machine: Machine, inertia: float, known: float, orbit: Orbit) -> Orbit | None:
+    """The regime with an inertia, continued from a ``known`` larger one; None if the machine stalls."""
+    found = next_to(machine(inertia), _guess(machine(known), orbit))
+    if found is None and inertia < 0.9 * known:
+        # from so far a failure of Newton's method says little: the motion itself decides
+        settling = settled(machine(inertia))
+        return settling if isinstance(settling, Orbit) else None
+    return found
+
+
+def _guess(machine: OneMass, orbit: Orbit) -> Guess:
+    return orbit.panels, machine.speed(orbit.panels, orbit.y[0])
+
+
+def check_mean_load(machine: OneMass) -> None:
+    """Raise `NoSolutionError` if no speed lets the motor balance the mean load: no inertia helps then."""
+    cycle, motor = machine.cycle, machine.characteristic
+    if np.any(cycle.viscous > 0) or np.any(cycle.quadratic > 0):
+        return
+    mean = float(cycle.panels.total(cycle.moment)) / cycle.period
+    largest = float(np.max(motor.moment(machine.reference * SPEEDS)))
+    if motor.critical is not None:
+        largest = max(largest, float(motor.moment(motor.critical)))
+    if largest + mean >= 0:
+        return
+    raise NoSolutionError(
+        f"the mean resisting moment {-mean:.6g} N*m exceeds the largest moment of the motor, {largest:.6g} N*m: "
+        "the machine stops whatever its inertia",
+        where=WHERE,
+        value=-mean,
+        limit=largest,
+        remedy="a stronger motor, a larger ratio of the gear train, or less load",
+    )
+
+
+def halted(machine: OneMass, halt: Halt) -> NoSolutionError:
+    """The error that tells where a machine stops or runs away, and what would help."""
+    angle = f"{np.degrees(halt.theta):.6g} deg of cycle {halt.turn} from the no-load speed"
+    if not halt.stall:
+        return NoSolutionError(
+            f"the machine runs away: the loads drive it faster than the motor can brake, {angle}",
+            where=WHERE,
+            value=halt.theta,
+            remedy="a motor that brakes more, or a characteristic that holds above the no-load speed",
+        )
+    inertia, advice = _needed(machine)
+    return NoSolutionError(
+        f"the machine stalls at {angle}: the kinetic energy of {machine.constant:.6g} kg*m^2 does not carry it over "
+        "the peak of the load",
+        where=WHERE,
+        value=machine.constant,
+        limit=inertia,
+        remedy=advice,
+    )
+
+
+def _needed(machine: OneMass) -> tuple[float | None, str]:
+    """Inertia that would carry a stalled machine, and the advice; no inertia if none is known to."""
+    otherwise = "a motor with a larger break-down moment, or less load"
+    try:
+        inertia = stall_inertia(machine.cycle, machine.characteristic, time_constant=machine.lag, tolerance=MESSAGE)
+    except (NoSolutionError, AccuracyError):
+        return None, otherwise
+    if inertia <= machine.constant:
+        return None, f"some more constant inertia, or {otherwise}"
+    return inertia, f"a constant inertia of at least {inertia:.4g} kg*m^2 (a flywheel), or {otherwise}"

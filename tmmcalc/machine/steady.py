@@ -1,0 +1,101 @@
+"""Steady motion with a motor whose moment depends on speed: the regime that the machine settles in.
+
+The regime is the periodic solution of the total equation of motion that is reached from the no-load speed. It is found
+by collocation over the whole cycle, not by turning the machine until it settles, so that a heavy flywheel costs nothing
+and a steep characteristic needs no small steps.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.onemass import SPEEDS, OneMass, balanced_speed, check_inertia, onto
+from tmmcalc.machine.regime import Regime, multipliers, regime_of
+from tmmcalc.machine.settling import Guess, Halt, settled
+from tmmcalc.machine.stall import check_mean_load, halted
+from tmmcalc.numerics.collocation import Orbit
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.motors.characteristics import Characteristic
+
+WHERE = "steady motion"
+INDIFFERENT = 1e-13  # change of the moment over the speed itself, against the moment
+
+
+def driven(
+    cycle: Cycle,
+    constant_inertia: float,
+    characteristic: Characteristic,
+    *,
+    time_constant: float = 0.0,
+    guess: Regime | None = None,
+) -> Regime:
+    """The regime with a motor whose ``characteristic`` is reduced to the input shaft (the exact form of textbook 3.57).
+
+    ``constant_inertia`` [kg*m^2] is added to that of the cycle. With a ``time_constant`` tau_e [s] the moment of the
+    motor lags: tau_e dM/dt = M_static(omega) - M. ``guess``, the regime of a similar machine, saves a little time.
+    Raises `NoSolutionError` where the machine stalls (with the angle, and the inertia that would carry it over the
+    peak), runs away, is overloaded on the average, or does not regulate itself; `UsageError` for impossible
+    arguments; `AccuracyError` if the regime cannot be told.
+    """
+    if not (0 <= constant_inertia < np.inf and 0 <= time_constant < np.inf):
+        raise UsageError(
+            f"a constant inertia of {constant_inertia:g} kg*m^2 with a time constant of {time_constant:g} s",
+            where=WHERE,
+            remedy="both are finite and not negative",
+        )
+    check_inertia(cycle, constant_inertia)
+    machine = OneMass(cycle, constant_inertia, characteristic, time_constant)
+    _check_regulation(machine)
+    if balanced_speed(machine) is None:
+        check_mean_load(machine)
+    found = settled(machine, None if guess is None else _guess(cycle, guess))
+    if isinstance(found, Halt):
+        raise halted(machine, found)
+    return _regime(machine, found)
+
+
+def _guess(cycle: Cycle, regime: Regime) -> Guess:
+    """The speed of a regime on panels that suit the cycle."""
+    have, need = regime.panels.edges, cycle.panels.edges
+    if np.array_equal(have[np.minimum(np.searchsorted(have, need), len(have) - 1)], need):
+        return regime.panels, regime.omega
+    x = np.clip(cycle.panels.x, regime.panels.edges[0], regime.panels.edges[-1])
+    return cycle.panels, regime.panels.at(regime.omega, x.ravel()).reshape(x.shape)
+
+
+def _regime(machine: OneMass, orbit: Orbit) -> Regime:
+    omega = machine.speed(orbit.panels, orbit.y[0])
+    return regime_of(
+        onto(machine.cycle, orbit.panels),
+        machine.constant,
+        omega,
+        orbit.y[1] if machine.lag else machine.characteristic.moment(omega),
+        multipliers(orbit),
+        orbit.error,
+        {"newton": orbit.iterations, "meshes": orbit.passes},
+    )
+
+
+def _check_regulation(machine: OneMass) -> None:
+    """Raise `NoSolutionError` if no moment depends on the speed: any speed would do, or none."""
+    cycle, speeds = machine.cycle, machine.reference * SPEEDS
+    if np.any(cycle.viscous) or np.any(cycle.quadratic):
+        return
+    moment = machine.characteristic.moment(speeds)
+    change = np.max(np.abs(machine.characteristic.slope(speeds) * speeds))
+    if change > INDIFFERENT * np.max(np.abs(moment)):
+        return
+    surplus = float(moment[0] * cycle.period + cycle.panels.total(cycle.moment))
+    raise NoSolutionError(
+        "neither the driving moment nor a resistance depends on the speed, so the machine does not regulate itself "
+        f"(multiplier 1): every cycle adds {surplus:.4g} J at any speed",
+        where=WHERE,
+        value=1.0,
+        limit=1.0,
+        remedy="take the motor's characteristic, or forces of position alone with a constant balancing moment",
+    )

@@ -1,0 +1,1 @@
+"""Transient motion: start-up, braking, run-down and load change of one mass or of a chain of masses, in time."""

@@ -1,0 +1,114 @@
+"""Masses at rest: which ones are held there, by a constant braking moment or by loads that only resist.
+
+A brake holds its mass while the other moments on it stay below the braking moment; with ``standstill`` "stop" the
+crank is held against moments that would drive it backwards, whatever their size.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from tmmcalc.machine.transient.equations import Regime, System, surplus
+from tmmcalc.machine.transient.events import Watch, level
+from tmmcalc.machine.transient.profile import Profile
+from tmmcalc.machine.transient.reading import Stretch
+from tmmcalc.machine.transient.scenario import Scenario
+from tmmcalc.machine.transient.steps import State
+
+SLACK = 1e-12  # of the largest moment: by so much a moment must exceed what holds a mass at rest
+
+
+class Holder:
+    """Decides what is held, and remembers which mass has just been released and in which direction."""
+
+    def __init__(self, system: System, scenario: Scenario, moment: float) -> None:
+        self._system, self._scenario, self._slack = system, scenario, SLACK * moment
+        self._first, self._last = system.layout.speed, len(system.chain.inertia) - 1
+        self._released: dict[int, float] = {}
+
+    def _bounds(self, regime: Regime) -> dict[int, tuple[float, float]]:
+        """How large a moment backwards and forwards each group withstands at rest [N*m]."""
+        bounds = {}
+        if regime.braked and self._system.grip > 0:
+            bounds[self._system.brake] = (self._system.grip, self._system.grip)
+        if self._scenario.standstill == "stop":
+            bounds[self._last] = (math.inf, bounds.get(self._last, (0.0, 0.0))[1])
+        return bounds
+
+    def resolve(self, regime: Regime, stretch: Callable[[Regime], Stretch], y: State, profile: Profile) -> Regime:
+        """The regime with what is held at rest, the direction of the brake, and the stretch a crank at rest enters."""
+        if y[self._first + self._last] == 0 and self._scenario.standstill == "pass":
+            regime = self._entered(regime, stretch, y, profile)
+        held, slip = set(), 0.0
+        for group, bounds in self._bounds(regime).items():
+            speed = y[self._first + group]
+            way = math.copysign(1.0, speed) if speed else self._way(regime, stretch(regime), y, group, bounds)
+            if way == 0:
+                held.add(group)
+            if group == self._system.brake:
+                slip = way
+        self._released.clear()
+        return regime._replace(held=frozenset(held), slip=slip)
+
+    def _way(self, regime: Regime, stretch: Stretch, y: State, group: int, bounds: tuple[float, float]) -> float:
+        """Direction in which a group at rest starts to move; 0 if it is held."""
+        if group in self._released:
+            return self._released[group]
+        value = surplus(self._system, regime, stretch, group)(y)
+        return float((value > bounds[1] + self._slack) - (value < -bounds[0] - self._slack))
+
+    def _entered(self, regime: Regime, stretch: Callable[[Regime], Stretch], y: State, profile: Profile) -> Regime:
+        """Before a crank at rest on the edge of two stretches is the one into which the moments drive it."""
+        forward, back = (self._placed(regime, *profile.place(y[0], way)) for way in (True, False))
+        driven = surplus(self._system, forward, stretch(forward), self._last)(y)
+        return back if driven < 0 else forward
+
+    @staticmethod
+    def _placed(regime: Regime, index: int, base: float) -> Regime:
+        return regime._replace(stretch=index, base=base)
+
+    def watches(self, regime: Regime, stretch: Stretch) -> list[Watch]:
+        """Coming to rest and being released."""
+        found = []
+        for group, bounds in self._bounds(regime).items():
+            at = self._first + group
+            if group in regime.held:
+                found += self._releases(regime, stretch, group, bounds)
+            elif group == self._last and self._scenario.standstill == "stop":
+                found.append(level("rest", at, 0.0, -1.0))
+            else:
+                found.append(level("rest", at, 0.0, -regime.slip))
+        if self._scenario.standstill == "pass" and self._last not in self._bounds(regime):
+            at = self._first + self._last
+            found += [level("reversal", at, 0.0, way, halts=False) for way in (1.0, -1.0)]
+        return found
+
+    def _releases(self, regime: Regime, stretch: Stretch, group: int, bounds: tuple[float, float]) -> list[Watch]:
+        net = surplus(self._system, regime, stretch, group)
+        (back, forth), slack = bounds, self._slack
+        up = Watch("release", lambda y: net(y) - forth - slack, group=group)
+        down = Watch("release", lambda y: -back - net(y) - slack, group=group, direction=-1.0)
+        return [up] if back == math.inf else [up, down]
+
+    def release(self, watch: Watch) -> None:
+        """Remember that a group has been released, to be moved in the direction of the watch."""
+        self._released[watch.group] = watch.direction
+
+    def forever(self, regime: Regime, stretch: Stretch, y: State) -> bool:
+        """Whether the present regime keeps the crank at rest for good.
+
+        One mass: if also the full static moment of the motor cannot release it. Several: if the motor is off and
+        the load only resists; their shafts may still swing.
+        """
+        if self._last not in regime.held:
+            return False
+        if self._last > 0:
+            return not regime.motor and self._scenario.standstill == "stop"
+        if not regime.motor or self._system.moment is None:
+            return True
+        net = surplus(self._system, regime, stretch, 0)(y)
+        if self._system.layout.lag:
+            net += self._system.moment(0.0) - y[2]
+        back, forth = self._bounds(regime)[0]
+        return -back <= net + self._slack and net - self._slack <= forth

@@ -1,0 +1,258 @@
+"""The course of a run: pieces of smooth motion between switchings, breaks of the load and events.
+
+A run keeps a state and what is in force; each piece is integrated until a time, an angle or a speed changes
+that, lands on it exactly, and hands over to the next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from typing import NamedTuple
+
+from tmmcalc.errors import AccuracyError
+from tmmcalc.machine.transient.equations import Regime, System, derivative
+from tmmcalc.machine.transient.events import Hit, Watch, hits, level
+from tmmcalc.machine.transient.jacobian import jacobian
+from tmmcalc.machine.transient.profile import Profile
+from tmmcalc.machine.transient.reading import Stretch, stretches
+from tmmcalc.machine.transient.rest import Holder
+from tmmcalc.machine.transient.results import End, Event
+from tmmcalc.machine.transient.scenario import Scenario
+from tmmcalc.machine.transient.setup import Sizes
+from tmmcalc.machine.transient.steppers import Stepper
+from tmmcalc.machine.transient.steps import State
+
+CHATTER = 100  # pieces without progress in time
+
+
+class Row(NamedTuple):
+    """One row of the result."""
+
+    t: float
+    y: State
+    regime: Regime
+    error: State | None
+
+
+class Limits(NamedTuple):
+    """Speeds of the motor's group whose passing on the way down is noted [rad/s]."""
+
+    overload: float | None  # rated speed
+    pull_out: float | None  # speed of the largest moment
+
+
+class Run:
+    """A run in progress."""
+
+    def __init__(
+        self,
+        system: System,
+        profile: Profile,
+        scenario: Scenario,
+        stepper: Stepper,
+        limits: Limits,
+        size: Sizes,
+        budget: int,
+    ) -> None:
+        self.system, self.profile, self.scenario = system, profile, scenario
+        self.stepper, self.limits, self.budget = stepper, limits, budget
+        self.rows: list[Row] = []
+        self.events: list[Event] = []
+        self.pieces = self.steps = 0
+        self.holder = Holder(system, scenario, size.moment)
+        self._crank, self._times = system.layout.crank, scenario.times()
+        self._stretches = cache(lambda factor: stretches(profile, factor))
+        self._loads = list(scenario.load[1:])
+        self._armed = False
+        self._factor = scenario.load[0].factor
+        self._passed: set[tuple[str, float]] = set()
+
+    def go(self, y: State, instants: Sequence[float]) -> End:
+        """Run from the state ``y`` at t = 0; rows and events are left in their lists."""
+        self.t, self.y = 0.0, list(y)
+        self._place = self.profile.place(y[0], y[self._crank] >= 0)
+        self._instants = sorted(time for time in instants if time > 0)
+        idle = 0
+        while True:
+            began = self.t
+            regime = self._regime()
+            over = self._over(regime) or self._piece(regime)
+            if over:
+                return over
+            idle = idle + 1 if self.t == began else 0
+            if idle > CHATTER:
+                raise AccuracyError(
+                    f"the motion chatters about rest at t = {self.t:.9g} s, crank angle {self.y[0]:.6g} rad",
+                    where=f"transient motion, scenario {self.scenario.name}",
+                    value=self.t,
+                    remedy="look at the moments there: a brake or a jump of the load that changes with the direction",
+                )
+
+    def stretch(self, regime: Regime) -> Stretch:
+        """The stretch of a regime."""
+        return self._stretches(regime.factor)[regime.stretch]
+
+    def note(self, kind: str, message: str, t: float, y: State) -> None:
+        """Leave an event."""
+        self.events.append(Event(kind, t, y[0], y[self._crank], message))
+
+    def _regime(self) -> Regime:
+        """What is in force from now on."""
+        self._switch_load()
+        scenario, before = self.scenario, self.rows[-1].regime if self.rows else None
+        motor = self.system.moment is not None and scenario.motor_on(self.t)
+        if self.system.layout.lag and not motor:
+            self.y[self.system.layout.works - 1] = 0.0
+        regime = Regime(motor, scenario.brake_on(self.t), 0.0, frozenset(), self._factor, *self._place)
+        regime = self.holder.resolve(regime, self.stretch, self.y, self.profile)
+        self._place = regime.stretch, regime.base
+        if before and before.motor != regime.motor:
+            self.note(*(_ON if regime.motor else _OFF), self.t, self.y)
+        if before and before.braked != regime.braked:
+            self.note(*(_BRAKED if regime.braked else _FREED), self.t, self.y)
+        return regime
+
+    def _switch_load(self) -> None:
+        """Apply the load steps whose conditions are met."""
+        while self._loads:
+            step = self._loads[0]
+            late = step.time is None or self.t >= step.time
+            fast = step.speed is None or self.y[self._crank] >= step.speed
+            self._armed = self._armed or (late and fast)
+            quiet = not step.quiet or self.profile.unloaded[self._place[0]] or not any(self.profile.unloaded)
+            if not (self._armed and quiet):
+                return
+            self._armed, self._factor = False, step.factor
+            self._loads.pop(0)
+            self.note("load", f"load factor {step.factor:g}", self.t, self.y)
+
+    def _over(self, regime: Regime) -> End | None:
+        """What ended the run: its time, or that nothing will ever move again."""
+        if self.t >= self.scenario.duration:
+            return "time"
+        changes = any(self.t < time < self.scenario.duration for time in self._times)
+        if changes or not self.holder.forever(regime, self.stretch(regime), self.y):
+            return None
+        self._row(regime, None)
+        end: End = "stall" if regime.motor else "standstill"
+        reason = "the motor cannot move the crank" if regime.motor else "nothing moves the crank any more"
+        self.note(end, reason, self.t, self.y)
+        return end
+
+    def _piece(self, regime: Regime) -> End | None:
+        """Integrate one regime to its end; what ended the run, if it did."""
+        stretch, stepper = self.stretch(regime), self.stepper
+        until = next(time for time in self._times if time > self.t)
+        f = derivative(self.system, regime, stretch)
+        stepper.begin(f, jacobian(self.system, self.profile, regime, f), self.t, self.y, until)
+        self.pieces += 1
+        self._row(regime, None)
+        watches = self._watches(regime, stretch)
+        while True:
+            stepper.step()
+            self.steps += 1
+            halts = []
+            for hit in hits(watches, stepper):
+                if hit.watch.halts:
+                    halts.append(hit)
+                else:
+                    self._pass(hit, watches)
+            self._land(halts)
+            self._rows_between(regime)
+            self._row(regime, stepper.error)
+            self._check_budget()
+            if halts:
+                return next((end for end in map(self._act, halts) if end), None)
+            if stepper.t >= until:
+                return "time" if until >= self.scenario.duration else None
+
+    def _land(self, halts: list[Hit]) -> None:
+        """To the end of the step, or to the first event that halts, exactly on the levels reached."""
+        last = halts[0] if halts else self.stepper
+        self.t, self.y = last.t, list(last.y)
+        for hit in halts:
+            if hit.watch.component >= 0:
+                self.y[hit.watch.component] = hit.watch.level
+
+    def _watches(self, regime: Regime, stretch: Stretch) -> list[Watch]:
+        """What can happen in a regime."""
+        scenario, crank = self.scenario, self._crank
+        watches = self.holder.watches(regime, stretch)
+        if stretch.period is None:
+            watches.append(level("above", 0, regime.base + stretch.high, 1.0))
+            watches.append(level("below", 0, regime.base + stretch.low, -1.0))
+        if self._loads and self._loads[0].speed is not None and not self._armed:
+            watches.append(level("load", crank, self._loads[0].speed, 1.0))
+        if scenario.end_angle is not None:
+            watches.append(level("angle", 0, scenario.angle + scenario.end_angle, 1.0))
+        if scenario.end_speed is not None:
+            watches.append(level("speed", crank, scenario.end_speed, _towards(scenario.speed, scenario.end_speed)))
+        targets = [at for at in scenario.targets if at != scenario.end_speed]
+        noted = [level("target", crank, at, _towards(scenario.speed, at), halts=False) for at in targets]
+        for kind, at in zip(("overload", "pull-out"), self.limits, strict=True):
+            if at is not None and regime.motor:
+                noted.append(level(kind, self.system.layout.speed, at, -1.0, halts=False))
+        return watches + [watch for watch in noted if (watch.kind, watch.level) not in self._passed]
+
+    def _pass(self, hit: Hit, watches: list[Watch]) -> None:
+        """Note what changes nothing; speeds are noted the first time."""
+        watch = hit.watch
+        self.note(watch.kind, _PASSED[watch.kind].format(watch.level), hit.t, hit.y)
+        if watch.kind != "reversal":
+            self._passed.add((watch.kind, watch.level))
+            watches.remove(watch)
+
+    def _act(self, hit: Hit) -> End | None:
+        """What a halting event changes."""
+        kind, (index, base) = hit.watch.kind, self._place
+        if kind in ("above", "below"):
+            self._place = self.profile.turned(index + (1 if kind == "above" else -1), base)
+        elif kind == "speed":
+            self.note("target", _PASSED["target"].format(hit.watch.level), self.t, self.y)
+            return "speed"
+        elif kind == "angle":
+            self.note("angle", f"the crank has turned by {self.scenario.end_angle:g} rad", self.t, self.y)
+            return "angle"
+        elif kind == "rest" and hit.watch.component == self._crank:
+            self.note("standstill", "the crank comes to rest", self.t, self.y)
+        elif kind == "release":
+            self.holder.release(hit.watch)
+        return None
+
+    def _row(self, regime: Regime, error: State | None) -> None:
+        """A row for the present state; at the beginning of a piece it replaces the last row of the piece before."""
+        if self.rows and self.rows[-1].t == self.t:
+            error = self.rows.pop().error if error is None else error
+        self.rows.append(Row(self.t, self.y, regime, error))
+
+    def _rows_between(self, regime: Regime) -> None:
+        """Rows for the instants that the last step passed."""
+        while self._instants and self._instants[0] <= self.t:
+            time = self._instants.pop(0)
+            if self.stepper.t0 < time < self.t:
+                self.rows.append(Row(time, self.stepper.to(time), regime, None))
+
+    def _check_budget(self) -> None:
+        if self.stepper.evaluations > self.budget:
+            raise AccuracyError(
+                f"{self.budget} evaluations took the motion only to t = {self.t:.6g} s of {self.scenario.duration:g} s",
+                where=f"transient motion, scenario {self.scenario.name}",
+                value=self.t,
+                limit=self.scenario.duration,
+                remedy="an implicit method or auto for a stiff drive; a rigid shaft (stiffness inf); a larger budget",
+            )
+
+
+_ON, _OFF = ("motor on", "the motor is switched on"), ("motor off", "the motor is switched off")
+_BRAKED, _FREED = ("brake on", "the brake is put on"), ("brake off", "the brake is taken off")
+_PASSED = {
+    "target": "speed of the crank {:.6g} rad/s",
+    "overload": "the motor falls below its rated speed, {:.6g} rad/s at the crank",
+    "pull-out": "the motor falls below the speed of its largest moment, {:.6g} rad/s at the crank",
+    "reversal": "the crank turns back",
+}
+
+
+def _towards(now: float, then: float) -> float:
+    return 1.0 if then > now else -1.0

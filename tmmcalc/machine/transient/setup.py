@@ -1,0 +1,127 @@
+"""What a run begins with: the reduced system, its sizes, the tolerances, and the initial state."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from tmmcalc.errors import UsageError
+from tmmcalc.machine.transient.equations import WORKS, Curve, Regime, System
+from tmmcalc.machine.transient.model import Drive, reduced
+from tmmcalc.machine.transient.profile import Profile
+from tmmcalc.machine.transient.reading import reader, stretches
+from tmmcalc.machine.transient.scenario import Scenario
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.motors.characteristics import Characteristic
+
+
+class Sizes(NamedTuple):
+    """The sizes on the crank's shaft that tolerances are relative to."""
+
+    speed: float  # [rad/s]
+    moment: float  # [N*m]
+    energy: float  # [J]
+
+
+def assembled(drive: Drive, scenario: Scenario, profile: Profile, rigid: frozenset[int]) -> System:
+    """The system of equations with the masses of ``rigid`` shafts joined.
+
+    Raises `UsageError` if the crank has no inertia or the brake no mass.
+    """
+    chain = reduced(drive, rigid)
+    if chain.inertia[-1] + profile.least_inertia <= 0:
+        raise UsageError(
+            "the crank has no inertia in some position, so that its acceleration is not defined",
+            where="transient motion",
+            value=chain.inertia[-1] + profile.least_inertia,
+            limit=0.0,
+            remedy="give the constant inertia of the crank's shaft [kg*m^2]: rotor, gears, flywheel",
+        )
+    moment, slope = _motor(drive.characteristic, chain.motor_ratio)
+    mass = brake_mass(drive, scenario)
+    brake, u = scenario.brake, chain.ratio[mass]
+    grip, drag = (brake.moment * u, brake.viscous * u * u) if brake else (0.0, 0.0)
+    return System(chain, moment, slope, drive.time_constant, chain.group[mass], grip, drag)
+
+
+def _motor(characteristic: Characteristic | None, u: float) -> tuple[Curve | None, Curve | None]:
+    """Moment and slope of the motor on the crank's shaft, in plain floats."""
+    if characteristic is None:
+        return None, None
+    moment, slope = characteristic.moment, characteristic.slope
+    return lambda w: u * float(moment(u * w)), lambda w: u * u * float(slope(u * w))
+
+
+def brake_mass(drive: Drive, scenario: Scenario) -> int:
+    """Index of the mass with the brake; the crank's if there is none."""
+    count = len(drive.masses)
+    mass = scenario.brake.mass if scenario.brake else -1
+    if not -count <= mass < count:
+        raise UsageError(
+            f"the brake is on mass {mass} of a drive of {count}",
+            where=f"transient motion, scenario {scenario.name}",
+            value=mass,
+            limit=count - 1,
+            remedy=f"a number from 0, the motor's mass, to {count - 1}, the crank's",
+        )
+    return mass % count
+
+
+def working(drive: Drive, scenario: Scenario, u: float) -> set[float]:
+    """Speeds of the crank at which the drive works [rad/s]: at first, on the average, rated, without load."""
+    motor = drive.characteristic
+    rated = [] if motor is None else [s / u for s in (motor.nominal, motor.synchronous) if s is not None]
+    return {scenario.speed, *rated, *(() if drive.cycle is None else (drive.cycle.speed,))}
+
+
+def sizes(drive: Drive, system: System, scenario: Scenario, profile: Profile) -> Sizes:
+    """Largest speed, moment and energy that are known beforehand."""
+    known = working(drive, scenario, system.chain.motor_ratio)
+    speed = max(*map(abs, known), *map(abs, scenario.targets), abs(scenario.end_speed or 0.0))
+    factor = max(1.0, *(abs(step.factor) for step in scenario.load))
+    rated = drive.characteristic.nominal if drive.characteristic else None
+    at = (scenario.speed, (rated or 0.0) / system.chain.motor_ratio)
+    driving = [abs(system.moment(w)) for w in at[: 1 if rated is None else 2]] if system.moment else []
+    inertia = sum(system.chain.inertia) + max(profile.least_inertia, 0.0)
+    moment = max(factor * profile.largest_moment, system.grip, system.drag * speed, *driving)
+    if moment == 0:
+        moment = inertia * speed * speed or 1.0
+    speed = speed or moment * scenario.duration / inertia
+    return Sizes(speed, moment, inertia * speed * speed / 2)
+
+
+def allowed(system: System, size: Sizes, tolerance: float) -> list[float]:
+    """Error allowed in one step, of every component of the state."""
+    twists = [tolerance * size.moment / c if c else tolerance for c in system.chain.stiffness]
+    rates = [tolerance * size.speed] * system.layout.groups
+    lag = [tolerance * size.moment] * system.layout.lag
+    return [tolerance, *twists, *rates, *lag, *[tolerance * size.energy] * WORKS]
+
+
+def initial(system: System, scenario: Scenario, profile: Profile) -> list[float]:
+    """The state at t = 0; if ``settled``, with the static moment of the motor and the twists of rigid motion."""
+    layout, chain, w = system.layout, system.chain, scenario.speed
+    n = layout.groups
+    y = [scenario.angle, *[0.0] * (n - 1), *[w] * n, *[0.0] * (layout.size - 2 * n)]
+    if not scenario.settled:
+        return y
+    index, base = profile.place(scenario.angle, w >= 0)
+    factor = scenario.load[0].factor
+    inertia, slope, load = reader(stretches(profile, factor)[index], base)(scenario.angle, w)
+    drive = system.moment(w) if system.moment and scenario.motor_on(0.0) else 0.0
+    if layout.lag:
+        y[2 * n] = drive
+    at_rest = w == 0 and drive + load <= 0 and scenario.standstill == "stop"
+    rate = 0.0 if at_rest else (drive + load - slope * w * w / 2) / (sum(chain.inertia) + inertia)
+    carried = drive - np.cumsum(chain.inertia[:-1]) * rate
+    y[1:n] = [float(m / c) if c else 0.0 for m, c in zip(carried, chain.stiffness, strict=True)]
+    return y
+
+
+def at_start(scenario: Scenario, profile: Profile, motor: bool) -> Regime:
+    """The regime at t = 0 at the full load, as far as the eigenvalues need it."""
+    factor = max((step.factor for step in scenario.load), key=abs)
+    index, base = profile.place(scenario.angle, True)
+    return Regime(motor, scenario.brake is not None, 0.0, frozenset(), factor, index, base)

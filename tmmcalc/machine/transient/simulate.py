@@ -1,0 +1,118 @@
+"""One call from a drive and a scenario to its transient motion."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from tmmcalc.machine.transient.choice import plan
+from tmmcalc.machine.transient.equations import System
+from tmmcalc.machine.transient.model import Drive
+from tmmcalc.machine.transient.outcome import Curves, curves
+from tmmcalc.machine.transient.profile import profile
+from tmmcalc.machine.transient.results import Method, Transient
+from tmmcalc.machine.transient.run import Limits, Run
+from tmmcalc.machine.transient.scenario import Scenario
+from tmmcalc.machine.transient.setup import Sizes, allowed, assembled, brake_mass, initial, sizes
+from tmmcalc.machine.transient.steppers import Controlled, Stepper, fixed
+from tmmcalc.machine.transient.verdicts import verdicts
+
+SWINGING = 0.1  # part of the tolerance for a Kutta-Merson step where an oscillation adds errors up
+MULTISTEP = ("LSODA", "BDF")
+
+
+def simulate(
+    drive: Drive, scenario: Scenario, method: Method | None = None, instants: Sequence[float] = ()
+) -> Transient:
+    """The transient motion of a drive; rows at every step and at the ``instants`` [s].
+
+    Raises `UsageError` for a drive that cannot be reduced, `AccuracyError` where a method does not keep its tolerance
+    or its budget. A motor that cannot start or is brought to rest is no error: the run ends there, with a
+    verdict. Source: textbook section 3.4.4, program 2.3.
+
+    >>> from tmmcalc.machine.transient.model import Mass
+    >>> from tmmcalc.machine.transient.scenario import Brake
+    >>> run = simulate(Drive((Mass(2.0),)), Scenario("run-down", 1.0, speed=10.0, brake=Brake(moment=40.0)))
+    >>> run.end, round(float(run.t[-1]), 12)
+    ('standstill', 0.5)
+    """
+    method = method or Method()
+    shape = profile(drive.cycle, drive.idle)
+    chosen = plan(drive, scenario, shape, method)
+    system = assembled(drive, scenario, shape, chosen.rigid)
+    size = sizes(drive, system, scenario, shape)
+    stepper = _stepper(chosen.name, method, allowed(system, size, _share(chosen.name, system) * method.tolerance))
+    run = Run(system, shape, scenario, stepper, _limits(drive, system.chain.motor_ratio), size, method.budget)
+    end = run.go(initial(system, scenario, shape), instants)
+    found = curves(drive, system, shape, run.rows, brake_mass(drive, scenario))
+    imbalance = _imbalance(found)
+    return Transient(
+        drive=drive,
+        scenario=scenario,
+        **{name: value for name, value in found._asdict().items() if name != "works"},
+        motor_work=found.works[0],
+        load_work=found.works[1],
+        brake_work=found.works[2],
+        shaft_loss=found.works[3],
+        events=tuple(run.events),
+        end=end,
+        verdicts=verdicts(scenario, system, found, run.events, end, imbalance, chosen.notes),
+        method=chosen.name,
+        reason=chosen.reason,
+        rigid=tuple(sorted(chosen.rigid)),
+        imbalance=imbalance,
+        error=max(imbalance, chosen.ripple, _estimate(method, chosen.name, system, run, size)),
+        counters={
+            "steps": run.steps,
+            "rejected": stepper.rejected,
+            "evaluations": stepper.evaluations,
+            "pieces": run.pieces,
+        },
+    )
+
+
+def _stepper(name: str, method: Method, errors: list[float]) -> Stepper:
+    if method.step is not None:
+        return fixed(name, method.step)
+    if name == "merson":
+        return Controlled(errors)
+    from tmmcalc.machine.transient.library import Library
+
+    return Library(name, errors)
+
+
+def _share(name: str, system: System) -> float:
+    """The part of the tolerance that one step may take."""
+    return SWINGING if name == "merson" and system.layout.works > 2 else 1.0
+
+
+def _estimate(method: Method, name: str, system: System, run: Run, size: Sizes) -> float:
+    """Relative error of the speeds that the steps leave together.
+
+    In one mass errors of steps die away one after the other, in a chain that swings and in a multistep method they
+    add up. Of fixed steps only Kutta-Merson tells its errors.
+    """
+    speeds = slice(system.layout.speed, system.layout.crank + 1)
+    if method.step is not None:
+        return sum(max(map(abs, row.error[speeds])) for row in run.rows if row.error) / size.speed
+    damped = system.layout.groups == 1 and name not in MULTISTEP
+    return _share(name, system) * method.tolerance * (math.sqrt(run.steps) if damped else run.steps)
+
+
+def _limits(drive: Drive, u: float) -> Limits:
+    """Rated and critical speed of the motor, as speeds of the crank."""
+    motor = drive.characteristic
+    if motor is None:
+        return Limits(None, None)
+    nominal, critical = (None if s is None else s / u for s in (motor.nominal, motor.critical))
+    return Limits(nominal, critical)
+
+
+def _imbalance(found: Curves) -> float:
+    """Largest difference between energy and work over the largest of all energies and works."""
+    energy = found.kinetic + found.elastic
+    turned = max(float(energy.max()), float(np.abs(found.works).max()))
+    gap = float(np.abs(energy - energy[0] - found.works.sum(axis=0)).max())
+    return gap / turned if turned else 0.0

@@ -1,0 +1,76 @@
+"""What a run shows about the drive, in sentences with numbers."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tmmcalc.machine.transient.equations import System
+from tmmcalc.machine.transient.outcome import Curves
+from tmmcalc.machine.transient.results import End, Event
+from tmmcalc.machine.transient.scenario import Scenario
+from tmmcalc.machine.verdicts import Verdict
+
+UNBALANCED = 1e-5  # imbalance of energy that is worth a warning
+
+
+def verdicts(
+    scenario: Scenario,
+    system: System,
+    curves: Curves,
+    events: list[Event],
+    end: End,
+    imbalance: float,
+    notes: tuple[str, ...],
+) -> tuple[Verdict, ...]:
+    """Stall, speeds not reached, overload and pull-out of the motor, energy that does not balance; warnings first."""
+    found = [_stall(system, curves)] if end == "stall" else []
+    found += _missed(scenario, curves, events, end)
+    for kind in ("overload", "pull-out"):
+        first = next((event for event in events if event.kind == kind), None)
+        if first:
+            found.append(_slow(first, curves))
+    if imbalance > UNBALANCED:
+        text = f"energy and work differ by {imbalance:.2g} of the energy turned over"
+        found.append(Verdict("warning", f"{text}: take smaller steps, or step control"))
+    found += [Verdict("note", note) for note in notes]
+    return tuple(sorted(found, key=lambda verdict: verdict.severity == "note"))
+
+
+def _missed(scenario: Scenario, curves: Curves, events: list[Event], end: End) -> list[Verdict]:
+    """Speeds that were asked for and not reached."""
+    if end == "speed":
+        return []
+    reached = [event.speed for event in events if event.kind == "target"]
+    last = f"after {curves.t[-1]:.4g} s it has {curves.omega[-1, -1]:.6g} rad/s"
+    asked = [*scenario.targets] if scenario.end_speed is None else [scenario.end_speed, *scenario.targets]
+    return [
+        Verdict(
+            "warning" if speed == scenario.end_speed else "note", f"the crank does not reach {speed:.6g} rad/s: {last}"
+        )
+        for speed in asked
+        if not any(math.isclose(speed, seen) for seen in reached)
+    ]
+
+
+def _stall(system: System, curves: Curves) -> Verdict:
+    """The moments at the standstill, on the crank's shaft."""
+    static = system.moment(0.0) if system.moment else 0.0
+    angle, load = math.degrees(curves.theta[-1, -1]), curves.load_moment[-1]
+    began = "the motor cannot start" if curves.t[-1] == 0 or not curves.omega[-1].any() else "the motor stalls"
+    return Verdict(
+        "warning",
+        f"{began} at the crank angle {angle:.5g} deg: at standstill it gives {static:.5g} N*m at the crank, the load "
+        f"asks for {-load:.5g} N*m: a larger starting moment, a larger ratio, more inertia, or a start without load",
+    )
+
+
+def _slow(event: Event, curves: Curves) -> Verdict:
+    after = curves.t >= event.time
+    least = float(np.min(curves.omega[0, after]))
+    return Verdict(
+        "warning" if event.kind == "pull-out" else "note",
+        f"{event.kind} at t = {event.time:.5g} s, crank angle {math.degrees(event.angle) % 360:.4g} deg: "
+        f"{event.message}; its lowest speed afterwards is {least:.6g} rad/s",
+    )

@@ -1,0 +1,116 @@
+"""What a steady regime means for the motor: overload, pull-out, heating, stability, and the range of the formula."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from tmmcalc.machine.regime import Regime
+from tmmcalc.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.motors.characteristics import Characteristic
+
+SLACK = 1e-9  # relative: a limit that is met exactly counts as kept
+SLOW = 0.5  # multiplier above which settling takes several cycles and is worth a note
+
+
+@record
+class Verdict:
+    """Something worth knowing about the regime: ``note`` or ``warning``, and the numbers."""
+
+    severity: Literal["note", "warning"]
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.severity}: {self.message}"
+
+
+def verdicts(regime: Regime, characteristic: Characteristic) -> tuple[Verdict, ...]:
+    """Verdicts on a regime with the ``characteristic`` reduced to the input shaft; warnings first."""
+    found = [
+        *_stability(regime),
+        *_speeds(regime, characteristic),
+        *_moments(regime, characteristic),
+        *_validity(regime, characteristic),
+    ]
+    return tuple(sorted(found, key=lambda verdict: verdict.severity == "note"))
+
+
+def _stability(regime: Regime) -> Iterator[Verdict]:
+    slowest = abs(regime.multipliers[0])
+    if regime.stable is None:
+        yield Verdict("note", "nothing depends on the speed: a governor has to keep the regime")
+    elif not regime.stable:
+        yield Verdict("warning", f"the regime is unstable: a deviation grows {slowest:.4g} times in every cycle")
+    elif slowest > SLOW:
+        cycles = math.log(10) / -math.log(slowest)
+        yield Verdict("note", f"the regime settles slowly: a deviation needs {cycles:.3g} cycles to fall to a tenth")
+
+
+def _speeds(regime: Regime, motor: Characteristic) -> Iterator[Verdict]:
+    low = f"the least speed {regime.omega_min:.6g} rad/s at {np.degrees(regime.theta_min):.4g} deg"
+    if motor.critical is not None and _less(regime.omega_min, motor.critical):
+        yield Verdict(
+            "warning",
+            f"pull-out: {low} is below the break-down speed {motor.critical:.6g} rad/s; only the kinetic energy "
+            "carries the machine on: more inertia or a stronger motor",
+        )
+    elif motor.nominal is not None and _less(regime.omega_min, motor.nominal):
+        yield Verdict(
+            "warning",
+            f"overload: {low} is below the rated speed {motor.nominal:.6g} rad/s: more inertia or a stronger motor",
+        )
+    if motor.synchronous is not None and _less(motor.synchronous, regime.omega_max):
+        yield Verdict(
+            "note",
+            f"the motor brakes as a generator: the largest speed {regime.omega_max:.6g} rad/s at "
+            f"{np.degrees(regime.theta_max):.4g} deg is above its no-load speed {motor.synchronous:.6g} rad/s",
+        )
+
+
+def _moments(regime: Regime, motor: Characteristic) -> Iterator[Verdict]:
+    if motor.nominal is None:
+        return
+    rated = float(motor.moment(motor.nominal))
+    peak = regime.panels.extremes(regime.driving)[1][0]
+    if _less(rated, regime.mean_moment):
+        yield Verdict(
+            "warning",
+            f"the mean driving moment {regime.mean_moment:.6g} N*m exceeds the rated {rated:.6g} N*m: "
+            "the motor is too weak, no flywheel helps",
+        )
+    elif _less(rated, regime.rms_moment):
+        yield Verdict(
+            "warning",
+            f"heating: the root mean square of the driving moment {regime.rms_moment:.6g} N*m exceeds the rated "
+            f"{rated:.6g} N*m: a stronger motor, or more inertia",
+        )
+    elif _less(rated, peak):
+        yield Verdict(
+            "note",
+            f"the largest driving moment {peak:.6g} N*m exceeds the rated {rated:.6g} N*m for a while; its root mean "
+            f"square {regime.rms_moment:.6g} N*m does not",
+        )
+
+
+def _validity(regime: Regime, motor: Characteristic) -> Iterator[Verdict]:
+    if motor.least is not None and _less(regime.omega_min, motor.least):
+        yield Verdict(
+            "warning",
+            f"the {motor.name} characteristic holds from {motor.least:.6g} rad/s up, the speed falls to "
+            f"{regime.omega_min:.6g} rad/s: the whole curve of the motor (Kloss) tells more",
+        )
+    if motor.most is not None and _less(motor.most, regime.omega_max):
+        yield Verdict(
+            "note",
+            f"the {motor.name} characteristic holds up to {motor.most:.6g} rad/s, the speed rises to "
+            f"{regime.omega_max:.6g} rad/s",
+        )
+
+
+def _less(a: float, b: float) -> bool:
+    return a < b - SLACK * abs(b)
