@@ -8,7 +8,8 @@ from transforms import scaled
 
 from linkage.scenes import crank_slider, driven_rod, full_turn, shaper, slotted, with_input
 from tmmcalc import Kinematics, UsageError, solve_kinematics
-from tmmcalc.linkage.columns import Column, columns, select
+from tmmcalc.columns import Column, select
+from tmmcalc.linkage.columns import columns
 
 
 def table(result: Kinematics, dimensionless: bool = False) -> dict[str, Column]:

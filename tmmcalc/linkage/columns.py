@@ -12,29 +12,16 @@ speed. A column is computed when it is asked for.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from fnmatch import fnmatchcase
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from tmmcalc.columns import Column, degrees
 from tmmcalc.errors import UsageError
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.results import Kinematics
-
-
-class Column(NamedTuple):
-    """A named quantity (n,) with its unit."""
-
-    name: str
-    unit: str
-    make: Callable[[], Real]
-
-    @property
-    def header(self) -> str:
-        """``name[unit]``."""
-        return f"{self.name}[{self.unit}]"
 
 
 class _Units(NamedTuple):
@@ -77,7 +64,7 @@ def columns(result: Kinematics, *, dimensionless: bool = False) -> list[Column]:
     """All columns of a result in their usual order; raises `UsageError` for dimensionless driven sliders."""
     units = _units(result, dimensionless)
     everything = (
-        ("phi", ("deg", 1.0), lambda: _degrees(result.phi))
+        ("phi", ("deg", 1.0), lambda: degrees(result.phi))
         if result.turns
         else ("phi", units.length, lambda: result.phi),
         *_output_columns(result, units),
@@ -88,11 +75,9 @@ def columns(result: Kinematics, *, dimensionless: bool = False) -> list[Column]:
     return [Column(name, unit, partial(_scaled, make, factor)) for name, (unit, factor), make in everything]
 
 
-def _degrees(phi: Real) -> Real:
-    """Degrees of the grid, where a step of 15 is 15 and not 14.999999999999998."""
-    degrees = np.degrees(phi)
-    near = np.round(degrees, 9)
-    return np.where(np.abs(degrees - near) <= 4 * np.spacing(np.abs(degrees)), near, degrees)
+def phi_column(phi: Real, turns: bool) -> Column:
+    """The input coordinate counted from position 0, of a crank in degrees."""
+    return Column("phi", "deg", partial(degrees, phi)) if turns else Column("phi", "m", lambda: phi)
 
 
 def _scaled(make: Callable[[], Real], factor: float) -> Real:
@@ -164,25 +149,3 @@ def _slide_columns(result: Kinematics, units: _Units) -> Iterator[Quantity]:
         yield f"a_{name}", units.acceleration, rows.in_time(k, 2)
         yield f"ds_{name}", _per(units.length, units.per, 1), rows.row(k, 1)
         yield f"dds_{name}", _per(units.length, units.per, 2), rows.row(k, 2)
-
-
-def select(available: Sequence[Column], patterns: Sequence[str]) -> list[Column]:
-    """Columns whose names match the patterns (``x_*``, ``omega_3``), in the order of the patterns.
-
-    Raises `UsageError` for a pattern that matches nothing, with the nearest names.
-    """
-    chosen: list[Column] = []
-    for pattern in patterns:
-        found = [column for column in available if fnmatchcase(column.name, pattern)]
-        if not found:
-            raise UsageError(f"no column is called {pattern!r}", where="--columns", remedy=_nearest(available, pattern))
-        chosen += [column for column in found if column not in chosen]
-    return chosen
-
-
-def _nearest(available: Sequence[Column], pattern: str) -> str:
-    from difflib import get_close_matches
-
-    names = [column.name for column in available]
-    close = get_close_matches(pattern, names, 3, 0.5)
-    return f"did you mean {', '.join(close)}?" if close else f"columns: {', '.join(names)}"

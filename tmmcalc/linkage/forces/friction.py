@@ -1,0 +1,249 @@
+"""Friction in the pairs of a group, solved to the end: values, self-locking, further solutions.
+
+Coulomb: against the sliding, f |N| in a prismatic pair (3.27), a moment f r |R| about the pin in a revolute one (3.28:
+the friction circle). Reactions are linear in the friction values q, R_j = R_j0 + sum S_jk q_k, so the whole problem is
+
+    q_j + c_j m_j(R_j0 + sum_k S_jk q_k) = 0        c_j = f (or f r) times the sense of sliding, m_j = |N_j| or |R_j|
+
+for the k <= 3 rubbing pairs of a group. Where the loop gain, the largest sum_k |S_jk c_k|, is below one the
+solution is the only one and Newton finds it. Elsewhere the solution is followed from no friction to the full one;
+where the determinant of that path vanishes on the way there is none: the group locks itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.linkage.forces.wrench import Seat, Slideway, Wrench
+from tmmcalc.linkage.plane import Real
+
+SAFE = 0.9  # loop gain below which the solution is unique and Newton needs no guidance
+EXACT = 1e-9  # step of Newton, against the values, after which nothing is left: digits double
+NEWTON = 40
+TOGETHER = 5  # passes over all positions; the few that need more go on alone
+FIRST_STEP, LEAST_STEP = 0.25, 1e-9  # of the path from no friction (0) to the full friction (1)
+GROWTH = 10.0  # of the values in one step of the path
+STEPS = 400
+APART = 1e-6  # relative difference that makes another solution of a Newton end
+
+Flags = NDArray[np.bool_]
+
+
+class Rubbing(NamedTuple):
+    """A rubbing pair: its seat, c (n,), the wrenches R_0 and S_k on its receiver, half length of its slider [m]."""
+
+    seat: Seat
+    c: Real  # coefficient (times the pin radius) times the sense of sliding
+    base: Wrench
+    responses: tuple[Wrench, ...]  # to a unit value in each rubbing pair
+    half: float | None
+
+
+class Solution(NamedTuple):
+    """Friction values q (k, n), where the group is locked, the part of the friction it can take, other solutions."""
+
+    values: Real
+    locked: Flags
+    limit: Real  # (n,) part of the friction at which it locks; 1 where it does not
+    ambiguous: Flags
+    passes: int
+
+    def rows(self, which: slice) -> Solution:
+        """The same at some of the positions."""
+        return Solution(
+            self.values[:, which], self.locked[which], self.limit[which], self.ambiguous[which], self.passes
+        )
+
+
+def solve(pairs: Sequence[Rubbing], n: int) -> Solution:
+    """Solve n positions at once; values of locked positions are those of no friction."""
+    problem = _problem(pairs, n)
+    values, done, passes = problem.newton(problem.first(), np.ones(n))
+    wild = ~done | (problem.gain() >= SAFE)
+    locked, ambiguous, limit = np.zeros(n, bool), np.zeros(n, bool), np.ones(n)
+    if wild.any():
+        hard = problem.at(np.flatnonzero(wild))
+        found, reached = hard.followed()
+        values[:, wild], limit[wild], locked[wild] = found, reached, reached < 1
+        ambiguous[wild] = hard.others(found) & (reached == 1)
+    return Solution(values, locked, limit, ambiguous, passes)
+
+
+def joined(parts: Sequence[Solution]) -> Solution:
+    """The solutions of blocks of positions as one."""
+    if len(parts) == 1:
+        return parts[0]
+    return Solution(
+        np.concatenate([part.values for part in parts], axis=1),
+        np.concatenate([part.locked for part in parts]),
+        np.concatenate([part.limit for part in parts]),
+        np.concatenate([part.ambiguous for part in parts]),
+        max(part.passes for part in parts),
+    )
+
+
+class _Problem(NamedTuple):
+    """The equations of n positions in plain numbers.
+
+    m_j is the length of the vector z_j = base_j + sum_k response_jk q_k: the force in a pin, the normal force on a
+    guide. A slider of given length has a second vector, its couple over half that length: the longer one counts.
+    """
+
+    base: Real  # (2, m, n)
+    response: Real  # (2, m, k, n)
+    tipping: tuple[tuple[int, int], ...]  # pair and row of its couple
+    c: Real  # (k, n)
+
+    def at(self, rows: NDArray[np.intp]) -> _Problem:
+        """The same equations at some positions."""
+        return _Problem(self.base[..., rows], self.response[..., rows], self.tipping, self.c[:, rows])
+
+    def sizes(self, z: Real) -> Real:
+        """m_j (k, n) of the vectors z (2, m, n)."""
+        length = np.sqrt(z[0] * z[0] + z[1] * z[1])
+        for j, row in self.tipping:
+            np.maximum(length[j], length[row], out=length[j])
+        return length[: len(self.c)]
+
+    def first(self) -> Real:
+        """Friction under the reactions without friction."""
+        return -self.c * self.sizes(self.base)
+
+    def gain(self) -> Real:
+        """Largest loop gain (n,): the bound of how much one pass changes the reactions that it started from."""
+        gains = sum(np.abs(c) * self.sizes(self.response[:, :, k]) for k, c in enumerate(self.c))
+        return np.max(gains, axis=0)
+
+    def residual(self, q: Real, part: Real) -> tuple[Real, Real]:
+        """Left sides (k, n) with the friction multiplied by ``part`` (n,), and their Jacobian (k, k, n)."""
+        k = len(q)
+        z = self.base + (self.response * q).sum(axis=2)
+        length = np.sqrt(z[0] * z[0] + z[1] * z[1])
+        unit = z / np.where(length > 0, length, 1.0)
+        slopes = unit[0, :, None] * self.response[0] + unit[1, :, None] * self.response[1]
+        for j, row in self.tipping:
+            tips = length[row] > length[j]
+            length[j], slopes[j] = np.where(tips, length[row], length[j]), np.where(tips, slopes[row], slopes[j])
+        c = part * self.c
+        jacobian = c[:, None] * slopes[:k]
+        jacobian[np.arange(k), np.arange(k)] += 1.0
+        return q + c * length[:k], jacobian
+
+    def newton(self, q: Real, part: Real, most: int = NEWTON) -> tuple[Real, Flags, int]:
+        """Newton from q (k, n): values, which positions converged, passes."""
+        q, done = self._passes(q, part, min(most, TOGETHER))
+        if done.all() or most <= TOGETHER:
+            return q, done, min(most, TOGETHER)
+        rest = np.flatnonzero(~done)
+        q[:, rest], done[rest] = self.at(rest)._passes(q[:, rest], part[rest], most - TOGETHER)
+        return q, done, most
+
+    def _passes(self, q: Real, part: Real, most: int) -> tuple[Real, Flags]:
+        done = np.zeros(q.shape[1], bool)
+        for _ in range(most):
+            left, jacobian = self.residual(q, part)
+            step, _ = _cramer(jacobian, left)
+            q = q - step
+            done = np.max(np.abs(step), axis=0) <= EXACT * np.max(np.abs(q), axis=0)
+            if done.all():
+                break
+        return q, done
+
+    def followed(self) -> tuple[Real, Real]:
+        """The solution on the path from no friction (k, n), and how far the path goes (n,): 1 if to the end."""
+        k, n = self.c.shape
+        q, part, step = np.zeros((k, n)), np.zeros(n), np.full(n, FIRST_STEP)
+        for _ in range(STEPS):
+            active = np.flatnonzero((part < 1) & (step >= LEAST_STEP))
+            if not active.size:
+                break
+            some = self.at(active)
+            target = np.minimum(part[active] + step[active], 1.0)
+            tried, done, _ = some.newton(q[:, active], target, 12)
+            good = done & some._regular(tried, target) & some._near(tried, q[:, active])
+            ok = active[good]
+            q[:, ok], part[ok] = tried[:, good], target[good]
+            step[active] = np.where(good, step[active] * 2, step[active] / 4)
+        return np.where(part == 1, q, 0.0), part
+
+    def _regular(self, q: Real, part: Real) -> Flags:
+        """Whether the determinant of the equations is still positive, as it is without friction."""
+        return _cramer(self.residual(q, part)[1], q)[1] > 0
+
+    def _near(self, q: Real, before: Real) -> Flags:
+        """Whether a step stayed on its path: the values did not jump."""
+        change, size = np.max(np.abs(q - before), axis=0), np.max(np.abs(before), axis=0)
+        return (size == 0) | (change <= GROWTH * size)
+
+    def others(self, q: Real) -> Flags:
+        """Where Newton finds a further solution from the other senses of the reactions."""
+        k, n = q.shape
+        found = np.zeros(n, bool)
+        scale = np.max(np.abs(q), axis=0)
+        bare = np.abs(self.first())
+        for signs in product((-1.0, 1.0), repeat=k):
+            for size in (10.0, 1000.0):
+                start = np.array(signs)[:, None] * (bare + scale) * size
+                other, done, _ = self.newton(start, np.ones(n))
+                apart = np.max(np.abs(other - q), axis=0) > APART * np.maximum(scale, np.max(np.abs(other), axis=0))
+                found |= done & apart
+        return found
+
+
+def _problem(pairs: Sequence[Rubbing], n: int) -> _Problem:
+    tipping = [(j, pair.half) for j, pair in enumerate(pairs) if pair.half is not None]
+    k = len(pairs)
+    base, response = np.zeros((2, k + len(tipping), n)), np.zeros((2, k + len(tipping), k, n))
+    for j, pair in enumerate(pairs):
+        _write(pair.seat, pair.base, base[:, j])
+        for i, wrench in enumerate(pair.responses):
+            _write(pair.seat, wrench, response[:, j, i])
+    for row, (j, half) in enumerate(tipping, k):
+        base[0, row] = pairs[j].base.moment / half
+        for i, wrench in enumerate(pairs[j].responses):
+            response[0, row, i] = wrench.moment / half
+    c = np.array([np.broadcast_to(pair.c, n) for pair in pairs])
+    return _Problem(base, response, tuple((j, row) for row, (j, _) in enumerate(tipping, k)), c)
+
+
+def _write(seat: Seat, wrench: Wrench, z: Real) -> None:
+    """What friction is proportional to, as a vector z (2, n): the force in a pin, on a guide its normal part."""
+    if isinstance(seat, Slideway):
+        z[0] = (np.conj(1j * seat.e) * wrench.force).real
+    else:
+        z[0], z[1] = wrench.force.real, wrench.force.imag
+
+
+def size_of(seat: Seat, wrench: Wrench, half: float | None) -> Real:
+    """What friction is proportional to: |R| of a pin, |N| on a guide, N' + N'' of a slider that bears on its edges."""
+    if not isinstance(seat, Slideway):
+        return np.abs(wrench.force)
+    normal = np.abs((np.conj(1j * seat.e) * wrench.force).real)
+    return normal if half is None else np.maximum(normal, np.abs(wrench.moment) / half)
+
+
+_NEXT, _LAST = np.array([1, 2, 0]), np.array([2, 0, 1])
+
+
+def _cramer(matrix: Real, right: Real) -> tuple[Real, Real]:
+    """Solve the k x k systems (k, k, n), k <= 3, of right sides (k, n); and the determinants (n,).
+
+    A library call a position would cost ten times these few products.
+    """
+    k = len(right)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        if k == 1:
+            return right / matrix[0], matrix[0, 0]
+        if k == 2:
+            (a, b), (c, d) = matrix
+            det = a * d - b * c
+            return np.array([d * right[0] - b * right[1], a * right[1] - c * right[0]]) / det, det
+        one, other = matrix[:, _NEXT], matrix[:, _LAST]
+        crossed = one[_NEXT] * other[_LAST] - other[_NEXT] * one[_LAST]  # row i: the other two rows, crossed
+        det = (matrix[0] * crossed[0]).sum(axis=0)
+        return (right[:, None] * crossed).sum(axis=0) / det, det

@@ -1,0 +1,119 @@
+"""Friction as the textbook iterates it: reactions, friction from them, reactions again (fig. 3.9, table D.3.3).
+
+The plain fixed point is kept to be seen: it needs a few passes where friction is small, creeps near self-locking and
+never settles beyond a loop gain of one, where `friction` still has the solution.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tmmcalc.linkage.forces.cut import Cut
+from tmmcalc.linkage.forces.dyad import Reactions
+from tmmcalc.linkage.forces.friction import size_of
+from tmmcalc.linkage.forces.kinetostatics import Statics
+from tmmcalc.linkage.forces.wrench import Seat, Slideway, Wrench
+from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.records import record
+
+STOP = 0.03  # relative change at which the textbook stops
+
+
+@record
+class Iteration:
+    """The history of friction in one group at one position, over m solutions.
+
+    Friction values are what each joint does to the link of the group that is named first: in the outer joint of a and
+    the inner one on link a, in the outer joint of b on link b. The six unknowns are two a joint: T and N of an outer
+    revolute pair, x and y of an inner one; N and the arm h of a prismatic pair.
+    """
+
+    group: str
+    joints: tuple[str, ...]  # (k,) that rub
+    units: tuple[str, ...]  # (k,) "N" of a prismatic pair, "N*m" of a revolute one
+    friction: Real  # (m + 1, k) friction in every solution; last: what the last reactions give
+    names: tuple[str, ...]  # (6,) of the unknowns, such as "A.T"
+    unknowns: Real  # (m, 6) [N], arms [m]
+    change: Real  # (m,) largest relative change of an unknown from the solution before; the first is 1
+    stopped: bool  # whether the rule stopped it; False: it did not settle
+
+    @property
+    def passes(self) -> int:
+        """Solutions until the stop m."""
+        return len(self.unknowns)
+
+
+def textbook_iteration(
+    statics: Statics, group: str, theta: float, side: float = 1.0, stop: float = STOP, most: int = 50
+) -> Iteration:
+    """Iterate the friction of a group at the angle theta, from no friction on, until the stop rule (3.30) holds.
+
+    It stops where no unknown changes by more than ``stop`` of its new value; ``side`` tells from which side a pair at
+    rest is taken. Raises `UsageError` if there is no such group.
+    """
+    cut = statics.cut_out(group, statics.scene.place(np.array([theta])), side)
+    friction: list[Real] = [np.zeros(len(cut.c))]
+    unknowns, change = list[Real](), list[float]()
+    while len(unknowns) < most and not (change and change[-1] <= stop):
+        found = cut.balance.reactions(*cut.loads, cut.given(friction[-1][:, None]))
+        now = _unknowns(cut, found)
+        if not np.all(np.isfinite(now)):
+            break
+        change.append(_change(unknowns[-1], now) if unknowns else 1.0)
+        unknowns.append(now)
+        friction.append(_friction(cut, found))
+    posts = [cut.plan.posts[k] for k in cut.c]
+    return Iteration(
+        group=group,
+        joints=tuple(post.joint.name for post in posts),
+        units=tuple("N*m" if post.joint.kind == "revolute" else "N" for post in posts),
+        friction=np.array(friction),
+        names=_names(cut),
+        unknowns=np.array(unknowns),
+        change=np.array(change),
+        stopped=bool(change) and change[-1] <= stop,
+    )
+
+
+def _change(before: Real, now: Real) -> float:
+    """Largest relative change; an unknown that is nothing counts as found."""
+    nothing = now == 0
+    return float(np.max(np.where(nothing, 0.0, np.abs(now - before) / np.where(nothing, 1.0, np.abs(now)))))
+
+
+def _friction(cut: Cut, found: Reactions) -> Real:
+    """Friction (k,) under these reactions: (3.27), (3.28)."""
+    values = [-c * size_of(cut.balance.dyad[k], found[k], cut.plan.posts[k].half) for k, c in cut.c.items()]
+    return np.array([_one(value).real for value in values])
+
+
+def _names(cut: Cut) -> tuple[str, ...]:
+    """Names of the six unknowns."""
+    names = []
+    for k, post in enumerate(cut.plan.posts):
+        pair = ("N", "h") if post.joint.kind == "prismatic" else ("x", "y") if k == 1 else ("T", "N")
+        names += [f"{post.joint.name}.{part}" for part in pair]
+    return tuple(names)
+
+
+def _unknowns(cut: Cut, found: Reactions) -> Real:
+    """The six unknowns (6,)."""
+    inner = cut.balance.dyad.inner
+    return np.concatenate([_pair(seat, wrench, inner) for seat, wrench in zip(cut.balance.dyad, found, strict=True)])
+
+
+def _pair(seat: Seat, wrench: Wrench, inner: Seat) -> Real:
+    """T and N of an outer revolute pair, N to the inner hinge or normal to the inner guide; x, y; or N and h."""
+    force, moment = _one(wrench.force), _one(wrench.moment).real
+    if isinstance(seat, Slideway):
+        normal = (np.conj(1j * _one(seat.e)) * force).real
+        return np.array([normal, moment / normal if normal else 0.0])
+    if seat is inner:
+        return np.array([force.real, force.imag])
+    axis = 1j * _one(inner.e) if isinstance(inner, Slideway) else _one(inner.r - seat.r)
+    along = np.conj(axis / abs(axis)) * force
+    return np.array([along.imag, along.real])
+
+
+def _one(z: Plane | Real) -> complex:
+    return complex(np.ravel(z)[0])

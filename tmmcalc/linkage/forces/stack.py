@@ -1,0 +1,80 @@
+"""Reactions of all joints at many angles, stacked in arrays, in blocks that stay in cache."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tmmcalc.linkage.forces.friction import Solution, joined
+from tmmcalc.linkage.forces.kinetostatics import State, Statics
+from tmmcalc.linkage.forces.kinks import faces
+from tmmcalc.linkage.forces.verification import residuals, virtual_drive
+from tmmcalc.linkage.forces.wrench import Slideway
+from tmmcalc.linkage.loads.sources import Place
+from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.linkage.trace import BLOCK
+
+
+class Stack(NamedTuple):
+    """Everything at n angles, one row a joint."""
+
+    reaction: Plane  # (J, n)
+    normal: Real
+    couple: Real
+    friction: Real
+    drive: Real  # (n,)
+    mesh: Plane | None
+    equilibrium: Real
+    virtual: Real
+    faces: Real  # (F, n) forces whose signs the friction of sliders depends on
+
+    def columns(self, which: slice) -> Stack:
+        """The same at some of the angles."""
+        parts: list[Any] = [None if part is None else part[..., which] for part in self]
+        return Stack(*parts)
+
+
+def stacked(statics: Statics, theta: Real, side: Real) -> tuple[Stack, dict[str, Solution]]:
+    """Reactions at theta (n,), each from its side; and how the friction of each group came out."""
+    parts, locks = [], []
+    for at in range(0, len(theta), BLOCK):
+        place = statics.scene.place(theta[at : at + BLOCK])
+        state = statics.solve(place, side[at : at + BLOCK])
+        parts.append(_stack(statics, state, place))
+        locks.append(state.solutions)
+    return _joined(parts), {name: joined([part[name] for part in locks]) for name in locks[0]}
+
+
+def _joined(parts: list[Stack]) -> Stack:
+    if len(parts) == 1:
+        return parts[0]
+    columns: list[Any] = [
+        None if column[0] is None else np.concatenate(column, axis=-1) for column in zip(*parts, strict=True)
+    ]
+    return Stack(*columns)
+
+
+def _stack(statics: Statics, state: State, place: Place) -> Stack:
+    n, joints = len(place.theta), statics.joints
+    reaction = np.empty((len(joints), n), complex)
+    normal, couple, friction = (np.empty((len(joints), n)) for _ in range(3))
+    for j, joint in enumerate(joints):
+        found = state.reactions[joint.name]
+        reaction[j], couple[j], friction[j] = found.wrench.force, found.wrench.moment, found.friction
+        if isinstance(found.seat, Slideway):
+            normal[j] = (np.conj(1j * found.seat.e) * reaction[j]).real
+        else:
+            normal[j] = np.abs(reaction[j])
+    balance = np.maximum(*residuals(statics, state, place))
+    return Stack(
+        reaction,
+        normal,
+        couple,
+        friction,
+        state.drive,
+        state.mesh,
+        balance,
+        virtual_drive(statics, state, place),
+        faces(statics, state, n),
+    )

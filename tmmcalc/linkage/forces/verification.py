@@ -1,0 +1,69 @@
+"""Checks of a force analysis: equilibrium of every link, and the drive by virtual power (textbook 3.2.8)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tmmcalc.linkage.forces.kinetostatics import State, Statics
+from tmmcalc.linkage.forces.wrench import NOTHING, Wrench, sliding
+from tmmcalc.linkage.loading import GearDrive
+from tmmcalc.linkage.loads.sources import Place
+from tmmcalc.linkage.model import FRAME
+from tmmcalc.linkage.plane import Real, cross, square
+
+
+def residuals(statics: Statics, state: State, place: Place) -> tuple[Real, Real]:
+    """Largest residual of force and moment of a link (n,), each against the largest of its kind."""
+    chain, n = statics.scene.chain, len(place.theta)
+    total = dict(state.loads)
+    forces, moments = np.zeros(n), np.zeros(n)
+    for joint in statics.joints:
+        low, high = sorted(joint.links)
+        reaction = state.reactions[joint.name]
+        wrench = reaction.wrench.about(state.pole - reaction.seat.r)
+        np.maximum(forces, square(wrench.force), out=forces)
+        np.maximum(moments, np.abs(wrench.moment), out=moments)
+        total[high] = total[high].plus(wrench)
+        if low != FRAME:
+            total[low] = total[low].minus(wrench)
+    k = chain.structure.input_link
+    total[k] = total[k].plus(_drive_wrench(statics, state, place))
+    force, moment = np.zeros(n), np.zeros(n)
+    for wrench in total.values():
+        np.maximum(force, square(wrench.force), out=force)
+        np.maximum(moment, np.abs(wrench.moment), out=moment)
+    return np.sqrt(force / (np.max(forces) or 1.0)), moment / (np.max(moments) or 1.0)
+
+
+def _drive_wrench(statics: Statics, state: State, place: Place) -> Wrench:
+    """What the drive does to the input link, about the pole."""
+    chain = statics.scene.chain
+    if not chain.turns:
+        motion = place.configuration.motions[chain.structure.input_link]
+        force = state.drive * motion.v  # unit vector along the positive coordinate
+        return Wrench(force, cross(motion.r - state.pole, force))
+    drive = statics.scene.loading.drive
+    if isinstance(drive, GearDrive) and state.mesh is not None:
+        return Wrench(state.mesh, cross(drive.radius * np.exp(1j * drive.pinion), state.mesh))
+    return Wrench(NOTHING.force, state.drive)
+
+
+def virtual_drive(statics: Statics, state: State, place: Place) -> Real:
+    """The drive (n,) from virtual power alone, without any reaction but the friction (textbook 3.31)."""
+    configuration = place.configuration
+    total = np.zeros(len(place.theta))
+    for source in statics.sources:
+        factor = source.factor(statics.scene.travel.speed)
+        for action in source.actions(place):
+            total += factor * action.power(configuration)
+    for joint in statics.rubbing:
+        total += state.reactions[joint.name].friction * sliding(joint, configuration)[0]
+    return -total
+
+
+def friction_power(statics: Statics, state: State, place: Place) -> dict[str, Real]:
+    """Power (n,) per unit of input speed lost in every rubbing pair: not positive along the motion."""
+    return {
+        joint.name: state.reactions[joint.name].friction * sliding(joint, place.configuration)[0]
+        for joint in statics.rubbing
+    }

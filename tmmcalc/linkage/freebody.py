@@ -1,0 +1,221 @@
+"""Free bodies of one position: everything that acts on each group and on the input link (textbook 3.2, fig. 3.3).
+
+A force is named as on a load diagram, its index the link that it acts on and the link that it comes from:
+
+    R_21   reaction in a revolute pair            N_50 F_50   normal force and friction in a prismatic pair
+    G_4    weight       P_4  inertia force        M_21        friction moment;  M_4  inertia couple
+    M_d    moment of the drive, F_d its force     F_mesh      mesh force
+
+The forces of a group stand in the order in which they close its polygon: those given on link a, those given on
+link b, the outer reaction of b, the outer reaction of a. The inner reaction is then a chord of the polygon.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import Any, Literal
+
+import numpy as np
+
+from tmmcalc.linkage.forces.kinetostatics import State, Statics
+from tmmcalc.linkage.forces.wrench import Slideway
+from tmmcalc.linkage.loading import GearDrive
+from tmmcalc.linkage.loads.sources import Place
+from tmmcalc.linkage.model import Joint
+from tmmcalc.linkage.structure import Group
+from tmmcalc.records import record
+
+Kind = Literal["load", "weight", "inertia", "spring", "damper", "reaction", "friction", "drive"]
+
+NOTHING = 1e-9  # what is smaller than this part of the largest is left out
+FAR = 0.3  # an arm longer than this part of the mechanism's reach is told as a couple
+
+
+@record
+class Acting:
+    """A force on a link: its name in letter and index, where its line passes, the vector [N].
+
+    ``joint`` of a reaction; ``arm`` h of a normal force from the slider's point along the line [m].
+    """
+
+    letter: str
+    index: str
+    kind: Kind
+    link: int
+    at: complex
+    value: complex
+    joint: str = ""
+    arm: float | None = None
+
+
+@record
+class Couple:
+    """A couple on a link [N*m], and the point that it is drawn about."""
+
+    letter: str
+    index: str
+    kind: Kind
+    link: int
+    at: complex
+    value: float
+    joint: str = ""
+
+
+@record
+class FreeBody:
+    """A group, or the input link, cut out: forces in the order of the polygon, couples.
+
+    ``inner`` is the reaction of link a on link b of a group; its chord leads from the vertex after ``closing``
+    forces to the vertex after ``parting`` forces.
+    """
+
+    name: str
+    links: tuple[int, ...]
+    forces: tuple[Acting, ...]
+    couples: tuple[Couple, ...]
+    inner: Acting | None = None
+    parting: int = 0  # forces given on link a
+    closing: int = 0  # and those given on link b with the outer reaction of b
+
+    @property
+    def vertices(self) -> np.ndarray[Any, Any]:
+        """Vertices of the force polygon (m + 1,) [N]: it starts at 0 and must end there."""
+        return np.concatenate(([0j], np.cumsum([force.value for force in self.forces])))
+
+
+def free_bodies(statics: Statics, theta: float, side: float) -> tuple[FreeBody, ...]:
+    """The input link and every group at theta; where friction jumps, ``side`` -1 is the limit before, +1 after."""
+    place = statics.scene.place(np.array([theta]))
+    cut = _Cut(statics, place, statics.solve(place, side))
+    return cleared((cut.input_link(), *(cut.group(group) for group in statics.scene.chain.structure.groups)), NOTHING)
+
+
+def cleared(bodies: Sequence[FreeBody], part: float) -> tuple[FreeBody, ...]:
+    """The bodies without forces and couples smaller than this part of the largest of their kind."""
+    force = max((abs(f.value) for body in bodies for f in body.forces), default=0.0)
+    couple = max((abs(c.value) for body in bodies for c in body.couples), default=0.0)
+    return tuple(_without(body, part * force, part * couple) for body in bodies)
+
+
+def _without(body: FreeBody, force: float, couple: float) -> FreeBody:
+    counts = [abs(f.value) > force for f in body.forces]
+    return replace(
+        body,
+        forces=tuple(f for f, kept in zip(body.forces, counts, strict=True) if kept),
+        couples=tuple(c for c in body.couples if abs(c.value) > couple),
+        parting=sum(counts[: body.parting]),
+        closing=sum(counts[: body.closing]),
+    )
+
+
+class _Cut:
+    """The mechanism at one position while it is cut into free bodies."""
+
+    def __init__(self, statics: Statics, place: Place, state: State) -> None:
+        self.statics, self.place, self.state = statics, place, state
+        self.mechanism = statics.scene.chain.mechanism
+        seats = np.array([_one(reaction.seat.r) for reaction in state.reactions.values()])
+        self.reach = float(np.max(np.abs(seats - seats[0])))
+        self.given: dict[int, list[Acting | Couple]] = {link.id: [] for link in self.mechanism.links}
+        for source in statics.sources:
+            self._give(source.name, source.kind, source.order, source.actions(place))
+
+    def _give(self, name: str, kind: Any, order: int, actions: Iterable[Any]) -> None:
+        """The forces and couples of one source; what depends on the speed counts at the speed of the input."""
+        speed = self.statics.scene.travel.speed
+        factor = speed * abs(speed) if order == 2 else speed**order
+        letters = {"weight": ("G", "G"), "inertia": ("P", "M")}
+        for action in actions:
+            link, at, index = action.link, _one(action.at.r), str(action.link) if kind in letters else ""
+            force, couple = letters.get(kind, (name, name))
+            self.given[link].append(Acting(force, index, kind, link, at, _one(action.force) * factor))
+            about = at if kind == "inertia" else self._middle(link)
+            self.given[link].append(Couple(couple, index, kind, link, about, _one(action.moment).real * factor))
+
+    def _middle(self, link: int) -> complex:
+        """The middle of a link's joints, where a moment that has no point is drawn."""
+        own = [self.state.reactions[joint.name].seat.r for joint in self.mechanism.joints if link in joint.links]
+        return sum(map(_one, own)) / len(own)
+
+    def group(self, group: Group) -> FreeBody:
+        """A dyad with the loads of its links, the reactions of what hangs on them, and its outer reactions."""
+        a, b = group.links
+        inner = self.mechanism.joint(group.inner[0])
+        outer_a, outer_b = (self.mechanism.joint(name) for name in group.outer)
+        own = {inner.name, outer_a.name, outer_b.name}
+        parts = [self._loads(a, own), self._loads(b, own), self._reaction(outer_b, b), self._reaction(outer_a, a)]
+        forces = [[x for x in part if isinstance(x, Acting)] for part in parts]
+        parting, closing = len(forces[0]), sum(map(len, forces[:3]))
+        return FreeBody(
+            group.name,
+            group.links,
+            tuple(x for part in forces for x in part),
+            tuple(x for part in parts for x in part if isinstance(x, Couple)),
+            self._whole(inner, b),
+            parting,
+            closing,
+        )
+
+    def input_link(self) -> FreeBody:
+        """The input link with its loads, the reactions of the groups, the drive, and the reaction of the frame."""
+        link, joint = self.statics.scene.chain.structure.input_link, self.statics.scene.chain.input_joint
+        parts = [*self._loads(link, {joint.name}), *self._drive(link, joint), *self._reaction(joint, link)]
+        forces = tuple(x for x in parts if isinstance(x, Acting))
+        return FreeBody(f"I(0,{link})", (link,), forces, tuple(x for x in parts if isinstance(x, Couple)))
+
+    def _loads(self, link: int, own: set[str]) -> list[Acting | Couple]:
+        """What is given on a link: its loads, and the reactions in all joints but its group's own."""
+        found = list(self.given[link])
+        for joint in self.mechanism.joints:
+            if link in joint.links and joint.name not in own:
+                found += self._reaction(joint, link)
+        return found
+
+    def _drive(self, link: int, joint: Joint) -> list[Acting | Couple]:
+        """What the drive does to the input link."""
+        pivot, drive = _one(self.state.reactions[joint.name].seat.r), float(np.ravel(self.state.drive)[0])
+        if joint.kind == "prismatic":
+            along = _one(self.place.configuration.motions[link].v)  # unit vector of the positive coordinate
+            return [Acting("F", "d", "drive", link, pivot, drive * along)]
+        gear = self.statics.scene.loading.drive
+        if isinstance(gear, GearDrive) and self.state.mesh is not None:
+            at = pivot + gear.radius * complex(np.exp(1j * gear.pinion))
+            return [Acting("F", "mesh", "drive", link, at, _one(self.state.mesh))]
+        return [Couple("M", "d", "drive", link, pivot, drive)]
+
+    def _whole(self, joint: Joint, link: int) -> Acting:
+        """The whole force in a joint on a link."""
+        sign, index = _sides(joint, link)
+        found = self.state.reactions[joint.name]
+        value = sign * _one(found.wrench.force)
+        return Acting("R", index, "reaction", link, _one(found.seat.r), value, joint.name)
+
+    def _reaction(self, joint: Joint, link: int) -> list[Acting | Couple]:
+        """Force and friction moment of a revolute pair on a link; normal force, friction, couple of a prismatic one."""
+        sign, index = _sides(joint, link)
+        found = self.state.reactions[joint.name]
+        at, moment = _one(found.seat.r), sign * _one(found.wrench.moment).real
+        if not isinstance(found.seat, Slideway):
+            return [self._whole(joint, link), Couple("M", index, "friction", link, at, moment, joint.name)]
+        e, force = _one(found.seat.e), sign * _one(found.wrench.force)
+        normal, along = (np.conj(1j * e) * force).real, (np.conj(e) * force).real
+        size = self.reach * abs(normal)
+        near = abs(moment) <= FAR * size
+        arm = moment / normal if near and abs(moment) > NOTHING * size else 0.0
+        parts: list[Acting | Couple] = [
+            Acting("N", index, "reaction", link, at + arm * e, normal * 1j * e, joint.name, arm if near else None),
+            Acting("F", index, "friction", link, at, along * e, joint.name),
+        ]
+        return parts if near else [*parts, Couple("M", index, "reaction", link, at, moment, joint.name)]
+
+
+def _sides(joint: Joint, link: int) -> tuple[float, str]:
+    """Sign of the stored reaction, which acts on the higher-numbered link; index of the force on this link."""
+    other = joint.links[1 - joint.links.index(link)]
+    comma = "," if max(joint.links) > 9 else ""
+    return (1.0 if link > other else -1.0), f"{link}{comma}{other}"
+
+
+def _one(z: Any) -> complex:
+    return complex(np.ravel(z)[0])

@@ -1,0 +1,167 @@
+"""What acts on a linkage: masses, gravity, technological loads, springs, the geometry of its pairs, the drive.
+
+Plain values, like those of `model`: the pipeline hashes them. Points are complex [m] in the axes of their link,
+directions are unit vectors. Angles ``theta`` are counted from position 0 along the motion, never negative.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from tmmcalc.linkage.model import FRAME
+from tmmcalc.records import record
+
+
+@record
+class Body:
+    """Mass properties of a moving link."""
+
+    link: int
+    mass: float  # [kg]
+    inertia: float  # about the centre of mass [kg*m^2]
+    center: complex  # centre of mass in the link's axes [m]
+
+
+@record
+class Constant:
+    """The same value wherever the load acts [N or N*m]."""
+
+    value: float
+
+
+@record
+class Polynomial:
+    """sum c_k (theta - theta_0)^k, theta_0 the beginning of the load's window [N or N*m, per rad^k]."""
+
+    coefficients: tuple[float, ...]
+
+
+@record
+class Tabulated:
+    """Values at the abscissae ``x``, ascending.
+
+    ``of``: "angle" theta [rad]; "position" numbers of the grid; "displacement" S of an output from its lesser
+    extreme [m or rad]; "stroke" the same from 0 to 1. ``period``: of theta [rad]; None for the other abscissae.
+    """
+
+    of: Literal["angle", "position", "displacement", "stroke"]
+    x: tuple[float, ...]
+    values: tuple[float, ...]
+    interpolation: Literal["linear", "pchip"] = "linear"
+    output: str | None = None  # whose displacement; None: the first output
+    period: float | None = None
+
+
+@record
+class Indicator:
+    """Pressure in a cylinder, one table a stroke, in the order of the motion from the outer dead centre on.
+
+    ``x`` of each table: distance of the piston from the outer dead centre (the cylinder's closed end) as a part
+    of the stroke, from 0 to 1 or from 1 to 0; ``p`` absolute pressure [Pa]. Two tables: a cycle of one turn; four:
+    of two turns. The load is (p - back) area along its direction, which points from the closed end to the crank.
+    ``delay`` [rad]: the first stroke begins at the first outer dead centre at or after theta = delay.
+    """
+
+    strokes: tuple[tuple[tuple[float, ...], tuple[float, ...]], ...]
+    area: float  # [m^2]
+    back: float = 101325.0  # pressure on the other side [Pa]
+    delay: float = 0.0
+
+
+@record
+class Viscous:
+    """Against the velocity of the point along the direction (or the link's speed): -c v [N*s/m or N*m*s/rad]."""
+
+    coefficient: float
+
+
+@record
+class Quadratic:
+    """Against the velocity, -c v |v| [N*s^2/m^2 or N*m*s^2/rad^2]."""
+
+    coefficient: float
+
+
+Law = Constant | Polynomial | Tabulated | Indicator | Viscous | Quadratic
+
+
+@record
+class Window:
+    """Where a load acts; outside it is zero. One of: a stroke of an output, angles, positions."""
+
+    stroke: Literal["working", "idle"] | None = None
+    output: str | None = None  # whose stroke; None: the first output
+    angles: tuple[float, float] | None = None  # theta [rad]; from > to goes over position 0
+    positions: tuple[str, str] | None = None  # labels of positions
+
+
+@record
+class Load:
+    """A technological force or moment on a link."""
+
+    name: str
+    link: int
+    kind: Literal["force", "moment"]
+    law: Law
+    point: complex = 0j  # of a force, in the link's axes [m]
+    direction: complex = 1 + 0j  # sense of a positive force, unit
+    follows: int = FRAME  # the link whose axes the direction is given in; it turns with it
+    window: Window | None = None  # None: always
+    factor: float = 1.0
+    role: Literal["resistance", "drive"] = "resistance"  # what the user takes it for; the work tells
+    against: int = FRAME  # the link that takes the opposite load, on the same line
+
+
+@record
+class Spring:
+    """A spring with a damper between two links: along the line of two points, or about a pin."""
+
+    name: str
+    kind: Literal["linear", "torsion"]
+    links: tuple[int, int]
+    points: tuple[complex, complex] = (0j, 0j)  # linear: the ends, in the axes of each link [m]
+    stiffness: float = 0.0  # [N/m or N*m/rad]
+    free: float = 0.0  # free length [m], or angle of the second link less that of the first [rad]
+    damping: float = 0.0  # [N*s/m or N*m*s/rad]
+
+
+@record
+class Pair:
+    """Friction and size of a kinematic pair."""
+
+    joint: str
+    friction: float = 0.0  # coefficient f [-]
+    radius: float = 0.0  # of the pin [m], revolute
+    length: float | None = None  # of the slider along the guide [m], prismatic; None: no edge reactions
+
+
+@record
+class Coupling:
+    """How the drive acts on the input link: a moment through a coupling, or a force along a prismatic guide."""
+
+
+@record
+class GearDrive:
+    """A gear on the crank: the mesh force acts along the line of action at the pitch point."""
+
+    radius: float  # operating pitch radius r_w of the gear on the crank [m]
+    mesh_angle: float  # alpha_w [rad]
+    pinion: float  # direction from the crank's pivot to the centre of the pinion [rad], fixed axes
+    internal: bool = False  # the gear on the crank has internal teeth
+
+
+@record
+class Loading:
+    """Everything that acts on a linkage."""
+
+    bodies: tuple[Body, ...] = ()
+    gravity: complex = 0j  # [m/s^2]
+    loads: tuple[Load, ...] = ()
+    springs: tuple[Spring, ...] = ()
+    pairs: tuple[Pair, ...] = ()
+    drive: Coupling | GearDrive = Coupling()
+
+    @property
+    def rubs(self) -> bool:
+        """Whether any pair has friction."""
+        return any(pair.friction > 0 for pair in self.pairs)

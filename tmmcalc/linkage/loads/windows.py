@@ -1,0 +1,90 @@
+"""Windows: where along the motion a load acts - on a stroke of an output, between angles, between positions.
+
+Windows are closed: a load counts at both ends. At the seam of the cycle position 0 takes what holds just after it
+and the last position what holds just before. A window comes back every turn; only one that names angles beyond the
+first turn, or that belongs to a law with a longer period, comes back after that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.linkage.assembly import TURN
+from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.loading import Load
+from tmmcalc.linkage.loads.sources import Place
+from tmmcalc.linkage.loads.strokes import Strokes, strokes_of
+from tmmcalc.linkage.loads.travel import EDGE, Travel, turns_of
+from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.results import Kinematics
+
+Flags = NDArray[np.bool_]
+
+
+class Inside(NamedTuple):
+    """Where a load acts: the test of a place, the angle since the window began, theta of all its ends."""
+
+    inside: Callable[[Place], Any]
+    since: Callable[[Real], Real]
+    edges: list[float]
+
+
+def window_of(chain: Chain, kinematics: Kinematics, travel: Travel, load: Load) -> Inside:
+    """The window of a load; raises `NoSolutionError` for a stroke or a position that is not there."""
+    window, where = load.window, f"load {load.name}"
+    own = TURN * turns_of(load)
+    if window is None:
+        return Inside(lambda place: True, lambda theta: travel.since(0.0, theta, own), travel.repeated([0.0], own))
+    if window.stroke is not None:
+        which = 0 if window.stroke == "working" else 1
+        return _stroke(travel, strokes_of(chain, kinematics, travel, window.output, where), which)
+    low, high = window.angles or _angles(window.positions or ("0", "0"), travel, where)
+    return _between(travel, low, high, own)
+
+
+def _stroke(travel: Travel, strokes: Strokes, which: int) -> Inside:
+    def since(theta: Real) -> Real:
+        beginnings = strokes.beginnings[which]
+        if travel.whole:
+            return np.min([travel.since(b, theta, TURN) for b in beginnings], axis=0)
+        return np.min([np.where(theta < b - EDGE, travel.period, theta - b) for b in beginnings], axis=0)
+
+    return Inside(lambda place: strokes.on(place, which), since, travel.repeated(strokes.turning))
+
+
+def _between(travel: Travel, low: float, high: float, own: float) -> Inside:
+    if not travel.whole:
+        return Inside(lambda place: _within(place.theta, low, high), lambda t: travel.since(low, t, own), [low, high])
+    period = own if max(low, high) <= own + EDGE else travel.period
+    low, high = low % period, high % period or period
+
+    def inside(place: Place) -> Flags:
+        theta = place.theta
+        reduced = np.mod(theta + EDGE, period) - EDGE
+        seam = (reduced < EDGE) & (theta > EDGE)
+        before, after = _within(np.asarray(period), low, high), _within(reduced, low, high)
+        return np.where(seam, before | (after & ~travel.ends(theta)), after)
+
+    return Inside(inside, lambda t: travel.since(low, t, period), travel.repeated([low, high], period))
+
+
+def _angles(positions: tuple[str, str], travel: Travel, where: str) -> tuple[float, float]:
+    unknown = next((label for label in positions if label not in travel.labels), None)
+    if unknown is not None:
+        raise NoSolutionError(
+            f"there is no position {unknown!r}; the positions are 0 to {list(travel.labels)[-1]}",
+            where=f"{where}, positions",
+            remedy="name positions of the grid, or give angles: between = [...]",
+        )
+    return travel.labels[positions[0]], travel.labels[positions[1]]
+
+
+def _within(theta: Real, low: float, high: float) -> Flags:
+    """Whether theta lies in the closed window; one that ends before it begins goes over position 0."""
+    after, before = theta >= low - EDGE, theta <= high + EDGE
+    return after & before if low < high else after | before

@@ -1,0 +1,56 @@
+"""The records that the reduction stage leaves, apart from the code that makes them."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.results import Extreme, Grade
+from tmmcalc.machine.cycle import Cycle
+from tmmcalc.records import record
+
+
+@record
+class Contribution:
+    """One cause of reduced moment: a load, the weights, a spring, a damper, friction.
+
+    ``work`` over the cycle at the mean speed; ``simpson`` the same by Simpson's rule over the positions (3.38), None
+    where they are not equal steps of even number.
+    """
+
+    name: str
+    kind: Literal["load", "weight", "spring", "damper", "friction"]
+    role: Literal["resistance", "drive"] | None  # what the spec takes a load for
+    order: int  # of the speed that it is multiplied by
+    work: float  # [J]
+    simpson: float | None  # [J]
+    least: Extreme  # reduced moment [N*m] and theta [rad]
+    largest: Extreme
+
+
+@record
+class Reduction:
+    """Result of the reduction stage over n positions and S contributions.
+
+    Reduced moments are algebraic, power over input speed: of a positive speed a resisting one is negative (3.34). For a
+    driven slider they are forces [N], the inertia is a mass [kg].
+    """
+
+    labels: tuple[str, ...]  # (n,)
+    phi: Real  # (n,) input coordinate counted from position 0 [rad or m]
+    turns: bool
+    whole: bool  # the motion repeats: one cycle of a crank
+    speed: float  # [rad/s] or [m/s]
+    contributions: tuple[Contribution, ...]  # (S,)
+    moment: Real  # (S, n) [N*m]
+    total: Real  # (n,) their sum [N*m]
+    inertia: Real  # (n,) reduced inertia of the links [kg*m^2]
+    slope: Real  # (n,) its derivative against the input coordinate [kg*m^2/rad]
+    parts: Real  # (S, K, N) moments on the panels of ``cycle``, a positive one drives [N*m]
+    cycle: Cycle
+    idle: Cycle | None  # the same without technological loads; None if there are none
+    inertia_range: tuple[Extreme, Extreme]  # least and largest reduced inertia
+    lumped: Real | None  # (n,) inertia with the rods' masses placed statically in their pins; None without a rod
+    rods: tuple[int, ...]  # links that are lumped in it
+    grades: tuple[Grade, ...]
+    counters: dict[str, int]
