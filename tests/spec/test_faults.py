@@ -10,6 +10,8 @@ from tmmcalc.errors import Fault, SpecError
 from tmmcalc.spec import parse_spec
 from tmmcalc.spec.linkage import to_linkage
 
+from .scenes import HOSTILE
+
 Faults = Callable[[str], list[Fault]]
 
 ASSEMBLY = "\n[mechanism.assembly]\n"
@@ -466,6 +468,55 @@ CROSS_FAULTS = [
         "point and link together",
         "for each",
     ),
+    (
+        'point = "D"\n',
+        'poin = "D"\n',
+        "mechanism.outputs[0].poin",
+        "unknown key 'poin' in [[mechanism.outputs]]",
+        'did you mean "point"?',
+    ),
+    (
+        'name = "C"\n',
+        'name = "C"\nfriction = 0.1\n',
+        "mechanism.joints[4].friction",
+        "friction without radius: the moment of friction in a pin is f R r",
+        "add radius",
+    ),
+    (
+        'name = "C"\n',
+        'name = "C"\nradius = "20 mm"\nfriction = 6\n',
+        "mechanism.joints[4].friction",
+        "6 is out of range; a coefficient of friction is at least 0 and at most 5",
+        "0.1",
+    ),
+    (
+        'name = "C"\n',
+        'name = "C"\nradius = "-20 mm"\n',
+        "mechanism.joints[4].radius",
+        "'-20 mm' is negative; a length is at least 0",
+        "without the minus",
+    ),
+    (
+        'name = "C"\n',
+        'name = "C"\nlength = "20 mm"\n',
+        "mechanism.joints[4].length",
+        "a revolute joint has no length",
+        "radius",
+    ),
+    (
+        'name = "D0"\n',
+        'name = "D0"\nradius = "20 mm"\n',
+        "mechanism.joints[6].radius",
+        "a prismatic joint has no radius",
+        "length",
+    ),
+    (
+        'name = "D0"\n',
+        'name = "D0"\nlength = 0\n',
+        "mechanism.joints[6].length",
+        "0 is zero; a length other than 0 is needed here",
+        "200 mm",
+    ),
 ]
 
 ASSEMBLY_FAULTS = [
@@ -693,20 +744,6 @@ def test_hardly_anything(faults_of: Faults, text: str) -> None:
     assert faults_of(text)
 
 
-HOSTILE = [
-    "1",
-    "true",
-    '"x"',
-    "[]",
-    "{}",
-    "[[]]",
-    "[1]",
-    "[{}]",
-    "1979-01-01",
-    "{ A = [] }",
-    "nan",
-    '["a", 1]',
-]
 KEYS = ["gravity", "grid", "input", "outputs", "fixed", "links", "joints", "assembly"]
 
 
@@ -718,7 +755,7 @@ def test_no_value_breaks_the_checks(faults_of: Faults, key: str, value: str) -> 
 
 NESTED = {
     "links": ["id", "points", "mass", "center", "name"],
-    "joints": ["name", "kind", "links", "point", "points", "guide", "slider"],
+    "joints": ["name", "kind", "links", "point", "points", "guide", "slider", "friction", "radius", "length"],
     "outputs": ["point", "link", "joint", "direction", "resistance"],
 }
 

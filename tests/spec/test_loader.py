@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import math
 import subprocess
 import sys
 from pathlib import Path
@@ -10,7 +11,14 @@ from pydantic_core import PydanticUndefined
 from tmmcalc.errors import SpecError, UsageError
 from tmmcalc.spec import Spec, load_spec, parse_spec, templates
 from tmmcalc.spec import wording as wording_module
+from tmmcalc.spec.flywheel import FlywheelTable
 from tmmcalc.spec.loader import LARGEST_FILE
+from tmmcalc.spec.motion import MotionTable
+from tmmcalc.spec.motor import MotorTable
+from tmmcalc.spec.reduction import ReductionTable
+from tmmcalc.spec.transmission import TransmissionTable
+
+from .scenes import MACHINE
 
 
 def test_every_ready_spec_loads() -> None:
@@ -112,13 +120,61 @@ def _tables() -> list[tuple[str, type[Spec]]]:
     return found
 
 
-def test_a_good_spec_loads_nothing_that_only_faults_need() -> None:
+LATE = ("loads", "springs", "drive", "motor", "transmission", "reduction", "motion", "flywheel")
+
+
+def loaded_by(spec: str) -> set[str]:
+    """Modules in memory after the shaper with this addition was read by a process of its own."""
     code = (
         "import sys, tmmcalc.spec; late = set(sys.modules)\n"
         "assert 'pydantic' not in late\n"
-        "from tmmcalc.spec import load_spec, templates; load_spec(templates.path('shaper'))\n"
-        "names = {'difflib', 'numpy', 'scipy', 'tmmcalc.spec.wording', 'tmmcalc.spec.source'}\n"
-        "print(sorted(names & set(sys.modules)))"
+        "from tmmcalc.spec import parse_spec, templates\n"
+        f"parse_spec(templates.text('shaper') + {spec!r})\n"
+        "print(*sys.modules)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=Path.cwd())
-    assert done.stdout.strip() == "[]"
+    return set(done.stdout.split())
+
+
+def test_a_good_spec_loads_nothing_that_only_faults_need() -> None:
+    unneeded = {"difflib", "numpy", "scipy", "tmmcalc.spec.wording", "tmmcalc.spec.examples", "tmmcalc.spec.source"}
+    assert not unneeded & loaded_by("")
+    assert not unneeded & loaded_by(MACHINE)
+
+
+def test_tables_are_built_only_when_a_spec_has_them() -> None:
+    names = {f"tmmcalc.spec.{table}" for table in (*LATE, "files", "loading", "linkage")}
+    names |= {f"tmmcalc.spec.checks.{module}" for module in ("loads", "springs", "gear", "motor", "motion", "flywheel")}
+    assert not names & loaded_by("")
+    assert names & loaded_by("\n[reduction]\n") == {"tmmcalc.spec.reduction"}
+    assert {f"tmmcalc.spec.{table}" for table in LATE} <= loaded_by(MACHINE)
+
+
+def test_late_tables_are_those_of_the_root() -> None:
+    root = {"project", "mechanism"}
+    assert {*Spec.model_fields} - root == {*LATE}
+    assert root < {*Spec.model_fields}
+
+
+def test_values_of_the_machine(shaper: str) -> None:
+    spec = parse_spec(shaper + MACHINE)
+    assert (spec.motor, spec.transmission, spec.reduction, spec.motion, spec.flywheel) == (
+        MotorTable(
+            power=7500.0,
+            speed=1455 * math.pi / 30,
+            synchronous_speed=50 * math.pi,
+            overload=2.2,
+            flywheel_moment=0.11,
+            characteristic="kloss",
+        ),
+        TransmissionTable(efficiency=0.95),
+        ReductionTable(rods="lumped"),
+        MotionTable(inertia=12.0),
+        FlywheelTable(delta=0.04, shaft="motor"),
+    )
+
+
+def test_tables_that_a_spec_has_not(shaper: str) -> None:
+    spec = parse_spec(shaper)
+    assert spec.loads == spec.springs == []
+    assert [getattr(spec, name) for name in LATE[2:]] == [None] * 6

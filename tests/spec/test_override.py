@@ -9,6 +9,8 @@ from tmmcalc.errors import SpecError, UsageError
 from tmmcalc.spec import parse_spec
 from tmmcalc.spec.override import apply
 
+from .scenes import MACHINE
+
 
 def value_at(data: Any, path: tuple[str | int, ...]) -> Any:
     for step in path:
@@ -30,14 +32,19 @@ def value_at(data: Any, path: tuple[str | int, ...]) -> Any:
         ('mechanism.fixed."B\'"=[0, 0]', ("mechanism", "fixed", "B'"), [0, 0]),
         ('mechanism.assembly.variants."2-3"=-1', ("mechanism", "assembly", "variants", "2-3"), -1),
         ('project.title="a=b [c]"', ("project", "title"), "a=b [c]"),
+        ('loads[name=cut].force="2 kN"', ("loads", 0, "force"), "2 kN"),
+        ("loads[2].viscous=0.4", ("loads", 2, "viscous"), 0.4),
+        ("springs[name=T].links[1]=5", ("springs", 1, "links", 1), 5),
+        ('flywheel.delta="1/30"', ("flywheel", "delta"), "1/30"),
+        ('motor.table.speed=["0 rpm", 5]', ("motor", "table", "speed"), ["0 rpm", 5]),
     ],
 )
 def test_assignment(shaper: str, assignment: str, path: tuple[str | int, ...], value: object) -> None:
-    data = tomllib.loads(shaper)
+    data = tomllib.loads(shaper + MACHINE)
     changed, paths = apply(data, [assignment])
     assert paths == [path]
     assert value_at(changed, path) == value
-    assert data == tomllib.loads(shaper)
+    assert data == tomllib.loads(shaper + MACHINE)
 
 
 @pytest.mark.parametrize(

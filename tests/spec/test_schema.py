@@ -1,12 +1,15 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 import tomllib
 from collections.abc import Iterator
 from typing import Any
 
 from tmmcalc.spec.schema import json_schema, schema_text
+
+from .scenes import MACHINE
 
 
 def nodes(node: Any) -> Iterator[dict[str, Any]]:
@@ -52,7 +55,11 @@ def accepts(schema: dict[str, Any], value: Any, root: dict[str, Any]) -> bool:
             all(part is not None and accepts(part, value[key], root) for key, part in parts.items())
             and set(schema.get("required", ())) <= value.keys()
         )
-    return schema.get("minimum", -1e300) <= value if isinstance(value, int | float) else True
+    if not isinstance(value, int | float):
+        return True
+    low, high = schema.get("minimum", -math.inf), schema.get("maximum", math.inf)
+    inside = schema.get("exclusiveMinimum", -math.inf) < value < schema.get("exclusiveMaximum", math.inf)
+    return low <= value <= high and inside and ("not" not in schema or value != schema["not"]["const"])
 
 
 def test_text_is_stable_json() -> None:
@@ -92,3 +99,28 @@ def test_shaper_is_accepted(shaper: str) -> None:
     ]:
         assert old in shaper
         assert not accepts(schema, tomllib.loads(shaper.replace(old, new, 1)), schema), new
+
+
+def test_a_machine_is_accepted(shaper: str) -> None:
+    schema = json_schema()
+    text = shaper + MACHINE
+    assert accepts(schema, tomllib.loads(text), schema)
+    for old, new in [
+        ("factor = 1.2", "factor = -1"),
+        ("positions = [2, 12]", "positions = [2, 12.5]"),
+        ("positions = [2, 12]", "positions = [2]"),
+        ('"1/4"]', '"1/4 N"]'),
+        ('viscous = "0.5 N*m*s/rad"', 'viscous = "0.5 N*m"'),
+        ('of = "stroke"', 'of = "time"'),
+        ("x = [0, 0.1, 1]", "x = [0, 0.1, 1.5]"),
+        ('diameter = "80 mm"', "diameter = 0"),
+        ("links = [3, 4]", "links = [3]"),
+        ('kind = "gear"', 'kind = "belt"'),
+        ("overload = 2.2", "overload = 1"),
+        ("efficiency = 0.95", "efficiency = 0"),
+        ("efficiency = 0.95", "efficency = 1"),
+        ('delta = "1/25"', "delta = 1"),
+        ("inertia = 12", "inertia = -12"),
+    ]:
+        assert text.count(old) >= 1, old
+        assert not accepts(schema, tomllib.loads(text.replace(old, new)), schema), new

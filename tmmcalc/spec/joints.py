@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from .quantities import Angle, JointName, LinkPair, NamePair, Point, PointName
+from .quantities import Angle, Distance, Friction, JointName, LinkPair, NamePair, Point, PointName, Size
 from .table import Table
 
 # Angle brackets: no TOML key of a spec looks like these, so they are told apart in the places of faults.
@@ -47,6 +47,8 @@ class RevoluteTable(Table):
         default=None,
         description="Names of the pin on the two links, in the order of links, where they differ.",
     )
+    friction: Friction = Field(default=0.0, description="Coefficient of friction; needs radius.")
+    radius: Distance = Field(default=0.0, description="Radius of the pin.")
 
 
 class PrismaticTable(Table):
@@ -59,6 +61,10 @@ class PrismaticTable(Table):
     slider: SliderTable = Field(
         default_factory=SliderTable,
         description="The same line in the axes of the slider, the first of links.",
+    )
+    friction: Friction = Field(default=0.0, description="Coefficient of friction.")
+    length: Size | None = Field(
+        default=None, description="Length of the slider along the guide, on whose ends it may stand."
     )
 
 

@@ -1,7 +1,7 @@
 """From the tables of a spec to the plain values that the linkage room reads.
 
 Joints get their points as constants in the axes of their links, lines get unit directions, and a centre of
-mass becomes the point ``S<id>``. Masses and gravity stay behind: kinematics does not read them.
+mass becomes the point ``S<id>``. Masses and gravity stay behind, for kinematics does not read them: see ``loading``.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from tmmcalc.linkage.model import FRAME, Assembly, Grid, Input, Joint, Link, Mec
 from .assembly import AssemblyTable
 from .grid import GridTable
 from .input import InputTable
-from .joints import GuideTable, PrismaticTable, RevoluteTable, SliderTable
+from .joints import PrismaticTable, RevoluteTable
 from .links import LinkTable
 from .mechanism import MechanismTable
 from .outputs import OutputTable
@@ -36,6 +36,16 @@ def to_linkage(mechanism: MechanismTable) -> Mechanism:
     )
 
 
+def link_points(mechanism: MechanismTable) -> Points:
+    """Return the points of every link by their names, those of the frame under 0 [m]."""
+    return {FRAME: _points(mechanism.fixed), **{link.id: _link(link).points for link in mechanism.links}}
+
+
+def place(written: str | list[float], points: dict[str, complex]) -> complex:
+    """Return the point of this name, or of these coordinates [m]."""
+    return points[written] if isinstance(written, str) else _complex(written)
+
+
 def _complex(point: list[float]) -> complex:
     return complex(point[0], point[1])
 
@@ -57,13 +67,9 @@ def _joint(table: RevoluteTable | PrismaticTable, points: Points) -> Joint:
         a, b = table.points or [table.point or table.name] * 2
         return Joint(table.name, "revolute", (first, second), (points[first][a], points[second][b]))
     lines = ((table.slider, points[first]), (table.guide, points[second]))
-    through_slider, through_guide = (_through(line, own) for line, own in lines)
+    through_slider, through_guide = (place(line.through, own) for line, own in lines)
     directions = (unit_direction(table.slider.angle), unit_direction(table.guide.angle))
     return Joint(table.name, "prismatic", (first, second), (through_slider, through_guide), directions)
-
-
-def _through(line: GuideTable | SliderTable, points: dict[str, complex]) -> complex:
-    return points[line.through] if isinstance(line.through, str) else _complex(line.through)
 
 
 def _input(table: InputTable) -> Input:

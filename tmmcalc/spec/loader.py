@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path as FilePath
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
@@ -16,7 +16,19 @@ from .phrases import Path, show_path
 from .root import Spec
 from .syntax import read_toml, too_deep
 
+if TYPE_CHECKING:
+    from .files import Rows
+
+NAMING = {"loads", "motor"}  # the tables that may name files
 LARGEST_FILE = 10_000_000  # bytes; a spec of a hundred links has some ten thousand
+
+# Lists of tables whose elements have a name: the key that holds it, and the words for a message.
+_ELEMENTS: dict[Path, tuple[str, str]] = {
+    ("mechanism", "links"): ("id", "link {}"),
+    ("mechanism", "joints"): ("name", 'joint "{}"'),
+    ("loads",): ("name", 'load "{}"'),
+    ("springs",): ("name", 'spring "{}"'),
+}
 
 
 def load_spec(path: str | FilePath, overrides: Sequence[str] = ()) -> Spec:
@@ -25,13 +37,16 @@ def load_spec(path: str | FilePath, overrides: Sequence[str] = ()) -> Spec:
     ``overrides`` are assignments such as ``"mechanism.grid.positions=36"`` that replace values of the file.
 
     Raises UsageError if the file cannot be read or an override does not fit, SpecError with all faults of
-    the spec, each with its TOML path and line.
+    the spec and of the CSV files that it names, each with its TOML path and line.
     """
-    return parse_spec(read_text(path), str(path), overrides)
+    return parse_spec(read_text(path), str(path), overrides, FilePath(path).parent)
 
 
-def parse_spec(text: str, file: str = "<spec>", overrides: Sequence[str] = ()) -> Spec:
-    """Return the checked spec of a TOML text; ``file`` names it in messages. Raises as ``load_spec``."""
+def parse_spec(text: str, file: str = "<spec>", overrides: Sequence[str] = (), folder: str | FilePath = ".") -> Spec:
+    """Return the checked spec of a TOML text; ``file`` names it in messages. Raises as ``load_spec``.
+
+    Files that the spec names are read from ``folder``.
+    """
     data = read_toml(text, file)
     changed: list[Path] = []
     if overrides:
@@ -39,7 +54,7 @@ def parse_spec(text: str, file: str = "<spec>", overrides: Sequence[str] = ()) -
 
         data, changed = apply(data, overrides)
     try:
-        return _checked(data, text, file, changed)
+        return _checked(data, text, file, changed, FilePath(folder))
     except RecursionError:
         raise SpecError(file, [too_deep()]) from None
 
@@ -65,20 +80,29 @@ def read_text(path: str | FilePath) -> str:
         raise UsageError(f"{path} is not UTF-8 text (line {line})", remedy="save it as UTF-8") from None
 
 
-def _checked(data: dict[str, Any], text: str, file: str, changed: list[Path]) -> Spec:
+def _checked(data: dict[str, Any], text: str, file: str, changed: list[Path], folder: FilePath) -> Spec:
     lines = _Lines(text, changed)
-    found: list[Finding] = []
+    found, rows = _read_files(data, folder)
+    checked = check(data, lines.line_of, rows)
     spec = None
     try:
         spec = Spec.model_validate(data)
+        found += checked
     except ValidationError as error:
         from .wording import findings  # late: only faults need it
 
-        found = findings(error)
-    found += check(data, lines.line_of)
+        found += findings(error, checked)
     if found or spec is None:
         raise SpecError(file, [_fault(finding, data, lines) for finding in found])
     return spec
+
+
+def _read_files(data: dict[str, Any], folder: FilePath) -> tuple[list[Finding], dict[Path, Rows]]:
+    if not NAMING & data.keys():
+        return [], {}
+    from .files import read_files  # late: only loads and a motor name files
+
+    return read_files(data, folder)
 
 
 class _Lines:
@@ -113,11 +137,16 @@ def _fault(finding: Finding, data: dict[str, Any], lines: _Lines) -> Fault:
 
 
 def _whose(path: Path, data: dict[str, Any]) -> str:
-    """Return the link or joint that a path with an index belongs to: ``link 3``, ``joint "D0"``."""
-    if path[:1] != ("mechanism",) or len(path) < 3 or path[1] not in ("links", "joints"):
-        return ""
-    element = data["mechanism"][path[1]][path[2]]
-    key, form = ("id", "link {}") if path[1] == "links" else ("name", 'joint "{}"')
-    value = element.get(key) if isinstance(element, dict) else None
-    named = isinstance(value, int | str) and path[3:] != (key,) and str(value).isprintable()
-    return form.format(str(value)[:40]) if named else ""
+    """Return the element that a path with an index belongs to: ``link 3``, ``joint "D0"``, ``load "Q"``."""
+    for home, (key, form) in _ELEMENTS.items():
+        at = len(home)
+        if path[:at] != home or len(path) <= at:
+            continue
+        listed: Any = data
+        for step in home:
+            listed = listed[step]
+        element = listed[path[at]]
+        value = element.get(key) if isinstance(element, dict) else None
+        named = isinstance(value, int | str) and path[at + 1 :] != (key,) and str(value).isprintable()
+        return form.format(str(value)[:40]) if named else ""
+    return ""

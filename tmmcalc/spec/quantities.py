@@ -6,6 +6,7 @@ value in JSON Schema: a number, or a string whose pattern lists the units of the
 
 from __future__ import annotations
 
+import math
 import re
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -13,7 +14,7 @@ from pydantic import Field
 from pydantic_core import core_schema
 
 from .phrases import either, nearest, show
-from .units import DIMENSIONS, UNITS, UnitError, parse, unit_direction
+from .units import DIMENSIONS, LARGEST, UNITS, UnitError, parse, unit_direction
 
 if TYPE_CHECKING:
     from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 NAME_PATTERN = "^[A-Za-z][A-Za-z0-9_']*$"
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_']*")
 _NUMBER_PATTERN = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?"
+_QUOTIENT = rf"\s*(?P<above>{_NUMBER_PATTERN})\s*/\s*(?P<below>{_NUMBER_PATTERN})\s*"
 
 
 class _Reader:
@@ -101,6 +103,57 @@ class Quantity(_Reader):
         return rf"^\s*{number}\s*({'|'.join(_unit_pattern(unit) for unit in units)})\s*$"
 
 
+class Number(_Reader):
+    """A number without a unit, within limits; a quotient in quotes such as ``"1/25"`` is one as well."""
+
+    def __init__(
+        self,
+        noun: str,
+        example: str,
+        *,
+        above: float = -math.inf,
+        at_least: float = -math.inf,
+        below: float = math.inf,
+        at_most: float = math.inf,
+    ) -> None:
+        self.noun = noun
+        self.example = example
+        self.limits = {"above": above, "at least": at_least, "below": below, "at most": at_most}
+
+    def read(self, value: object) -> float:
+        """Return the number; raise UnitError with the fault in plain words."""
+        number = self._number(value)
+        above, at_least, below, at_most = self.limits.values()
+        if not (above < number < below and at_least <= number <= at_most):
+            limits = " and ".join(f"{word} {limit:g}" for word, limit in self._finite().items())
+            raise UnitError(f"{show(value)} is out of range; {self.noun} is {limits}", self._advice())
+        return number
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema: a number within its limits, or a quotient."""
+        words = {"above": "exclusiveMinimum", "at least": "minimum", "below": "exclusiveMaximum", "at most": "maximum"}
+        number = {"type": "number", **{words[word]: limit for word, limit in self._finite().items()}}
+        kinds = [number, {"type": "string", "pattern": rf"^\s*{_NUMBER_PATTERN}\s*/\s*{_NUMBER_PATTERN}\s*$"}]
+        return {"anyOf": kinds, "description": f'{self.noun.capitalize()}: a number, or a quotient such as "1/25".'}
+
+    def _number(self, value: object) -> float:
+        if isinstance(value, bool) or not isinstance(value, int | float | str):
+            raise UnitError(f"{show(value)} is not {self.noun}", self._advice())
+        parts = re.fullmatch(_QUOTIENT, value, re.ASCII) if isinstance(value, str) else None
+        if isinstance(value, str) and (parts is None or float(parts["below"]) == 0):
+            raise UnitError(f"{show(value)} is not {self.noun}", f"{self._advice()}; it has no quotes and no unit")
+        number = float(parts["above"]) / float(parts["below"]) if parts else value
+        if isinstance(number, str) or not (number == 0 or 1 / LARGEST <= abs(number) <= LARGEST):
+            raise UnitError(f"{show(value)} is not a finite number of ordinary size", self._advice())
+        return float(number)
+
+    def _finite(self) -> dict[str, float]:
+        return {word: limit for word, limit in self.limits.items() if math.isfinite(limit)}
+
+    def _advice(self) -> str:
+        return f"write a number, such as {self.example}"
+
+
 class PolarForm:
     """A point may also be a table ``{ length, angle }``: its distance from the origin and its direction."""
 
@@ -152,6 +205,24 @@ class Name(_Reader):
         return {"type": "string", "pattern": NAME_PATTERN, "description": f"Name of a {self.noun}."}
 
 
+class Label(_Reader):
+    """A position of the grid: its number, or its label, such as ``"6'"`` for the first one added after 6."""
+
+    PATTERN = "(0|[1-9][0-9]{0,6})'*"
+
+    def read(self, value: object) -> str:
+        """Return the label; raise UnitError if the value is none."""
+        written = str(value) if isinstance(value, int) and not isinstance(value, bool) else value
+        if not isinstance(written, str) or not re.fullmatch(self.PATTERN, written):
+            raise UnitError(f"{show(value)} is not a position", 'write its number, such as 6, or its label: "6\'"')
+        return written
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema: a whole number or a label."""
+        kinds = [{"type": "integer", "minimum": 0}, {"type": "string", "pattern": f"^{self.PATTERN}$"}]
+        return {"anyOf": kinds, "description": "Number or label of a position."}
+
+
 def _unit_pattern(unit: str) -> str:
     """Return a regex of one unit that takes ``·`` and the raised digits as well."""
     # A unit that begins with a digit (1/s) keeps its distance from the number.
@@ -172,6 +243,9 @@ def _stranger(name: str) -> str:
 Length = Annotated[float, Quantity("length")]
 Angle = Annotated[float, Quantity("angle")]
 Gravity = Annotated[float, Quantity("acceleration", at_least_zero=True)]
+Distance = Annotated[float, Quantity("length", at_least_zero=True)]
+Size = Annotated[float, Quantity("length", at_least_zero=True, nonzero=True)]
+AngularSpeed = Annotated[float, Quantity("angular speed", at_least_zero=True, nonzero=True)]
 Mass = Annotated[float, Quantity("mass", at_least_zero=True)]
 Inertia = Annotated[float, Quantity("inertia", at_least_zero=True)]
 
@@ -182,9 +256,15 @@ InputStart = Annotated[float | Literal["extreme"], Quantity("angle", "length", w
 InputSpeed = Annotated[float, Quantity("angular speed", "speed", nonzero=True)]
 InputAcceleration = Annotated[float, Quantity("angular acceleration", "acceleration")]
 
+Ratio = Annotated[float, Number("a ratio", "26.4", above=0)]
+Friction = Annotated[float, Number("a coefficient of friction", "0.1", at_least=0, at_most=5)]
+Force = Annotated[float, Quantity("force")]
+Moment = Annotated[float, Quantity("moment")]
+
 PointName = Annotated[str, Name("point")]
 JointName = Annotated[str, Name("joint")]
 # Lists of fixed length, not tuples: tuples become prefixItems, which common TOML editors do not follow.
 Point = Annotated[list[Length], Field(min_length=2, max_length=2), PolarForm()]
+PositionLabel = Annotated[str, Label()]
 LinkPair = Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=2, max_length=2)]
 NamePair = Annotated[list[PointName], Field(min_length=2, max_length=2)]

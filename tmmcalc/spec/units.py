@@ -65,11 +65,21 @@ DIMENSIONS = {
     "inertia": Dimension("a moment of inertia", "kg*m^2", "4.5 kg*m^2"),
     "power": Dimension("a power", "W", "1.1 kW"),
     "energy": Dimension("an energy", "J", "250 J"),
+    "area": Dimension("an area", "m^2", "50 cm^2"),
     "pressure": Dimension("a pressure", "Pa", "600 MPa"),
     "stiffness": Dimension("a stiffness", "N/m", "30 N/mm"),
     "torsional stiffness": Dimension("a torsional stiffness", "N*m/rad", "5000 N*m/rad"),
     "damping": Dimension("a damping coefficient", "N*s/m", "20 N*s/m"),
     "torsional damping": Dimension("a torsional damping coefficient", "N*m*s/rad", "0.5 N*m*s/rad"),
+    "quadratic damping": Dimension("a coefficient of quadratic resistance", "N*s^2/m^2", "3.5 N*s^2/m^2"),
+    "torsional quadratic damping": Dimension(
+        "a torsional coefficient of quadratic resistance", "N*m*s^2/rad^2", "0.02 N*m*s^2/rad^2"
+    ),
+    # GD^2 of the catalogues: its unit is the technical one by custom, and a quarter of the number is kg*m^2
+    "flywheel moment": Dimension("a flywheel moment GD^2", "kgf*m^2", "0.11 kgf*m^2"),
+    "voltage": Dimension("a voltage", "V", "220 V"),
+    "resistance": Dimension("an electrical resistance", "ohm", "0.5 ohm"),
+    "motor constant": Dimension("a motor constant", "V*s/rad", "1.4 V*s/rad"),
     "frequency": Dimension("a frequency", "Hz", "50 Hz"),
     "density": Dimension("a density", "kg/m^3", "7850 kg/m^3"),
 }
@@ -122,6 +132,7 @@ UNITS: dict[str, dict[str, Factor]] = {
     },
     "power": {"W": Factor(), "kW": Factor(1000), "MW": Factor(10**6)},
     "energy": {"J": Factor(), "kJ": Factor(1000)},
+    "area": {"m^2": Factor(), "cm^2": Factor(1, 10**4), "mm^2": Factor(1, 10**6)},
     "pressure": {
         "Pa": Factor(),
         "kPa": Factor(1000),
@@ -130,9 +141,15 @@ UNITS: dict[str, dict[str, Factor]] = {
         "bar": Factor(10**5),
     },
     "stiffness": {"N/m": Factor(), "N/mm": Factor(1000), "kN/m": Factor(1000)},
-    "torsional stiffness": {"N*m/rad": Factor()},
-    "damping": {"N*s/m": Factor()},
-    "torsional damping": {"N*m*s/rad": Factor()},
+    "torsional stiffness": {"N*m/rad": Factor(), "kN*m/rad": Factor(1000)},
+    "damping": {"N*s/m": Factor(), "kN*s/m": Factor(1000), "kg/s": Factor()},
+    "torsional damping": {"N*m*s/rad": Factor(), "N*m*s": Factor()},
+    "quadratic damping": {"N*s^2/m^2": Factor(), "kg/m": Factor()},
+    "torsional quadratic damping": {"N*m*s^2/rad^2": Factor(), "N*m*s^2": Factor()},
+    "flywheel moment": {"kgf*m^2": Factor(), "N*m^2": Factor(10**5, 980665)},
+    "voltage": {"V": Factor(), "kV": Factor(1000)},
+    "resistance": {"ohm": Factor(), "Ω": Factor()},
+    "motor constant": {"V*s/rad": Factor(), "V*s": Factor()},
     "frequency": {"Hz": Factor()},
     "density": {"kg/m^3": Factor()},
 }

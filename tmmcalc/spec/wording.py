@@ -10,8 +10,10 @@ from typing import Any, get_args
 
 from pydantic import ValidationError
 
+from .examples import ARRAYS_OF_TABLES, INLINE, LISTS, MISSING
 from .findings import Finding
 from .joints import NAME_TAG, POINT_TAG
+from .late import LateTable
 from .phrases import Path, either, listing, nearest, show
 from .root import Spec
 from .table import Table
@@ -19,55 +21,14 @@ from .units import UnitError
 
 Item = Any  # one entry of ValidationError.errors(): type, loc, input, ctx, msg
 
-# What a missing key is for, and what to write. A test holds this against the required fields of the tables.
-MISSING = {
-    "mechanism": (
-        "a spec describes a mechanism",
-        "add [mechanism.input], [[mechanism.links]] and [[mechanism.joints]]",
-    ),
-    "mechanism.input": (
-        "every mechanism needs an input",
-        'add [mechanism.input] with joint = "O" and speed = "55 rpm"',
-    ),
-    "mechanism.input.joint": ("the input is named by its joint with the frame", 'add joint = "O"'),
-    "mechanism.input.speed": ("the input needs its mean speed", 'add speed = "55 rpm"'),
-    "mechanism.links": ("every mechanism needs links", "add [[mechanism.links]], one for each moving link"),
-    "mechanism.links.id": ("every link needs its number", "add id = 1 (2, 3, ...); 0 is the frame"),
-    "mechanism.joints": (
-        "every mechanism needs joints",
-        "add [[mechanism.joints]], one for each pair of links",
-    ),
-    "mechanism.joints.name": ("every joint needs a name", 'add name = "A"'),
-    "mechanism.joints.kind": ("every joint needs a kind", 'add kind = "revolute" or kind = "prismatic"'),
-    "mechanism.joints.links": ("every joint needs its two links", "add links = [0, 1]; 0 is the frame"),
-    "mechanism.joints.guide": (
-        "every prismatic joint needs the line of its guide",
-        'add guide = { through = "B", angle = "0 deg" }, in the axes of the second of links',
-    ),
-    "mechanism.joints.guide.through": (
-        "the line runs through a point",
-        'add through = "B" or through = [x, y]',
-    ),
-}
 
-_ARRAYS_OF_TABLES = ("mechanism.links", "mechanism.joints", "mechanism.outputs")
-
-# Lists that are not points: what they hold, and an example.
-_LISTS = {
-    "mechanism.grid.extra": ("a list of input coordinates", 'extra = ["30 deg", "200 deg"]'),
-    "mechanism.joints.links": ("two link numbers", "links = [0, 1]"),
-    "mechanism.joints.points": ("the names of the pin on the two links", 'points = ["A", "A2"]'),
-}
-
-
-def findings(error: ValidationError) -> list[Finding]:
-    """Return one finding for each error, without the missing keys that are only misspelt."""
-    found, meant = [], set()
-    for item in error.errors(include_url=False):
-        if item["type"] == "extra_forbidden":
-            meant.add(_meant(item))
-        found.append(_finding(item))
-    return [finding for finding in found if not (finding.path in meant and finding.message.startswith("missing"))]
+def findings(error: ValidationError, checked: list[Finding]) -> list[Finding]:
+    """Return one finding for each error, then those of the checks, without missing keys that are only misspelt."""
+    items = error.errors(include_url=False)
+    meant = {path for item in items if item["type"] == "extra_forbidden" and (path := _meant(item))}
+    misspelt = meant | {path[:-1] for path in meant}  # a table may lack any one of several keys
+    found = [*map(_finding, items), *checked]
+    return [finding for finding in found if not (finding.path in misspelt and finding.message.startswith("missing"))]
 
 
 def _finding(item: Item) -> Finding:
@@ -111,11 +72,11 @@ def _quantity(item: Item, path: Path) -> Finding:
 
 def _not_a_table(item: Item, path: Path) -> Finding:
     pattern = _pattern(path)
-    if pattern in ("mechanism.joints.guide", "mechanism.joints.slider"):
-        remedy = f'write {path[-1]} = {{ through = "B", angle = "0 deg" }}'
+    if pattern in INLINE:
+        remedy = f"write {INLINE[pattern]}"
     elif pattern.endswith((".points", ".fixed", ".sketch")):
         remedy = "write points by name: A = [x, y]"
-    elif pattern in _ARRAYS_OF_TABLES:
+    elif pattern in ARRAYS_OF_TABLES:
         remedy = f"begin each with [[{pattern}]]"
     else:
         remedy = f"write a table: [{pattern}], then its keys"
@@ -124,22 +85,28 @@ def _not_a_table(item: Item, path: Path) -> Finding:
 
 def _not_a_list(item: Item, path: Path) -> Finding:
     pattern, value = _pattern(path), item["input"]
-    if pattern in _ARRAYS_OF_TABLES:
+    if pattern in ARRAYS_OF_TABLES:
         what = "a single table" if isinstance(value, dict) else show(value)
         return Finding(
             path, f"{what}, where a list of tables is needed", f"begin each with [[{pattern}]], two brackets"
         )
-    rule, example = _LISTS.get(pattern, ("a point", 'two coordinates, such as [0, "620 mm"]'))
-    if path[-1] == "through":
+    rule, example = LISTS.get(pattern, ("a point", 'two coordinates, such as [0, "620 mm"]'))
+    if _is_place(path):
         rule, example = "a point", 'the name of a point, such as "B", or two coordinates [x, y]'
     return Finding(path, f"{show(value)} is not {rule}", f"write {example}")
 
 
+def _is_place(path: Path) -> bool:
+    """Whether a value is the name of a point or its coordinates; in a list, it is the ends of a spring."""
+    return path[-1] in ("through", "point") or isinstance(path[-1], int)
+
+
 def _wrong_length(item: Item, path: Path) -> Finding:
     pattern, value = _pattern(path), item["input"]
-    if pattern in _ARRAYS_OF_TABLES:
+    if pattern in ARRAYS_OF_TABLES:
         return Finding(path, f"no {path[-1]}: {MISSING[pattern][0]}", MISSING[pattern][1])
-    rule, example = _LISTS.get(pattern, ("a point is two coordinates", '[x, y], such as [0, "620 mm"]'))
+    a_point = ("a point is two coordinates", '[x, y], such as [0, "620 mm"]')
+    rule, example = a_point if _is_place(path) else LISTS.get(pattern, a_point)
     rule = "a joint connects two links" if pattern == "mechanism.joints.links" else rule
     count = "no values" if not value else "1 value" if len(value) == 1 else f"{len(value)} values"
     return Finding(path, f"{show(value)} has {count}; {rule}", f"write {example}")
@@ -170,7 +137,7 @@ def _too_small(item: Item, path: Path) -> Finding:
     limit, value, pattern = item["ctx"]["ge"], item["input"], _pattern(path)
     if value == 0 and pattern == "mechanism.links.id":
         return Finding(path, "0 is the frame, not a moving link", "its points stand in [mechanism.fixed]; count from 1")
-    if value == 0 and pattern == "mechanism.outputs.link":
+    if value == 0 and pattern in ("mechanism.outputs.link", "loads.link"):
         return Finding(path, "link 0 is the frame and does not move", "name a moving link")
     return Finding(path, f"{show(value)} is less than {limit}, the least allowed", f"write {limit} or more")
 
@@ -197,10 +164,10 @@ def _unknown_key(item: Item, path: Path) -> Finding:
     return Finding(path, message, remedy)
 
 
-def _meant(item: Item) -> Path:
-    """Return the path that a misspelt key was meant to have, its own path if none is near."""
-    path = _place(item["loc"])
-    return (*path[:-1], nearest(str(path[-1]), _keys_at(item["loc"])) or path[-1])
+def _meant(item: Item) -> Path | None:
+    """Return the path that a misspelt key was meant to have, None if no key is near."""
+    path, key = _place(item["loc"]), nearest(str(item["loc"][-1]), _keys_at(item["loc"]))
+    return (*path[:-1], key) if key else None
 
 
 def _of_other_joint(loc: Path, key: str) -> tuple[str, str] | None:
@@ -209,6 +176,10 @@ def _of_other_joint(loc: Path, key: str) -> tuple[str, str] | None:
         return None
     if loc[3] == "revolute" and key in ("guide", "slider"):
         return f"a revolute joint has no {key}", f'remove {key}, or write kind = "prismatic"'
+    if loc[3] == "revolute" and key == "length":
+        return "a revolute joint has no length", "its size is the radius of the pin: radius"
+    if loc[3] == "prismatic" and key == "radius":
+        return "a prismatic joint has no radius", "its size is the length of the slider along the guide: length"
     if loc[3] == "prismatic" and key in ("point", "points"):
         line = 'guide = { through = "B" } and, where it needs one, slider = { through = "A" }'
         return f"a prismatic joint has no {key}", f"its lines are {line}"
@@ -216,7 +187,7 @@ def _of_other_joint(loc: Path, key: str) -> tuple[str, str] | None:
 
 
 def _header(pattern: str) -> str:
-    return f"[[{pattern}]]" if pattern in _ARRAYS_OF_TABLES else f"[{pattern}]"
+    return f"[[{pattern}]]" if pattern in ARRAYS_OF_TABLES else f"[{pattern}]"
 
 
 def _keys_at(loc: Path) -> list[str]:
@@ -237,6 +208,8 @@ def _kind_of(table: type[Table]) -> object:
 
 
 def _tables_in(annotation: Any) -> list[type[Table]]:
+    if isinstance(annotation, LateTable):
+        return [annotation.table]
     if isinstance(annotation, type) and issubclass(annotation, Table):
         return [annotation]
     return [table for part in get_args(annotation) for table in _tables_in(part)]

@@ -1,19 +1,22 @@
 """Checks that reach across the tables of a spec.
 
-Each check is a function from the outline of the raw mechanism to its findings; a new one joins by one
-line in ``CHECKS``. They never raise: what is not of the right type is left to the tables' own types.
+Each check is a function from the outline of the raw document to its findings; a new one joins by one line in the
+``CHECKS`` of its module, or here for the mechanism. They never raise: what is not of the right type is left to the
+tables' own types.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from importlib import import_module
+from typing import TYPE_CHECKING
 
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path
 
 from .assembly import check_sketch, check_variants
 from .drive import check_dimensions, check_grid, check_joint, check_prismatic_input, check_reach
-from .joints import check_lines, check_links, check_names, check_pins
+from .joints import check_friction, check_lines, check_links, check_names, check_pins
 from .links import (
     check_ambiguous,
     check_connected,
@@ -22,10 +25,15 @@ from .links import (
     check_masses,
     check_reserved_names,
 )
-from .outline import Outline, Raw, subtable
+from .outline import Outline, Raw
 from .outputs import check_outputs
 
-CHECKS: tuple[Callable[[Outline], Iterator[Finding]], ...] = (
+if TYPE_CHECKING:
+    from tmmcalc.spec.files import Rows
+
+Check = Callable[[Outline], Iterator[Finding]]
+
+CHECKS: tuple[Check, ...] = (
     check_ids,
     check_reserved_names,
     check_masses,
@@ -36,6 +44,7 @@ CHECKS: tuple[Callable[[Outline], Iterator[Finding]], ...] = (
     check_links,
     check_pins,
     check_lines,
+    check_friction,
     check_joint,
     check_dimensions,
     check_prismatic_input,
@@ -46,8 +55,28 @@ CHECKS: tuple[Callable[[Outline], Iterator[Finding]], ...] = (
     check_variants,
 )
 
+# Modules with the checks of a table, imported only when a spec has it.
+_OF_TABLE = {
+    "loads": ("loads", "windows", "curves", "indicator"),
+    "springs": ("springs",),
+    "drive": ("gear",),
+    "motor": ("motor",),
+    "motion": ("motion",),
+    "flywheel": ("flywheel",),
+}
 
-def check(data: Raw, line_of: Callable[[Path], int | None]) -> list[Finding]:
-    """Return the findings of all checks on the raw document; ``line_of`` gives the line of a place."""
-    outline = Outline(subtable(data, "mechanism"), line_of)
-    return [finding for rule in CHECKS for finding in rule(outline)]
+
+def check(data: Raw, line_of: Callable[[Path], int | None], rows: Mapping[Path, Rows]) -> list[Finding]:
+    """Return the findings of all checks on the raw document.
+
+    ``line_of`` gives the line of a place, ``rows`` what was read from the CSV files of load tables.
+    """
+    outline = Outline(data, line_of, rows)
+    return [finding for rule in (*CHECKS, *_of_tables(data)) for finding in rule(outline)]
+
+
+def _of_tables(data: Raw) -> Iterator[Check]:
+    for table, modules in _OF_TABLE.items():
+        if table in data:
+            for module in modules:
+                yield from import_module(f".{module}", __name__).CHECKS

@@ -13,7 +13,7 @@ from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
 from tmmcalc.spec.units import DIMENSIONS, FULL_TURN, UnitError, dimension_of, parse
 
-from .outline import FRAME, Outline, RawJoint, subtable
+from .outline import FRAME, Outline, subtable
 
 _INPUT = ("mechanism", "input")
 _GRID = ("mechanism", "grid")
@@ -45,7 +45,7 @@ def check_joint(outline: Outline) -> Iterator[Finding]:
 
 def check_dimensions(outline: Outline) -> Iterator[Finding]:
     """The quantities of the input have the dimensions of its joint."""
-    joint = _input_joint(outline)
+    joint = outline.input_joint
     if joint is None or joint.kind not in _COORDINATE:
         return
     for path, value, dimension in _quantities(outline, joint.kind):
@@ -94,7 +94,7 @@ def _others(dimension: str) -> set[str]:
 
 def check_prismatic_input(outline: Outline) -> Iterator[Finding]:
     """A sliding input has no full turn and no dead centre to start from: it needs a span and a start."""
-    joint = _input_joint(outline)
+    joint = outline.input_joint
     if joint is None or joint.kind != "prismatic":
         return
     motion, grid = subtable(outline.table, "input"), subtable(outline.table, "grid")
@@ -125,7 +125,7 @@ def check_grid(outline: Outline) -> Iterator[Finding]:
             f"add {other} = 8, or write positions = 24 instead",
         )
     start = subtable(outline.table, "input").get("start", "extreme")
-    joint = _input_joint(outline)
+    joint = outline.input_joint
     if strokes and start != "extreme" and not (joint and joint.kind == "prismatic"):
         yield Finding(
             (*_INPUT, "start"),
@@ -143,7 +143,7 @@ def check_grid(outline: Outline) -> Iterator[Finding]:
 
 def check_reach(outline: Outline) -> Iterator[Finding]:
     """A crank is analysed over one turn at most, and extra positions lie within the span."""
-    joint = _input_joint(outline)
+    joint = outline.input_joint
     if joint is None or joint.kind not in _COORDINATE:
         return
     grid, dimension = subtable(outline.table, "grid"), _COORDINATE[joint.kind]
@@ -173,8 +173,3 @@ def _number(value: object, dimension: str, otherwise: float) -> float:
         return parse(value, dimension)
     except UnitError:
         return otherwise
-
-
-def _input_joint(outline: Outline) -> RawJoint | None:
-    name = subtable(outline.table, "input").get("joint")
-    return outline.joint_named(name) if isinstance(name, str) else None

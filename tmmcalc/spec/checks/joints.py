@@ -35,7 +35,7 @@ def check_links(outline: Outline) -> Iterator[Finding]:
             yield Finding(
                 (*joint.path, "links"),
                 f"{list(joint.links)} is one link twice; a joint connects two different links",
-                f"the links are: {_known_links(outline)}",
+                f"the links are: {known_links(outline)}",
             )
         elif outline.ids_complete:
             yield from _absent(outline, joint, joint.links)
@@ -47,11 +47,12 @@ def _absent(outline: Outline, joint: RawJoint, links: tuple[int, int]) -> Iterat
             yield Finding(
                 (*joint.path, "links", place),
                 f"there is no link {link}",
-                f"the links are: {_known_links(outline)}",
+                f"the links are: {known_links(outline)}",
             )
 
 
-def _known_links(outline: Outline) -> str:
+def known_links(outline: Outline) -> str:
+    """Return the numbers of all links for a remedy."""
     return listing("0 (the frame)" if id_ == FRAME else id_ for id_ in outline.ids)
 
 
@@ -133,3 +134,14 @@ def _through(outline: Outline, joint: RawJoint, role: str, link: int, other: int
         f"{link_words(link)}, the {role} of this joint, has no point {show(point)}",
         remedy,
     )
+
+
+def check_friction(outline: Outline) -> Iterator[Finding]:
+    """The friction of a pin acts on its radius."""
+    for joint in outline.joints:
+        if joint.kind == "revolute" and joint.table.get("friction") and "radius" not in joint.table:
+            yield Finding(
+                (*joint.path, "friction"),
+                "friction without radius: the moment of friction in a pin is f R r",
+                'add radius = "20 mm", the radius of the pin',
+            )

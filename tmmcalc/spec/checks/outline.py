@@ -1,4 +1,4 @@
-"""A defensive view of the raw ``[mechanism]`` table for the checks that reach across tables.
+"""A defensive view of the raw document, above all of ``[mechanism]``, for the checks that reach across tables.
 
 The checks run whether or not the tables are well formed, so that all faults come in one report. The
 outline holds what could be read; what could not is None, and its own fault is pydantic's to report.
@@ -6,13 +6,17 @@ outline holds what could be read; what could not is None, and its own fault is p
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import field
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tmmcalc.records import record
 from tmmcalc.spec.phrases import Path
 from tmmcalc.spec.quantities import NAME
+
+if TYPE_CHECKING:
+    from tmmcalc.spec.files import Rows
 
 FRAME = 0
 Raw = dict[str, Any]
@@ -63,10 +67,16 @@ class RawJoint:
 
 @record
 class Outline:
-    """The mechanism as written, and the line of each place."""
+    """The document and its mechanism as written, the line of each place, and the CSV files that were read."""
 
-    table: Raw
+    document: Raw
     line_of: Callable[[Path], int | None]
+    rows: Mapping[Path, Rows] = field(default_factory=dict)
+
+    @cached_property
+    def table(self) -> Raw:
+        """The mechanism."""
+        return subtable(self.document, "mechanism")
 
     @cached_property
     def links(self) -> list[RawLink]:
@@ -130,6 +140,17 @@ class Outline:
         points = self.points.get(link)
         return points is None or name in points
 
+    @cached_property
+    def input_joint(self) -> RawJoint | None:
+        """The joint of the input."""
+        name = subtable(self.table, "input").get("joint")
+        return self.joint_named(name) if isinstance(name, str) else None
+
+    @property
+    def slides(self) -> bool:
+        """Whether the input is a driven slider."""
+        return self.input_joint is not None and self.input_joint.kind == "prismatic"
+
     def at_line(self, path: Path) -> str:
         """Return " (line 40)" for a place, or nothing if it has no line."""
         line = self.line_of(path)
@@ -146,6 +167,12 @@ def subtable(table: Raw, key: str) -> Raw:
     """Return a subtable, an empty one if there is none."""
     found = table.get(key)
     return found if isinstance(found, dict) else {}
+
+
+def word(table: Raw, key: str, otherwise: str = "") -> str:
+    """Return a text of a table; ``otherwise`` if it is absent or no text."""
+    found = table.get(key, otherwise)
+    return found if isinstance(found, str) else otherwise
 
 
 def is_integer(value: object) -> bool:

@@ -1,0 +1,208 @@
+"""Checks of ``[motor]``: a name of the catalogue or data, and what the characteristic needs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from tmmcalc.spec.findings import Finding
+from tmmcalc.spec.phrases import either, listing, show
+from tmmcalc.spec.units import LARGEST
+
+from .outline import Outline, Raw, subtable, word
+from .values import amount, amounts, first_disorder
+
+CHOOSE = "choose"
+_RATED = ("power", "speed")
+_BESIDE_CHOICE = ("synchronous_speed", "catalogue", "characteristic", "time_constant")
+
+# What a characteristic needs beside the rated power and speed: one of these sets of keys.
+_NEEDS: dict[str, tuple[tuple[str, ...], ...]] = {
+    "parabolic": (("synchronous_speed",),),
+    "linear": (("synchronous_speed",),),
+    "kloss": (("synchronous_speed", "overload"),),
+    "shunt": (("no_load_speed",), ("voltage", "resistance", "constant")),
+    "series": (("efficiency",), ("voltage", "resistance")),
+    "table": (("table",),),
+}
+_EXAMPLES = {
+    "power": '"7.5 kW"',
+    "speed": '"1455 rpm"',
+    "synchronous_speed": '"1500 rpm"',
+    "no_load_speed": '"1600 rpm"',
+    "overload": "2.2",
+    "efficiency": "0.88",
+    "voltage": '"220 V"',
+    "resistance": '"0.5 ohm"',
+    "constant": '"1.4 V*s/rad"',
+    "table": '{ speed = ["0 rpm", "1500 rpm"], moment = ["15 N*m", 0] }',
+}
+_OTHER_IDLE = {"synchronous_speed": "no_load_speed", "no_load_speed": "synchronous_speed"}
+_DIRECT_CURRENT = {"voltage": ("shunt", "series"), "resistance": ("shunt", "series"), "constant": ("shunt",)}
+_USUAL = {"induction": "parabolic", "shunt": "shunt", "series": "series"}
+_OF_KIND = {
+    "parabolic": ("induction",),
+    "linear": ("induction", "shunt"),
+    "kloss": ("induction",),
+    "shunt": ("shunt",),
+    "series": ("series",),
+}
+_FASTEST_BARE = 400.0  # rad/s: a larger bare speed is rpm in disguise
+_LEAST_BARE = 20.0  # W: a smaller bare power is kW in disguise
+_SPEEDS = ("speed", "synchronous_speed", "no_load_speed")
+
+
+def check_source(outline: Outline) -> Iterator[Finding]:
+    """A motor has a name or data; one that is chosen has no data yet."""
+    motor = subtable(outline.document, "motor")
+    name = motor.get("name")
+    if not {"name", *_RATED} & {*motor}:
+        yield Finding(
+            ("motor",),
+            "missing key: a motor has a name in the catalogue, or its data",
+            'add name = "4A132S4", or power = "7.5 kW" and speed = "1455 rpm"',
+        )
+    if "catalogue" in motor and "name" not in motor:
+        yield Finding(
+            ("motor", "catalogue"),
+            "catalogue without name: nothing is read from it",
+            f'add name = "{CHOOSE}", or the name of a motor in it',
+        )
+    for key in motor if name == CHOOSE else ():
+        if key not in (*_BESIDE_CHOICE, "name"):
+            yield Finding(
+                ("motor", key),
+                f'{key} together with name = "{CHOOSE}": the catalogue gives the data of the motor that is chosen',
+                f"remove it; beside the choice there may be {listing(_BESIDE_CHOICE)}",
+            )
+    if "flywheel_moment" in motor and "inertia" in motor:
+        yield Finding(
+            ("motor", "flywheel_moment"),
+            "inertia and flywheel_moment together: the rotor has one",
+            "remove one of them",
+        )
+    if outline.slides and outline.input_joint is not None:
+        yield Finding(
+            ("motor",),
+            f'the input joint "{outline.input_joint.name}" is prismatic; a motor turns a crank',
+            "remove [motor]",
+        )
+
+
+def check_characteristic(outline: Outline) -> Iterator[Finding]:
+    """The characteristic belongs to the kind of motor and has what it needs."""
+    motor = subtable(outline.document, "motor")
+    # with a power the name is only a name
+    named = "name" in motor and ("power" not in motor or motor["name"] == CHOOSE)
+    kind = word(motor, "kind", "" if named else "induction")  # the catalogue knows the kind of a named one
+    yield from _check_kind(motor, kind)
+    form = word(motor, "characteristic", _USUAL.get(kind, ""))
+    kinds = _OF_KIND.get(form, (kind,))
+    if kind in _USUAL and kind not in kinds:
+        owners = either(_article(owner) for owner in kinds)
+        yield Finding(
+            ("motor", "characteristic"),
+            f"{show(form)} is a characteristic of {owners} motor, not of {_article(kind)} one",
+            f'write "{_USUAL[kind]}", or {either(_kind_is(owner) for owner in kinds)}',
+        )
+        return
+    if "table" in motor and form != "table":
+        what = f'table without characteristic = "table"; the characteristic is {form or "that of the catalogue"}'
+        yield Finding(("motor", "table"), what, 'add characteristic = "table", or remove table')
+    elif form == "table" if named else form and {*_RATED} & {*motor}:
+        yield from _check_needs(motor, form, kind, named)
+
+
+def _check_needs(motor: Raw, form: str, kind: str, named: bool) -> Iterator[Finding]:
+    ways = _NEEDS.get(form, ((),))
+    if form == "linear" and kind == "shunt":
+        ways = _NEEDS["shunt"][:1]
+    needed = next((way for way in ways if {*way} & {*motor}), ways[0])  # the way that was begun
+    for key in (*(() if named else _RATED), *needed):
+        if key not in motor and _OTHER_IDLE.get(key) not in motor:  # the other one has its own fault
+            yield Finding(
+                ("motor", key), f"missing key: a {form} characteristic needs {key}", f"add {key} = {_EXAMPLES[key]}"
+            )
+
+
+def _check_kind(motor: Raw, kind: str) -> Iterator[Finding]:
+    """Each kind of motor has its own speed without load; only a direct-current one has a circuit."""
+    for key, owner in (("synchronous_speed", "induction"), ("no_load_speed", "shunt")):
+        if key in motor and kind in _USUAL and kind != owner:
+            other = "no_load_speed" if kind == "shunt" else "synchronous_speed"
+            remedy = "remove it, or write" if kind == "series" else f"write {other}, or"
+            yield Finding(("motor", key), f"{_article(kind)} motor has no {key}", f"{remedy} {_kind_is(owner)}")
+    for key, owners in _DIRECT_CURRENT.items():
+        if key in motor and kind in _USUAL and kind not in owners:
+            remedy = f"remove it, or write {either(_kind_is(owner) for owner in owners)}"
+            yield Finding(("motor", key), f"{_article(kind)} motor has no {key}", remedy)
+
+
+def _article(kind: str) -> str:
+    return f"an {kind}" if kind == "induction" else f"a {kind}"
+
+
+def _kind_is(kind: str) -> str:
+    return f'kind = "{kind}"'
+
+
+def check_bare_numbers(outline: Outline) -> Iterator[Finding]:
+    """Speeds in rpm and a power in kW say so: their bare numbers stand out."""
+    motor = subtable(outline.document, "motor")
+    for key in _SPEEDS:
+        bare = _bare(motor.get(key))
+        if bare is not None and bare > _FASTEST_BARE:
+            yield Finding(
+                ("motor", key),
+                f"{show(bare)} without a unit is in rad/s, which is {bare * 30 / math.pi:.0f} rpm",
+                f'write "{bare:g} rpm" or "{bare:g} rad/s"',
+            )
+    power = _bare(motor.get("power"))
+    if power is not None and 0 < power < _LEAST_BARE:
+        yield Finding(
+            ("motor", "power"), f"{show(power)} without a unit is in W", f'write "{power:g} kW" or "{power:g} W"'
+        )
+
+
+def check_order(outline: Outline) -> Iterator[Finding]:
+    """The rated speed is below the one without load."""
+    motor = subtable(outline.document, "motor")
+    rated = amount(motor.get("speed"), "angular speed")
+    for key in _SPEEDS[1:]:
+        idle = amount(motor.get(key), "angular speed")
+        disguised = any((_bare(motor.get(name)) or 0.0) > _FASTEST_BARE for name in ("speed", key))
+        if rated is not None and idle is not None and rated >= idle > 0 and not disguised:
+            yield Finding(
+                ("motor", "speed"),
+                f"the rated speed {show(motor['speed'])} is not below {key} {show(motor[key])}",
+                'a motor slips under load: such as speed = "1455 rpm" below synchronous_speed = "1500 rpm"',
+            )
+
+
+def _bare(value: object) -> float | None:
+    """Return a finite number without a unit."""
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    return value if number and isinstance(value, int | float) and abs(value) < LARGEST else None
+
+
+def check_curve(outline: Outline) -> Iterator[Finding]:
+    """A characteristic by points has one moment for each speed, and its speeds ascend."""
+    table = subtable(subtable(outline.document, "motor"), "table")
+    speed, moment = table.get("speed"), table.get("moment")
+    if isinstance(speed, list) and isinstance(moment, list) and len(speed) != len(moment) > 1 < len(speed):
+        yield Finding(
+            ("motor", "table", "moment"),
+            f"{len(moment)} moments for {len(speed)} speeds",
+            "write one moment for each speed",
+        )
+    numbers = amounts(speed, "angular speed")
+    disorder = first_disorder(numbers) if numbers else None
+    if disorder is not None:
+        yield Finding(
+            ("motor", "table", "speed", disorder),
+            f"{show(table['speed'][disorder])} does not come after {show(table['speed'][disorder - 1])}; speeds ascend",
+            "put the points in order",
+        )
+
+
+CHECKS = (check_source, check_characteristic, check_bare_numbers, check_order, check_curve)

@@ -1,0 +1,34 @@
+"""Numbers of the raw document in SI, where they can be read; what cannot is reported with the tables."""
+
+from __future__ import annotations
+
+from tmmcalc.spec.quantities import Number
+from tmmcalc.spec.units import UnitError, parse
+
+_ANY = Number("a number", "1")
+
+
+def amount(value: object, *dimensions: str) -> float | None:
+    """Return a quantity of one of the dimensions in SI, a bare number without any; None if it is absent or faulty."""
+    try:
+        return parse(value, *dimensions) if dimensions else _ANY.read(value)
+    except UnitError:
+        return None
+
+
+def amounts(listed: object, *dimensions: str) -> list[float] | None:
+    """Return a list of quantities in SI; None if it is no list or one of them is faulty."""
+    if not isinstance(listed, list):
+        return None
+    found = [amount(value, *dimensions) for value in listed]
+    numbers = [number for number in found if number is not None]
+    return numbers if len(numbers) == len(found) else None
+
+
+def first_disorder(numbers: list[float]) -> int | None:
+    """Return the index of the first number that does not come after the one before it; None if all ascend.
+
+    >>> first_disorder([0.0, 1.0, 1.0, 2.0])
+    2
+    """
+    return next((i for i in range(1, len(numbers)) if not numbers[i] > numbers[i - 1]), None)

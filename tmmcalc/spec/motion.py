@@ -1,0 +1,24 @@
+"""``[motion]``: how the motion of the machine is found."""
+
+from typing import Literal
+
+from pydantic import Field
+
+from .quantities import AngularSpeed, Inertia
+from .table import Table
+
+
+class MotionTable(Table):
+    """What drives the machine, and its constant moment of inertia beside the parts that the spec names."""
+
+    drive: Literal["motor", "positional"] | None = Field(
+        default=None,
+        description="The motor, or a constant moment that holds the mean speed (default: the motor, if there is one).",
+    )
+    inertia: Inertia = Field(
+        default=0.0,
+        description="Further constant moment of inertia on the crank, beside rotor, gears and flywheel.",
+    )
+    speed: AngularSpeed | None = Field(
+        default=None, description="Mean speed of the crank without a motor (default: that of the input)."
+    )

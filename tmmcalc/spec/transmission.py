@@ -1,0 +1,21 @@
+"""``[transmission]``: the gears between the motor and the crank."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from .quantities import Inertia, Number, Ratio
+from .table import Table
+
+Efficiency = Annotated[float, Number("an efficiency", "0.95", above=0, at_most=1)]
+
+
+class TransmissionTable(Table):
+    """The gears between the motor and the crank."""
+
+    ratio: Ratio | None = Field(
+        default=None,
+        description="Speed of the motor over that of the crank (default: rated speed over the input's mean speed).",
+    )
+    efficiency: Efficiency = Field(default=1.0, description="Efficiency of the gears.")
+    inertia: Inertia = Field(default=0.0, description="Moment of inertia of the gears, reduced to the crank.")
