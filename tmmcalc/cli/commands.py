@@ -7,6 +7,11 @@ COMMANDS = {
     "plan": ("tmmcalc.cli.plan", "Show which stages run for a spec, which do not, and why."),
     "structure": ("tmmcalc.cli.structure", "Mobility, Assur groups, structural formula."),
     "kinematics": ("tmmcalc.cli.kinematics", "Positions, velocities, accelerations, dead centres, strokes."),
+    "forces": ("tmmcalc.cli.forces", "Reactions in the pairs, friction, driving moment."),
+    "reduce": ("tmmcalc.cli.reduce", "Reduced moments and inertia, work per cycle."),
+    "power": ("tmmcalc.cli.power", "Work per cycle, efficiency, power, choice of the motor."),
+    "flywheel": ("tmmcalc.cli.flywheel", "The flywheel for the allowed unevenness, by all methods."),
+    "motion": ("tmmcalc.cli.motion", "Steady motion of the machine over the cycle."),
     "run": ("tmmcalc.cli.run", "Run every stage that the spec has."),
     "plot": ("tmmcalc.cli.plot", "Draw the result of a stage to an svg, png or pdf file."),
 }

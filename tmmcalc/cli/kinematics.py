@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmmcalc.cli.options import (
+    Columns,
     Csv,
     Depfile,
     Form,
@@ -16,11 +17,13 @@ from tmmcalc.cli.options import (
     Fresh,
     FromStage,
     Out,
+    Positions,
     Quiet,
     Set,
     SpecFile,
     Store,
     Strict,
+    patterns_of,
 )
 from tmmcalc.cli.positions import rows_of
 from tmmcalc.cli.work import Job, title
@@ -43,14 +46,8 @@ class MethodChoice(StrEnum):
 def command(
     spec: SpecFile,
     form: Form = Format.table,
-    columns: Annotated[
-        str | None,
-        typer.Option("--columns", metavar="NAMES", help="Columns by name, with wildcards: 'phi,x_*,omega_3'."),
-    ] = None,
-    positions: Annotated[
-        str | None,
-        typer.Option("--positions", metavar="LIST", help="Positions to show: '0,6,18' or '0:24:2'."),
-    ] = None,
+    columns: Columns = None,
+    positions: Positions = None,
     dimensionless: Annotated[
         bool, typer.Option("--dimensionless", help="The table in units of the crank length and its speed.")
     ] = False,
@@ -110,7 +107,7 @@ def command(
         document = kinematics_document(
             result,
             heading,
-            patterns=_patterns(columns),
+            patterns=patterns_of(columns),
             rows=rows_of(positions, result.labels),
             dimensionless=dimensionless,
             everything=form is not Format.table,
@@ -160,16 +157,6 @@ def _check_flags(
             where="--study, --compare",
             remedy="leave --columns, --positions and --dimensionless out",
         )
-
-
-def _patterns(columns: str | None) -> list[str]:
-    """Names and wildcards of --columns; empty if all columns are meant."""
-    if columns is None:
-        return []
-    names = [name.strip() for name in columns.split(",")]
-    if not any(names):
-        raise UsageError("no column is named", where="--columns", remedy="write e.g. --columns 'phi,x_*'")
-    return [name for name in names if name]
 
 
 def _settings(scene: Spec, method: MethodChoice, step: str | None, decimals: int | None) -> dict[str, object]:

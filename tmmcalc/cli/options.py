@@ -8,6 +8,8 @@ from typing import Annotated
 
 import typer
 
+from tmmcalc.errors import UsageError
+
 
 class Format(StrEnum):
     """Format of what is printed."""
@@ -65,6 +67,16 @@ Depfile = Annotated[
         "--depfile", metavar="FILE", help="Write a Makefile rule: the stage files need the spec.", show_default=False
     ),
 ]
+Columns = Annotated[
+    str | None,
+    typer.Option(
+        "--columns", metavar="NAMES", help="Columns by name, with wildcards: 'phi,x_*,omega_3'.", show_default=False
+    ),
+]
+Positions = Annotated[
+    str | None,
+    typer.Option("--positions", metavar="LIST", help="Positions to show: '0,6,18' or '0:24:2'.", show_default=False),
+]
 Strict = Annotated[bool, typer.Option("--strict", help="Fail with exit code 5 if there is a warning.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Only warnings and errors on standard error.")]
 Set = Annotated[
@@ -73,3 +85,13 @@ Set = Annotated[
         "--set", metavar="KEY=VALUE", help="Override a value of the spec; may be repeated.", show_default=False
     ),
 ]
+
+
+def patterns_of(columns: str | None) -> list[str]:
+    """Names and wildcards of --columns; empty if all columns are meant."""
+    if columns is None:
+        return []
+    names = [name.strip() for name in columns.split(",")]
+    if not any(names):
+        raise UsageError("no column is named", where="--columns", remedy="write e.g. --columns 'phi,x_*'")
+    return [name for name in names if name]

@@ -31,8 +31,8 @@ class Archive:
         self._hashes: dict[str, str] = {}
 
     def provenance(self, stage: Stage, inputs: object, settings: Mapping[str, Any]) -> Provenance:
-        """Return what the result of a stage depends on; the stages that it needs must have come before."""
-        upstream = {need: self._hashes[need] for need in stage.needs}
+        """Return what the result of a stage depends on; those that it reads must have come before."""
+        upstream = {name: self._hashes[name] for name in stage.upstream(self._hashes)}
         digest = stage_hash(stage, inputs, settings, upstream)
         self._hashes[stage.name] = digest
         return Provenance(stage.name, __version__, digest, upstream, settings)

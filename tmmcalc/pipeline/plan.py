@@ -66,9 +66,9 @@ def known_stage(name: str, stages: Mapping[str, Stage]) -> Stage:
 
 
 def _upstream(target: str, stages: Mapping[str, Stage]) -> set[str]:
-    """Return the target and every stage that it needs, directly or not."""
+    """Return the target and every stage that it needs or uses, directly or not."""
     found = {target}
-    for need in stages[target].needs:
+    for need in stages[target].upstream(stages):
         found |= _upstream(need, stages)
     return found
 
@@ -105,6 +105,6 @@ def _step(
         return Step(name, title, False, f"not needed by {target}", asked=False)
     if name in barred:
         return Step(name, title, False, barred[name])
-    users = [user for user in stages if user in running and name in stages[user].needs]
+    users = [u for u in stages if u in running and name in stages[u].upstream(stages)]
     reason = "asked for" if name == target or not users else f"needed by {', '.join(users)}"
     return Step(name, title, True, reason)

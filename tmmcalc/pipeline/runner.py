@@ -108,7 +108,7 @@ class _Run:
         return self.archive.outcome(stage, provenance, forced, lambda: self._computed(stage, inputs), self.tell)
 
     def _computed(self, stage: Stage, inputs: object) -> Outcome:
-        upstream = {need: self.outcomes[need].result for need in stage.needs}
+        upstream = {name: self.outcomes[name].result for name in stage.upstream(self.outcomes)}
         result = resolve(stage.solve)(inputs, upstream, self.options[stage.name])
         record = plain_record(resolve(stage.dump)(result))
         return Outcome(stage, lambda: record)

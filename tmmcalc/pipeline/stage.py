@@ -12,7 +12,7 @@ the only form in which a result is handed on, whether it has just been computed 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Container, Mapping
 from dataclasses import field
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -68,7 +68,12 @@ class Stage:
     table: str = ""  # (result) -> Table | None; empty: the stage has no table
     wanted: str = ""  # (spec) -> None, or the reason why the scene leaves the stage out; empty: always wanted
     needs: tuple[str, ...] = ()  # the stages whose results it reads
+    uses: tuple[str, ...] = ()  # the stages whose results it reads if the scene has them
     settings: Mapping[str, Any] = field(default_factory=dict)  # options of the method and their defaults
+
+    def upstream(self, done: Container[str]) -> list[str]:
+        """The stages whose results it reads, of those that are done."""
+        return [*self.needs, *(name for name in self.uses if name in done)]
 
 
 def resolve(reference: str) -> Callable[..., Any]:

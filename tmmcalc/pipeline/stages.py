@@ -13,15 +13,19 @@ def _stage(
     title: str,
     *,
     needs: tuple[str, ...] = (),
+    uses: tuple[str, ...] = (),
+    wanted: bool = False,
     settings: Mapping[str, Any] | None = None,
     table: bool = True,
 ) -> Stage:
-    """Declare a stage whose functions live in the module of its name."""
+    """Declare a stage whose functions live in the module of its name; ``wanted``: not every scene has it."""
     home = f"tmmcalc.stages.{name}"
     return Stage(
         name=name,
         title=title,
         needs=needs,
+        uses=uses,
+        wanted=f"tmmcalc.stages.wanted:{name}" if wanted else "",
         inputs=f"{home}:inputs",
         solve=f"{home}:solve",
         dump=f"{home}:dump",
@@ -40,6 +44,39 @@ STAGES: dict[str, Stage] = {
             "positions, velocities and accelerations over the cycle",
             needs=("structure",),
             settings={"method": "closed", "step": 0.0, "decimals": 0},  # 0: the default step, no rounding
+        ),
+        _stage(
+            "forces",
+            "reactions in all pairs and the drive, with friction",
+            needs=("kinematics",),
+            wanted=True,
+        ),
+        _stage(
+            "reduction",
+            "reduced moments and inertia, work per cycle",
+            needs=("kinematics",),
+            wanted=True,
+        ),
+        _stage(
+            "power",
+            "work per cycle, efficiency, power, the motor",
+            needs=("reduction",),
+            wanted=True,
+            table=False,
+        ),
+        _stage(
+            "flywheel",
+            "the flywheel for the allowed unevenness, by all methods",
+            needs=("reduction", "power"),
+            wanted=True,
+            table=False,
+        ),
+        _stage(
+            "motion",
+            "steady motion of the machine: speed over the cycle",
+            needs=("reduction", "power"),
+            uses=("flywheel",),
+            wanted=True,
         ),
     )
 }

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from tmmcalc.linkage.columns import Column, columns, select
+from tmmcalc.columns import Column
+from tmmcalc.linkage.columns import columns
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.report.document import Document, View
+from tmmcalc.report.document import Document
 from tmmcalc.report.facts import facts_of, input_column, unit_fact
+from tmmcalc.report.positions import more, positions_view
 
 
 def kinematics_summary(result: Kinematics, title: str) -> Document:
@@ -33,26 +35,19 @@ def kinematics_document(
     the terminal cuts the rest.
     """
     available = columns(result, dimensionless=dimensionless)
-    names = {"i": "", **{c.header: c.name for c in available}}
-    wanted = [name for name in (names.get(p, p) for p in patterns) if name]
-    usual = available if everything else _first(result, available)
-    chosen = select(available, wanted) if patterns else usual
     summary = kinematics_summary(result, title)
     return replace(
         summary,
         facts=(*summary.facts, *([unit_fact(result)] if dimensionless else [])),
-        table=_view(result.labels, chosen, range(len(result.labels)) if rows is None else rows),
+        table=positions_view(
+            result.labels,
+            available,
+            usual=available if everything else _first(result, available),
+            patterns=patterns,
+            rows=rows,
+        ),
         wide=not patterns,
-        more=f"choose with --columns, e.g. --columns 'phi,x_*'{f', or see {where}' if where else ''}",
-    )
-
-
-def _view(labels: Sequence[str], chosen: Sequence[Column], rows: Sequence[int]) -> View:
-    values = [c.make() for c in chosen]
-    return View(
-        ["i", *(c.header for c in chosen)],
-        [[labels[k] for k in rows], *([float(v[k]) for k in rows] for v in values)],
-        [0.0, *(float(abs(v).max()) for v in values)],
+        more=more(where),
     )
 
 

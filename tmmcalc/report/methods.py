@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from tmmcalc.linkage.columns import columns, select
+from tmmcalc.columns import select
+from tmmcalc.linkage.columns import columns
 from tmmcalc.linkage.kinematics import solve_kinematics, step_study
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Kinematics

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from tmmcalc.pipeline.stage import resolve
 from tmmcalc.report.document import Document
-from tmmcalc.report.kinematics import kinematics_summary
-from tmmcalc.report.structure import structure_document
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
-_SUMMARIES: dict[str, Callable[[Any, str], Document]] = {
-    "structure": structure_document,
-    "kinematics": kinematics_summary,
+# by name, so that the summary of a stage that did not run is never imported
+SUMMARIES = {
+    "structure": "tmmcalc.report.structure:structure_document",
+    "kinematics": "tmmcalc.report.kinematics:kinematics_summary",
+    "forces": "tmmcalc.report.forces:forces_summary",
+    "reduction": "tmmcalc.report.reduction:reduction_summary",
 }
 
 
@@ -24,7 +25,7 @@ def run_document(run: RunResult, title: str) -> Document:
     parts: list[Document] = []
     said: set[str] = set()
     for stage in run.outcomes:
-        part = _SUMMARIES[stage](run.results[stage], stage)
+        part: Document = resolve(SUMMARIES[stage])(run.results[stage], stage)
         facts = tuple(fact for fact in part.facts if fact.label not in said)
         said |= {fact.label for fact in facts}
         parts.append(replace(part, facts=facts))

@@ -1,36 +1,73 @@
-"""Frozen records as plain values for TOML, and back, by their type hints."""
+"""Frozen records as plain values for TOML and arrays for npz, and back, by their type hints."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from types import UnionType
 from typing import Any, Union, get_args, get_origin, get_type_hints
 
+import numpy as np
 
-def plain(value: Any) -> Any:
-    """The value as nested dicts and lists; fields that are None are left out, as TOML has no null."""
+from tmmcalc.pipeline.stage import Record
+
+LABELS = "labels"  # a field of this name is as long as the table: it goes to the arrays
+
+
+def to_record(result: Any, error: Mapping[str, Any] | None = None) -> Record:
+    """The stored form of a result record: arrays by their dotted path, everything else as nested plain values."""
+    arrays: dict[str, np.ndarray] = {}
+    scalars = plain(result, arrays)
+    counters = scalars.pop("counters", {})
+    return Record(scalars, arrays, error or {}, counters)
+
+
+def from_record(kind: Any, record: Record) -> Any:
+    """The result record of type ``kind`` that `to_record` stored."""
+    return restore(kind, {**record.scalars, "counters": record.counters}, record.arrays)
+
+
+def plain(value: Any, arrays: dict[str, np.ndarray] | None = None, path: str = "") -> Any:
+    """The value as nested dicts and lists, arrays taken out under their path.
+
+    Fields that are None are left out, as TOML has no null.
+    """
     if is_dataclass(value) and not isinstance(value, type):
         pairs = ((f.name, getattr(value, f.name)) for f in fields(value))
-        return {name: plain(v) for name, v in pairs if v is not None}
+        found = ((name, _part(name, v, arrays, f"{path}.{name}" if path else name)) for name, v in pairs)
+        return {name: v for name, v in found if v is not None}
     if isinstance(value, dict):
-        return {str(k): plain(v) for k, v in value.items() if v is not None}
+        return {str(k): plain(v, arrays, f"{path}.{k}") for k, v in value.items() if v is not None}
     if isinstance(value, tuple | list):
-        return [plain(v) for v in value]
-    return value
+        return [plain(v, arrays, f"{path}.{k}") for k, v in enumerate(value)]
+    return [value.real, value.imag] if isinstance(value, complex) else value
 
 
-def restore(kind: Any, data: Any) -> Any:
-    """The record of type ``kind`` that ``plain`` turned into ``data``."""
+def _part(name: str, value: Any, arrays: dict[str, np.ndarray] | None, path: str) -> Any:
+    """A field of a record; None if it went to the arrays."""
+    if arrays is not None and isinstance(value, np.ndarray):
+        arrays[path] = value
+        return None
+    if arrays is not None and name == LABELS:
+        arrays[path] = np.array(value)
+        return None
+    return plain(value, arrays, path)
+
+
+def restore(kind: Any, data: Any, arrays: Mapping[str, np.ndarray] | None = None, path: str = "") -> Any:
+    """The record of type ``kind`` that ``plain`` turned into ``data`` and ``arrays``."""
+    if arrays and path in arrays:
+        return tuple(arrays[path].tolist()) if path.rpartition(".")[2] == LABELS else arrays[path]
     origin, args = get_origin(kind), get_args(kind)
     if is_dataclass(kind) and isinstance(kind, type):
-        hints = get_type_hints(kind)
-        return kind(**{name: restore(hint, data.get(name)) for name, hint in hints.items()})
+        hints, start = get_type_hints(kind), f"{path}." if path else ""
+        return kind(**{name: restore(hint, data.get(name), arrays, f"{start}{name}") for name, hint in hints.items()})
     if origin in (Union, UnionType):
-        return None if data is None else restore(next(a for a in args if a is not type(None)), data)
+        inner = next(a for a in args if a is not type(None))
+        return None if data is None else restore(inner, data, arrays, path)
     if origin is tuple:
-        if args[-1] is Ellipsis:
-            return tuple(restore(args[0], v) for v in data)
-        return tuple(restore(a, v) for a, v in zip(args, data, strict=True))
+        kinds = [args[0]] * len(data) if args[-1] is Ellipsis else args
+        return tuple(restore(a, v, arrays, f"{path}.{k}") for k, (a, v) in enumerate(zip(kinds, data, strict=True)))
     if origin is dict:
-        return {k: restore(args[1], v) for k, v in data.items()}
-    return data
+        return {k: restore(args[1], v, arrays, f"{path}.{k}") for k, v in data.items()}
+    return complex(*data) if kind is complex else data

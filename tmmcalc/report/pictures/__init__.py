@@ -1,4 +1,9 @@
-"""Pictures of results, for people. matplotlib is needed only here, and only when a picture is drawn."""
+"""Pictures of results, for people. matplotlib is needed only here, and only when a picture is drawn.
+
+The format follows the suffix of the file: svg, png or pdf. Equal inputs give equal bytes; the file is written in one
+step, and left alone if it has these bytes already. Every function raises `UsageError` for another suffix, a position
+that the result does not have, a missing matplotlib, or a file that cannot be written.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +12,10 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from tmmcalc.errors import UsageError
+from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.reduction.results import Reduction
 from tmmcalc.linkage.results import Kinematics
 
 FORMATS = ("svg", "png", "pdf")
@@ -23,14 +31,53 @@ def draw_kinematics(
 ) -> None:
     """Draw the scheme in its positions, the diagrams of the outputs, and the vector polygons of one position.
 
-    The format follows the suffix: svg, png or pdf. ``positions`` are indices of positions to draw, the first with
-    main lines, the others thin; by default the middle of the working stroke (or else a quarter of the way) among
-    up to 24. ``polygons`` is the index of the position whose polygons stand on a second sheet below.
-
-    Equal inputs give equal bytes; the file is written in one step, and left alone if it has these bytes already.
-    Raises `UsageError` for another suffix, a position that the result does not have, a missing matplotlib, or a
-    file that cannot be written.
+    ``positions`` are indices of positions to draw, the first with main lines, the others thin; by default the
+    middle of the working stroke (or else a quarter of the way) among up to 24. ``polygons`` is the index of the
+    position whose polygons stand on a second sheet below.
     """
+    form = _form(file)
+    _check_positions(len(result.x), [*(positions or ()), *([] if polygons is None else [polygons])])
+    _check_matplotlib()
+    from tmmcalc.report.pictures.kinematics import kinematics_figure
+    from tmmcalc.report.pictures.page import write
+
+    write(file, form, lambda: kinematics_figure(mechanism, result, positions, polygons))
+
+
+def draw_forces(
+    mechanism: Mechanism,
+    loading: Loading,
+    kinematics: Kinematics,
+    result: Forces,
+    file: Path,
+    *,
+    polygons: int | None = None,
+) -> None:
+    """Draw the reactions over the cycle, hodographs of bearing and crank pin, moment and power of the drive.
+
+    ``polygons`` is the index of the row whose load diagrams and force polygons stand on the sheets below.
+    """
+    form = _form(file)
+    _check_positions(len(result.labels), [] if polygons is None else [polygons])
+    _check_matplotlib()
+    from tmmcalc.report.pictures.forces import forces_figure
+    from tmmcalc.report.pictures.page import write
+
+    write(file, form, lambda: forces_figure(mechanism, loading, kinematics, result, polygons))
+
+
+def draw_reduction(result: Reduction, file: Path) -> None:
+    """Draw the reduced moments, each and their sum, the reduced inertia and its derivative over the cycle."""
+    form = _form(file)
+    _check_matplotlib()
+    from tmmcalc.report.pictures.page import write
+    from tmmcalc.report.pictures.reduction import reduction_figure
+
+    write(file, form, lambda: reduction_figure(result))
+
+
+def _form(file: Path) -> str:
+    """The format that the suffix names."""
     form = file.suffix.lower().removeprefix(".")
     if form not in FORMATS:
         raise UsageError(
@@ -38,17 +85,15 @@ def draw_kinematics(
             where="plot",
             remedy=f"formats: {', '.join(FORMATS)}",
         )
-    _check_positions(result, [*(positions or ()), *([] if polygons is None else [polygons])])
-    if find_spec("matplotlib") is None:
-        raise UsageError('pictures need matplotlib: pip install "tmmcalc[plot]"')
-    from tmmcalc.pipeline.atomic import replace_file
-    from tmmcalc.report.pictures.page import kinematics_page
-
-    replace_file(file, kinematics_page(mechanism, result, form, positions, polygons))
+    return form
 
 
-def _check_positions(result: Kinematics, positions: Sequence[int]) -> None:
-    count = len(result.x)
+def _check_positions(count: int, positions: Sequence[int]) -> None:
     for k in positions:
         if not 0 <= k < count:
             raise UsageError(f"there is no position {k}", where="plot", remedy=f"indices: 0 to {count - 1}")
+
+
+def _check_matplotlib() -> None:
+    if find_spec("matplotlib") is None:
+        raise UsageError('pictures need matplotlib: pip install "tmmcalc[plot]"')

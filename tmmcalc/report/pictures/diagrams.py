@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.outputs import coordinate_of, default_outputs
@@ -19,11 +18,11 @@ from tmmcalc.linkage.results import Kinematics, OutputSummary
 from tmmcalc.linkage.trace import unwrapped
 from tmmcalc.records import record
 from tmmcalc.report.numbers import number
+from tmmcalc.report.pictures.curves import DOTTED, bottom, coordinate, frame, mark
 from tmmcalc.report.pictures.cycle import TURN, Motion, along, closed
-from tmmcalc.report.pictures.labels import Labels, signed
+from tmmcalc.report.pictures.labels import Labels, escaped, signed
 from tmmcalc.report.pictures.style import CURVES
 
-DOTTED = 72  # more positions than this are not marked one by one
 NARROW = 0.08  # names of dead centres that stand closer than this part of the range would touch
 Row = tuple[Real, Real, Real]
 
@@ -58,7 +57,8 @@ def _curve(result: Kinematics, cycle: Motion, k: int, output: Output, outputs: S
     value, rate, rate2 = (np.broadcast_to(v, cycle.x.shape) for v in raw)
     value = unwrapped(value) if output.link is not None else value
     twice = sum(other.name == output.name for other in outputs) > 1
-    name = rf"{output.name},{number(math.degrees(output.direction), 4)}^\circ" if twice else output.name
+    name = escaped(output.name)
+    name = rf"{name},{number(math.degrees(output.direction), 4)}^\circ" if twice else name
     summary = result.summaries[k] if k < len(result.summaries) else None
     nodes = (result.s[k], *result.in_time(result.ds[k], result.dds[k]))
     dense = (value - value[0], *result.in_time(rate, rate2))
@@ -70,7 +70,7 @@ def draw_diagrams(
 ) -> None:
     """Draw the curves of one column on its three panels, ``ticks`` wide; texts follow by `label_diagrams`."""
     full = closed(cycle.chain)
-    x, x_nodes = (_coordinate(result, v) for v in (cycle.x - result.x[0], result.phi))
+    x, x_nodes = (coordinate(result.turns, v) for v in (cycle.x - result.x[0], result.phi))
     for kind, axes in enumerate(panels):
         factor, label = _quantity(curves, kind)
         for curve in curves:
@@ -78,8 +78,8 @@ def draw_diagrams(
             if len(x_nodes) <= DOTTED:
                 dots = {"markersize": 2.4, "color": curve.style["color"], "zorder": 5, "linestyle": ""}
                 axes.plot(x_nodes, curve.nodes[kind] * factor, "o", **dots)
-        _frame(axes, label, x, result.turns, ticks)
-    _bottom(panels, result.turns)
+        frame(axes, label, x, result.turns, ticks)
+    bottom(panels, result.turns)
     for curve in curves:
         for centre in _dead_centres(result, curve, full):
             for axes in panels:
@@ -88,31 +88,6 @@ def draw_diagrams(
         lines = [Line2D([], [], label=f"${_symbol(curve, 0)}$", linewidth=1.3, **curve.style) for curve in curves]
         place: dict[str, Any] = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.07), "ncols": len(curves)}
         panels[0].legend(handles=lines, handlelength=3, borderaxespad=0, **place)
-
-
-def _coordinate(result: Kinematics, phi: Real) -> Real:
-    return np.degrees(phi) if result.turns else phi * 1000
-
-
-def _frame(axes: Axes, label: str, x: Real, turns: bool, ticks: int) -> None:
-    axes.axhline(0, color="#333333", linewidth=0.8, zorder=1.5)
-    axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
-    axes.set_axisbelow(True)
-    axes.set_xlim(x[0], x[-1])
-    axes.margins(y=0.2)
-    axes.set_ylabel(label)
-    if turns:
-        turn = abs(x[-1] - x[0])
-        axes.xaxis.set_major_locator(MultipleLocator(next((s for s in (5, 10, 15, 30, 60) if turn / s <= ticks), 90)))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 6)))
-    axes.yaxis.set_major_locator(MaxNLocator(6))
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 4)))
-    axes.tick_params(length=2.5, labelbottom=False)
-
-
-def _bottom(panels: Sequence[Axes], turns: bool) -> None:
-    panels[-1].tick_params(labelbottom=True)
-    panels[-1].set_xlabel("$\\varphi$, °" if turns else "$s - s_0$, mm")
 
 
 def _quantity(curves: Sequence[Curve], kind: int) -> tuple[float, str]:
@@ -138,13 +113,13 @@ def _dead_centres(result: Kinematics, curve: Curve, full: bool) -> list[float]:
     if curve.summary is None:
         return []
     turned = [along(result, centre.x, full) for centre in curve.summary.dead_centres]
-    return [float(_coordinate(result, np.array(v))) for v in turned]
+    return [float(coordinate(result.turns, np.array(v))) for v in turned]
 
 
 def label_diagrams(panels: Sequence[Axes], result: Kinematics, cycle: Motion, curves: Sequence[Curve]) -> None:
     """Mark and name extreme values and dead centres; the layout of the figure must be settled."""
     full = closed(cycle.chain)
-    x = _coordinate(result, cycle.x - result.x[0])
+    x = coordinate(result.turns, cycle.x - result.x[0])
     for kind, axes in enumerate(panels):
         factor, _ = _quantity(curves, kind)
         labels = Labels(axes)
@@ -154,16 +129,8 @@ def label_diagrams(panels: Sequence[Axes], result: Kinematics, cycle: Motion, cu
                 labels.avoid([complex(centre, v) for v in axes.get_ylim()], 0.3)
         for curve in curves:
             for at, value in _extremes(result, curve, kind, full):
-                _mark(axes, labels, curve, complex(at, value * factor))
+                mark(axes, labels, complex(at, value * factor), curve.style)
     _name_dead_centres(panels[0], result, curves, full)
-
-
-def _mark(axes: Axes, labels: Labels, curve: Curve, at: complex) -> None:
-    color = curve.style["color"]
-    axes.plot(at.real, at.imag, "D", markersize=3.6, markerfacecolor="white", color=color, zorder=6, clip_on=False)
-    prefer = 1j if at.imag >= 0 else -1j
-    text = signed(at.imag, 4)
-    labels.put(text, [at], size=7, prefer=prefer, gaps=(1.1, 1.8, 2.8, 4.0), color=color)
 
 
 def _extremes(result: Kinematics, curve: Curve, kind: int, full: bool) -> list[tuple[float, float]]:
@@ -176,7 +143,7 @@ def _extremes(result: Kinematics, curve: Curve, kind: int, full: bool) -> list[t
         return [(at, s) for at, s in zip(places, values, strict=True) if abs(s) > 1e-9 * np.ptp(curve.dense[0])]
     pair = curve.summary.velocity if kind == 1 else curve.summary.acceleration
     turned = np.array([along(result, extreme.x, full) for extreme in pair])
-    return list(zip(_coordinate(result, turned).tolist(), (extreme.value for extreme in pair), strict=True))
+    return list(zip(coordinate(result.turns, turned).tolist(), (extreme.value for extreme in pair), strict=True))
 
 
 def _travelled(curve: Curve, value: float) -> float:

@@ -6,6 +6,7 @@ covers least. The layout of the figure must be settled before.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from itertools import pairwise
 from typing import Any
@@ -24,6 +25,7 @@ MM = 25.4
 NEAR = 20.0  # what lies farther from an anchor cannot be covered [mm]
 STEP = 0.5  # spacing of the points that stand for a line [mm]
 RING = 0.33  # radius of the ring around a number, mm to a point of its size
+NUMBERED = re.compile("([A-Za-z])([0-9]+'*)")  # a name that reads as a letter with an index
 AROUND = np.exp(1j * np.radians([45, 135, -45, -135, 90, 0, 180, -90, 22, 68, 112, 158, -22, -68, -112, -158]))
 
 
@@ -57,6 +59,17 @@ class Labels:
         points = np.concatenate(pieces)
         self._points.append(points)
         self._weights.append(np.full(len(points), weight))
+
+    def crowded(self, line: Iterable[complex], reach: float) -> float:
+        """How much of what is drawn lies within ``reach`` mm of a line (data coordinates), by weight."""
+        z = self._paper(np.array(list(line), dtype=complex))
+        count = max(2, int(abs(z[-1] - z[0]) / STEP))
+        along = z[0] + (z[-1] - z[0]) * np.linspace(0, 1, count)
+        points, weights = np.concatenate(self._points), np.concatenate(self._weights)
+        near = np.min(np.abs(points[:, None] - along), axis=1) < reach
+        x0, x1, y0, y1 = self._frame
+        outside = (along.real < x0) | (along.real > x1) | (along.imag < y0) | (along.imag > y1)
+        return float(weights[near].sum() + 60.0 * outside.any())
 
     def put(
         self,
@@ -130,3 +143,31 @@ def _half_size(text: str, size: float) -> tuple[float, float]:
 def signed(value: float, digits: int = 7) -> str:
     """A number with a true minus sign."""
     return number(value, digits).replace("-", "\N{MINUS SIGN}")
+
+
+def upright(name: str) -> str:
+    """A name inside a formula; its underscores are letters there.
+
+    >>> upright("B_0")
+    '\\\\mathrm{B\\\\_0}'
+    """
+    return rf"\mathrm{{{escaped(name)}}}"
+
+
+def escaped(name: str) -> str:
+    """A name whose underscores do not begin an index."""
+    return name.replace("_", r"\_")
+
+
+def symbol(letter: str, index: str = "") -> str:
+    """The sign of a force as a formula: one letter with its index, or a longer name as it is.
+
+    >>> symbol("R", "21"), symbol("Q5"), symbol("gas")
+    ('$R_{\\\\mathrm{21}}$', '$Q_{\\\\mathrm{5}}$', 'gas')
+    """
+    numbered = NUMBERED.fullmatch(letter)
+    if not index and numbered:
+        letter, index = numbered[1], numbered[2]
+    if len(letter) > 1:
+        return letter
+    return f"${letter}_{{{upright(index)}}}$" if index else f"${letter}$"

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Iterator, Sequence
-from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -19,10 +17,11 @@ from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.numbers import number
 from tmmcalc.report.pictures import symbols
 from tmmcalc.report.pictures.board import Board
-from tmmcalc.report.pictures.bodies import Body, Segment, bodies, centre_of_block, travel
+from tmmcalc.report.pictures.bodies import Body, bodies, centre_of_block, travel
 from tmmcalc.report.pictures.cycle import Motion, motion_at
 from tmmcalc.report.pictures.labels import signed
-from tmmcalc.report.pictures.style import BLOCK, INK, MARGIN, MARK, PATH, PLATE, THIN
+from tmmcalc.report.pictures.links import draw_link
+from tmmcalc.report.pictures.style import BLOCK, INK, MARGIN, MARK, PATH, THIN
 
 Z_PATH, Z_OTHERS = 1, 2
 LARGE = 3.0  # a mechanism larger than this is dimensioned in m, a smaller one in mm
@@ -174,20 +173,7 @@ class _Scheme:
     def links(self) -> None:
         """The links with main lines."""
         for body in self.bodies:
-            z = symbols.Z_SLOT if body.slots else symbols.Z_LINK
-            if body.plate:
-                corners = self.placed(body.link, body.plate)
-                self.board.area(corners, facecolor=PLATE, linewidth=1.6, zorder=z - 0.5, alpha=0.9)
-            for slot in body.slots:
-                self.board.line(self.placed(body.link, slot), linewidth=1.8, zorder=symbols.Z_SLOT)
-            for bar in body.bars:
-                self.board.line(self.placed(body.link, bar), linewidth=1.8, zorder=symbols.Z_LINK)
-            for one in body.blocks:
-                direction = one.direction * complex(self.motion.turn(body.link)[0])
-                symbols.block(self.board, self.place(body.link, one.centre), direction)
-            for at, first, second in _corners(body):
-                turn = complex(self.motion.turn(body.link)[0])
-                symbols.weld(self.board, self.place(body.link, at), first * turn, second * turn)
+            draw_link(self.board, body, self.motion)
 
     def joints(self) -> None:
         """Moving pins, loose points, centres of mass."""
@@ -274,28 +260,6 @@ def _rays(at: complex, segment: Sequence[complex], reach: float) -> list[complex
     if abs(a + t * (b - a) - at) > reach:
         return []
     return [(p - at) / abs(p - at) for p in (a, b) if abs(p - at) > reach / 4]
-
-
-def _corners(body: Body) -> Iterator[tuple[complex, complex, complex]]:
-    """Where two bars of a link meet at an angle: the point, and the directions of both from there."""
-    lines: tuple[Segment, ...] = (*body.bars, *body.slots)
-    for one, other in combinations(lines, 2):
-        for at in (*one, *other):
-            ends = [_far_end(at, segment) for segment in (one, other)]
-            if all(end is not None for end in ends):
-                first, second = (end - at for end in ends if end is not None)
-                if abs(math.sin(cmath.phase(second / first))) > 0.05:
-                    yield at, first / abs(first), second / abs(second)
-                break
-
-
-def _far_end(at: complex, segment: Segment) -> complex | None:
-    """The end of a segment farther from a point that lies on it; None if the point lies off it."""
-    a, b = segment
-    t = ((at - a) / (b - a)) if a != b else 1j
-    if abs(t.imag) > 1e-6 or not -1e-6 <= t.real <= 1 + 1e-6:
-        return None
-    return max(segment, key=lambda p: abs(p - at))
 
 
 def _dimension(axes: Axes, size: float) -> None:

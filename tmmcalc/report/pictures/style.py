@@ -13,11 +13,15 @@ PLATE = "#dfe6ec"  # ternary and bigger links
 PATH = "#0072b2"  # paths of points
 MARK = "#d55e00"  # input arrow, dead centres
 
-CURVES = (
+CURVES: tuple[dict[str, Any], ...] = (
     {"color": "#0072b2", "linestyle": "-"},
     {"color": "#d55e00", "linestyle": "--"},
     {"color": "#009e73", "linestyle": "-."},
     {"color": "#cc79a7", "linestyle": ":"},
+    {"color": "#56b4e9", "linestyle": (0, (6, 1.5))},
+    {"color": "#e69f00", "linestyle": (0, (3, 1, 1, 1, 1, 1))},
+    {"color": "#7a5195", "linestyle": (0, (8, 2, 2, 2))},
+    {"color": "#6b6b6b", "linestyle": (0, (2, 1))},
 )
 VECTORS: dict[str, dict[str, Any]] = {
     "absolute": {"color": INK, "linestyle": "-", "linewidth": 1.3},
@@ -26,6 +30,16 @@ VECTORS: dict[str, dict[str, Any]] = {
     "tangential": {"color": "#56b4e9", "linestyle": (0, (3, 1, 1, 1)), "linewidth": 1.4},
     "sliding": {"color": "#cc79a7", "linestyle": (0, (1.2, 1)), "linewidth": 1.6},
     "coriolis": {"color": "#d55e00", "linestyle": (0, (7, 1.5, 1.5, 1.5)), "linewidth": 1.4},
+}
+FORCES: dict[str, dict[str, Any]] = {
+    "load": {"color": "#d55e00", "linestyle": "-", "linewidth": 1.6},
+    "weight": {"color": "#009e73", "linestyle": (0, (5, 1.5)), "linewidth": 1.4},
+    "inertia": {"color": "#0072b2", "linestyle": (0, (7, 1.5, 1.5, 1.5)), "linewidth": 1.4},
+    "spring": {"color": "#e69f00", "linestyle": (0, (3, 1, 1, 1)), "linewidth": 1.4},
+    "damper": {"color": "#56b4e9", "linestyle": (0, (3, 1)), "linewidth": 1.4},
+    "drive": {"color": "#7a5195", "linestyle": "-", "linewidth": 1.6},
+    "reaction": {"color": INK, "linestyle": "-", "linewidth": 1.3},
+    "friction": {"color": "#cc79a7", "linestyle": (0, (1.2, 1)), "linewidth": 1.8},
 }
 
 SHEET = (297 / 25.4, 210 / 25.4)  # A4 landscape [in]

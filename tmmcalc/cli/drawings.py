@@ -1,0 +1,92 @@
+"""The pictures that ``tmmcalc plot`` can draw: one function a stage, and the flags that are its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from tmmcalc.errors import UsageError
+
+if TYPE_CHECKING:
+    from tmmcalc.spec import Spec
+
+POSITIONS, POLYGONS = "--positions", "--polygons"
+
+
+class Order(NamedTuple):
+    """What is to be drawn: the spec, the results of its stages, the picture's file, the flags as they were given."""
+
+    spec: Spec
+    results: Mapping[str, Any]
+    file: Path
+    flags: Mapping[str, str | None]
+
+    def rows(self, flag: str, labels: Sequence[str]) -> list[int] | None:
+        """Indices of the positions that a flag names."""
+        from tmmcalc.cli.positions import rows_of
+
+        return rows_of(self.flags[flag], labels, flag)
+
+    def row(self, flag: str, labels: Sequence[str]) -> int | None:
+        """The index of the one position that a flag names."""
+        rows = self.rows(flag, labels)
+        if rows is not None and len(rows) > 1:
+            said = f"{self.flags[flag]!r} names {len(rows)} positions"
+            raise UsageError(said, where=flag, remedy="name one of them")
+        return rows[0] if rows else None
+
+
+class Drawing(NamedTuple):
+    """The picture of a stage: what draws it, and its own flags."""
+
+    draw: Callable[[Order], None]
+    flags: tuple[str, ...] = ()
+
+
+def _kinematics(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_kinematics
+    from tmmcalc.spec.linkage import to_linkage
+
+    result = order.results["kinematics"]
+    chosen, marked = order.rows(POSITIONS, result.labels), order.row(POLYGONS, result.labels)
+    mechanism = to_linkage(order.spec.mechanism)
+    draw_kinematics(mechanism, result, order.file, positions=chosen, polygons=marked)
+
+
+def _forces(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_forces
+    from tmmcalc.spec.linkage import to_linkage
+    from tmmcalc.spec.loading import to_loading
+
+    result = order.results["forces"]
+    marked = order.row(POLYGONS, result.labels)
+    mechanism, loading = to_linkage(order.spec.mechanism), to_loading(order.spec)
+    draw_forces(mechanism, loading, order.results["kinematics"], result, order.file, polygons=marked)
+
+
+def _reduction(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_reduction
+
+    draw_reduction(order.results["reduction"], order.file)
+
+
+DRAWINGS = {
+    "kinematics": Drawing(_kinematics, (POSITIONS, POLYGONS)),
+    "forces": Drawing(_forces, (POLYGONS,)),
+    "reduction": Drawing(_reduction),
+}
+
+
+def drawing_of(stage: str, flags: Mapping[str, str | None]) -> Drawing:
+    """The picture of a stage; raises `UsageError` for a stage without one, and for flags that are not its own."""
+    if stage not in DRAWINGS:
+        raise UsageError(f"there is no picture of {stage!r}", where="plot", remedy=f"pictures: {', '.join(DRAWINGS)}")
+    drawing = DRAWINGS[stage]
+    strange = [flag for flag, value in flags.items() if value is not None and flag not in drawing.flags]
+    if strange:
+        own = f"its own flags: {', '.join(drawing.flags)}" if drawing.flags else "it has no flags of its own"
+        raise UsageError(
+            f"{' and '.join(strange)} cannot be used with the picture of {stage}", where="plot", remedy=own
+        )
+    return drawing

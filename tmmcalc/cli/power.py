@@ -1,0 +1,12 @@
+"""``tmmcalc power``."""
+
+from tmmcalc.cli.stage import summary_command
+
+command = summary_command(
+    "power",
+    "tmmcalc.report.power:power_document",
+    """Power: work per cycle by cause, efficiency, mean and peak power, and the motor, given or chosen.
+
+    Example: tmmcalc power my.toml
+    """,
+)

@@ -1,0 +1,204 @@
+"""The documents of the motion stage: unevenness, extreme speeds, the drive, stability, the recurrence, the table.
+
+Speeds, moments and inertias are those of the crank shaft, counted along its motion: speeds are positive, and so are
+moments that drive.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from tmmcalc.linkage.results import Extreme
+from tmmcalc.machine.columns import motion_columns
+from tmmcalc.machine.driver import ConstantInertia
+from tmmcalc.machine.motion import Motion, Textbook
+from tmmcalc.machine.recurrence import BOOK
+from tmmcalc.machine.regime import LOST, Regime
+from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.numbers import number
+from tmmcalc.report.places import Crank, choose, span_fact
+from tmmcalc.report.positions import positions_view
+
+QUICK = 1e-3  # a deviation that shrinks to this part in a cycle is gone within it
+
+
+def motion_summary(result: Motion, title: str) -> Document:
+    """Facts and notes, without the table of positions."""
+    regime, crank = result.regime, Crank(result.phi)
+    facts = (
+        _driver_fact(result),
+        *inertia_facts("constant inertia", "J_c", result.inertia),
+        _delta_fact(result),
+        _speed_fact(crank, "speed", "omega", regime),
+        *_mean_facts(regime),
+        *_driving_facts(crank, regime),
+        _stability_fact(regime),
+        *_idle_facts(crank, result.idle),
+        *_textbook_facts(result),
+        *_check_facts(regime),
+    )
+    return Document(title, facts, tuple(str(verdict) for verdict in result.verdicts))
+
+
+def motion_document(
+    result: Motion,
+    title: str,
+    *,
+    patterns: Sequence[str] = (),
+    rows: Sequence[int] | None = None,
+    everything: bool = False,
+    where: str = "",
+) -> Document:
+    """Summary and table of positions.
+
+    ``patterns`` choose columns by name, header or wildcard, ``rows`` positions by index; all columns are shown
+    as far as they fit, so ``everything`` changes nothing here. ``where`` is the file that has them all.
+    """
+    available = motion_columns(result)
+    return replace(
+        motion_summary(result, title),
+        table=positions_view(result.labels, available, usual=available, patterns=patterns, rows=rows),
+        wide=not patterns,
+        more=choose("phi,omega*", where),
+    )
+
+
+def inverse(delta: float) -> str:
+    """The coefficient as courses write it: ``1/20``."""
+    return f"1/{number(1 / delta, 4)}" if delta else "0"
+
+
+def inertia_facts(label: str, key: str, inertia: ConstantInertia) -> list[Fact]:
+    """A constant inertia and its parts."""
+    parts = {name: getattr(inertia, name) for name in ("rotor", "gears", "further", "flywheel")}
+    text = " + ".join(f"{name} {number(value)}" for name, value in parts.items() if value)
+    values = {f"{key}[kg*m^2]": inertia.total, **{f"J_{name}[kg*m^2]": value for name, value in parts.items() if value}}
+    return [Fact(label, f"{number(inertia.total)} kg*m^2{f' = {text}' if text else ''}", values)]
+
+
+def _driver_fact(result: Motion) -> Fact:
+    values = {"drive": result.kind, "characteristic": result.characteristic}
+    if result.kind == "motor":
+        return Fact("driven by", f"a motor with the {result.characteristic} characteristic", values)
+    moment = result.regime.mean_moment
+    what = "a constant moment" if moment >= 0 else "its loads, against a constant moment"
+    return Fact("driven by", f"{what} that makes the work of a cycle zero", values)
+
+
+def _delta_fact(result: Motion) -> Fact:
+    """The unevenness, and that of the idle run beside it."""
+    delta, idle = result.regime.delta, result.idle
+    values = {"delta": delta}
+    text = f"{number(delta)} ({inverse(delta)}), coefficient of speed fluctuation"
+    if idle is not None:
+        text += f"\n{number(idle.delta)} ({inverse(idle.delta)}) without technological loads"
+        values["delta_idle"] = idle.delta
+    return Fact("delta", text, values)
+
+
+def _speed_fact(crank: Crank, label: str, key: str, regime: Regime) -> Fact:
+    extremes = Extreme(regime.omega_min, regime.theta_min), Extreme(regime.omega_max, regime.theta_max)
+    return span_fact(crank, label, key, "rad/s", extremes)
+
+
+def _mean_facts(regime: Regime) -> list[Fact]:
+    mean, over_time, time = regime.mean, regime.time_mean, regime.cycle_time
+    text = f"{number(mean)} rad/s ({number(mean * 30 / math.pi)} rpm), between the extremes\n"
+    text += f"{number(over_time)} rad/s ({number(over_time * 30 / math.pi)} rpm), over the time"
+    return [
+        Fact("mean speed", text, {"omega_mean[rad/s]": mean, "omega_time_mean[rad/s]": over_time}),
+        Fact("cycle time", f"{number(time)} s", {"cycle_time[s]": time}),
+    ]
+
+
+def _driving_facts(crank: Crank, regime: Regime) -> list[Fact]:
+    """Moment and power of the drive."""
+    least, largest = regime.panels.extremes(regime.driving)
+    fact = span_fact(crank, "driving moment", "M_d", "N*m", (Extreme(*least), Extreme(*largest)))
+    mean, rms = regime.mean_moment, regime.rms_moment
+    text = f"mean {number(mean)} N*m, root mean square over the time {number(rms)} N*m"
+    values = {**fact.values, "M_d_mean[N*m]": mean, "M_d_rms[N*m]": rms}
+    return [
+        replace(fact, text=f"{fact.text}\n{text}", values=values),
+        Fact("mean driving power", f"{number(regime.mean_power)} W", {"P_mean[W]": regime.mean_power}),
+    ]
+
+
+def _stability_fact(regime: Regime) -> Fact:
+    """The multipliers in words."""
+    pairs = [[mu.real, mu.imag] for mu in regime.multipliers]
+    slowest = regime.multipliers[0]
+    size = abs(slowest)
+    word = {True: "stable", False: "unstable", None: "indifferent"}[regime.stable]
+    turning = ", swinging about the regime" if slowest.imag else ""
+    if regime.stable is None:
+        text = "indifferent: nothing depends on the speed, a governor has to hold it"
+    elif not regime.stable:
+        text = f"unstable: a deviation grows {number(size, 4)} times in a cycle"
+    elif size < QUICK:
+        text = f"stable: a deviation is gone within a cycle (multiplier {number(size, 2) if size > LOST else 0})"
+    else:
+        text = f"stable: a deviation shrinks to {number(size, 4)} of itself in a cycle{turning}"
+    return Fact("stability", text, {"stability": word, "multipliers": pairs})
+
+
+def _idle_facts(crank: Crank, idle: Regime | None) -> list[Fact]:
+    """The run without technological loads."""
+    if idle is None:
+        return []
+    power = {"P_idle_mean[W]": idle.mean_power}
+    return [
+        _speed_fact(crank, "speed when idle", "omega_idle", idle),
+        Fact("idle driving power", f"{number(idle.mean_power)} W", power),
+    ]
+
+
+def _textbook_facts(result: Motion) -> list[Fact]:
+    """The recurrence (3.57) on the positions, and how far it is off."""
+    book = result.textbook
+    if book is None:
+        if result.characteristic != "parabolic":
+            return []
+        why = "not done: it takes a parabola without gear losses or lag, equal steps, and a speed that settles"
+        return [Fact("recurrence (3.57)", why)]
+    off = 100 * (book.regime.delta / result.regime.delta - 1) if result.regime.delta else 0.0
+    low, high = (result.labels[k] for k in (book.regime.node_min, book.regime.node_max))
+    lines = (
+        f"M_d = A - B omega^2, A = {number(book.a)} N*m, B = {number(book.b)} N*m*s^2",
+        f"delta = {number(book.regime.delta)} ({number(off, 3):s} % off), speed least in position {low}, "
+        f"largest in {high}",
+        f"speeds up to {number(100 * book.error, 3)} % off the exact ones",
+        _turns(book),
+        f"largest B dphi/J = {number(book.regime.warning, 4)}{_sound(book)}",
+    )
+    values = {
+        "A[N*m]": book.a,
+        "B[N*m*s^2/rad^2]": book.b,
+        "delta_textbook": book.regime.delta,
+        "omega_textbook_error": book.error,
+        "textbook_first[rad/s]": [turn.first for turn in book.turns],
+        "textbook_last[rad/s]": [turn.last for turn in book.turns],
+        "B_dphi_over_J": book.regime.warning,
+    }
+    return [Fact("recurrence (3.57)", "\n".join(lines), values)]
+
+
+def _turns(book: Textbook) -> str:
+    """The iteration of the textbook from the rated speed."""
+    speeds = [book.turns[0].first, *(turn.last for turn in book.turns)]
+    count = f"{len(book.turns)} turn{'s' if len(book.turns) > 1 else ''}"
+    return f"settles to {BOOK:g} rad/s in {count}: {' -> '.join(number(speed) for speed in speeds)} rad/s"
+
+
+def _sound(book: Textbook) -> str:
+    return "" if book.regime.warning < 1 else ": above 1 it swings from node to node, take more positions"
+
+
+def _check_facts(regime: Regime) -> list[Fact]:
+    work, error = abs(regime.residual), regime.error
+    return [
+        Fact("work left over", f"{work:.0e} (relative)", {"residual": {"work": work}}),
+        Fact("error of speed (est.)", f"{error:.0e} (relative)", {"error": {"speed": error}}),
+    ]

@@ -1,0 +1,56 @@
+"""Stage ``flywheel``: the flywheel that keeps the allowed unevenness, by all methods, and its rim."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from tmmcalc.machine.flywheel.task import Flywheel
+from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
+from tmmcalc.pipeline.stage import Record
+from tmmcalc.stages.conversion import from_record, to_record
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.power import Power
+    from tmmcalc.spec import Spec
+
+Given = tuple[FlywheelTask, MotorChoice | None, Gears, MotionTask]
+
+
+def inputs(spec: Spec) -> Given:
+    """The flywheel's table, the motor, the gears, the constant inertia."""
+    from tmmcalc.spec.machine import to_flywheel, to_gears, to_motion, to_motor
+
+    task = to_flywheel(spec)
+    assert task is not None
+    return task, to_motor(spec), to_gears(spec), to_motion(spec)
+
+
+def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Flywheel:
+    """All methods, and the wheel itself."""
+    from tmmcalc.machine.flywheel.task import solve_flywheel
+    from tmmcalc.stages.shaft import constant_inertia, driver, mean_speed
+
+    task, wish, gears, motion = given
+    at_hand = constant_inertia(upstream, gears, motion)
+    moved = driver(upstream, wish, gears, motion)
+    cycle, speed = upstream["reduction"].cycle, mean_speed(upstream, motion)
+    return solve_flywheel(cycle, at_hand, task, moved, speed, shaft_ratio(task, upstream["power"]))
+
+
+def shaft_ratio(task: FlywheelTask, power: Power) -> float:
+    """Speed of the flywheel's shaft over that of the input shaft."""
+    if task.shaft == "motor" and power.duty is not None:
+        return power.duty.ratio
+    return task.ratio or 1.0
+
+
+def dump(result: Flywheel) -> Record:
+    """Arrays by the names of the fields: the picture and the regime with the flywheel."""
+    return to_record(result, {"speed": result.required.regime.error} if result.required is not None else {})
+
+
+def load(record: Record) -> Flywheel:
+    """Build the result from its record."""
+    result: Flywheel = from_record(Flywheel, record)
+    return result

@@ -1,0 +1,65 @@
+"""Stage ``motion``: the steady motion of the machine with its motor and flywheel."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tmmcalc.machine.columns import motion_columns
+from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
+from tmmcalc.machine.motion import Motion
+from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.stages.conversion import from_record, to_record
+
+if TYPE_CHECKING:
+    from tmmcalc.spec import Spec
+
+Given = tuple[MotorChoice | None, Gears, MotionTask, FlywheelTask | None]
+
+
+def inputs(spec: Spec) -> Given:
+    """The motor, the gears, the constant inertia, a flywheel that is there."""
+    from tmmcalc.spec.machine import to_flywheel, to_gears, to_motion, to_motor
+
+    return to_motor(spec), to_gears(spec), to_motion(spec), to_flywheel(spec)
+
+
+def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Motion:
+    """The regime with the flywheel that is there, or else the one that was found."""
+    from tmmcalc.machine.motion import solve_motion
+    from tmmcalc.stages.flywheel import shaft_ratio
+    from tmmcalc.stages.shaft import constant_inertia, driver, mean_speed
+
+    wish, gears, task, wheel = given
+    reduction = upstream["reduction"]
+    there = wheel.inertia * shaft_ratio(wheel, upstream["power"]) ** 2 if wheel is not None else 0.0
+    if not there and "flywheel" in upstream:
+        there = upstream["flywheel"].addition
+    theta = np.abs(reduction.phi - reduction.phi[0])
+    return solve_motion(
+        reduction.cycle,
+        reduction.idle,
+        constant_inertia(upstream, gears, task, there),
+        driver(upstream, wish, gears, task),
+        mean_speed(upstream, task),
+        (reduction.labels, reduction.phi, theta),
+    )
+
+
+def dump(result: Motion) -> Record:
+    """Arrays by the names of the fields; the dense regimes under ``regime.`` and ``idle.``."""
+    return to_record(result, {"speed": result.regime.error})
+
+
+def load(record: Record) -> Motion:
+    """Build the result from its record."""
+    result: Motion = from_record(Motion, record)
+    return result
+
+
+def table(result: Motion) -> Table:
+    """All columns, one row a position."""
+    chosen = motion_columns(result)
+    return Table(["i", *(c.header for c in chosen)], [np.array(result.labels), *(c.make() for c in chosen)])

@@ -1,0 +1,52 @@
+"""Stage ``reduction``: reduced moments and reduced inertia over the cycle, work per cycle."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tmmcalc.linkage.reduction.columns import columns
+from tmmcalc.linkage.reduction.results import Reduction
+from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.stages.conversion import from_record, to_record
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.loading import Loading
+    from tmmcalc.linkage.model import Mechanism
+    from tmmcalc.spec import Spec
+
+
+def inputs(spec: Spec) -> tuple[Mechanism, Loading, str]:
+    """The linkage, what acts on it, and how rods are reduced."""
+    from tmmcalc.spec.linkage import to_linkage
+    from tmmcalc.spec.loading import to_loading
+
+    rods = spec.reduction.rods if spec.reduction is not None else "exact"
+    return to_linkage(spec.mechanism), to_loading(spec), rods
+
+
+def solve(given: tuple[Mechanism, Loading, str], upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Reduction:
+    """Reduce everything to the input link."""
+    from tmmcalc.linkage.reduction.reduce import solve_reduction  # a stored result is loaded without it
+
+    mechanism, loading, rods = given
+    return solve_reduction(mechanism, loading, upstream["kinematics"], rods)
+
+
+def dump(result: Reduction) -> Record:
+    """Arrays by the names of the fields; those of the dense cycle under ``cycle.``."""
+    return to_record(result, {"functions": result.cycle.error})
+
+
+def load(record: Record) -> Reduction:
+    """Build the result from its record."""
+    result: Reduction = from_record(Reduction, record)
+    return result
+
+
+def table(result: Reduction) -> Table:
+    """All columns, one row a position."""
+    chosen = columns(result)
+    return Table(["i", *(c.header for c in chosen)], [np.array(result.labels), *(c.make() for c in chosen)])

@@ -1,0 +1,35 @@
+"""What several machine stages make of the spec and the earlier stages: the driver and the constant inertia."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from tmmcalc.linkage.reduction.results import Reduction
+from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
+from tmmcalc.machine.model import Gears, MotionTask, MotorChoice
+from tmmcalc.machine.power import Power
+
+
+def driver(upstream: Mapping[str, Any], wish: MotorChoice | None, gears: Gears, task: MotionTask) -> Driver | None:
+    """The motor on the input shaft; None if the motion is positional."""
+    power: Power = upstream["power"]
+    if task.positional or wish is None or power.duty is None:
+        return None
+    duty = power.duty
+    return driver_of(duty.motor, wish.characteristic, duty.ratio, gears.efficiency, duty.motor.time_constant)
+
+
+def constant_inertia(
+    upstream: Mapping[str, Any], gears: Gears, task: MotionTask, flywheel: float = 0.0
+) -> ConstantInertia:
+    """Rotor, gears, further inertia of the spec, and the flywheel, all at the input shaft."""
+    power: Power = upstream["power"]
+    rotor = power.duty.rotor if power.duty is not None else 0.0
+    return ConstantInertia(rotor, gears.inertia, task.inertia, flywheel)
+
+
+def mean_speed(upstream: Mapping[str, Any], task: MotionTask) -> float:
+    """Mean speed of the positional motion [rad/s]."""
+    reduction: Reduction = upstream["reduction"]
+    return task.speed or reduction.cycle.speed
