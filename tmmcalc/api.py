@@ -69,4 +69,4 @@ def _mechanism(scene: Spec | Mechanism) -> Mechanism:
         return scene
     from tmmcalc.spec.linkage import to_linkage
 
-    return to_linkage(scene.mechanism)
+    return to_linkage(scene.linkage)

@@ -219,8 +219,7 @@ def reference(
     """
 
     def rhs(x: float, y: np.ndarray, inside: float) -> list[float]:
-        variable, slope, _ = functions(x)
-        load = functions(min(max(x, inside - width), inside + width))[2]
+        variable, slope, load = functions(min(max(x, inside - width), inside + width))
         omega = y[0]
         drive = y[1] if lag else motor.moment(omega)
         net = drive + load + viscous * omega + quadratic * omega**2 - omega**2 * slope / 2

@@ -19,7 +19,7 @@ def said(found: tuple[Verdict, ...], severity: str) -> str:
 
 
 def test_a_sound_regime_has_no_warning() -> None:
-    found = verdicts(driven(upsetter(), 60.0, KLOSS), KLOSS)
+    found = verdicts(driven(upsetter(), 300.0, KLOSS), KLOSS)
     assert said(found, "warning") == ""
     assert "largest driving moment" not in said(found, "note")
 

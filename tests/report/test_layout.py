@@ -41,3 +41,10 @@ def test_peaks_and_powers_of_ten() -> None:
 
 def test_no_table() -> None:
     assert fitted(Document("t"), 80) == ([], 0)
+
+
+def test_a_word_among_numbers() -> None:
+    view = View(["delta", "count"], [[0.0375, "stalls", 0.5], [1, "none", 12]])
+    (delta, count), _ = fitted(Document("t", table=view), 80)
+    assert (delta.cells, delta.text) == (["0.0375", "stalls", "0.5000"], False)
+    assert (count.cells, count.text) == (["1", "none", "12"], True)

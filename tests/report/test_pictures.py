@@ -1,4 +1,4 @@
-"""Pictures of the kinematics stage, and the vector polygons that they show."""
+"""Pictures of the stages, and what they show: vector polygons, dense curves, hodographs, free bodies."""
 
 import json
 import subprocess
@@ -9,24 +9,26 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from loaded import READY, anything, press, ready, statics
 
 from tmmcalc.errors import UsageError
+from tmmcalc.linkage.forces.forces import solve_forces
+from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.kinematics import solve_kinematics
+from tmmcalc.linkage.loading import Constant, Load, Loading
 from tmmcalc.linkage.model import Grid, Input, Joint, Link, Mechanism, Output
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.polygons import VectorPolygons, polygons
+from tmmcalc.linkage.reduction.reduce import solve_reduction
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.report.pictures import draw_kinematics
-from tmmcalc.spec import load_spec
-from tmmcalc.spec.linkage import to_linkage
+from tmmcalc.report.pictures import draw_forces, draw_kinematics, draw_reduction
 
 ROOT = Path(__file__).parents[2]
-CONFIGS = sorted(path.stem for path in (ROOT / "configs").glob("*.toml"))
 CASES = {case["id"]: case for case in json.loads((ROOT / "tests/cases/kinematics.json").read_text())}
 
 
 def solved(name: str) -> tuple[Mechanism, Kinematics]:
-    mechanism = to_linkage(load_spec(ROOT / "configs" / f"{name}.toml").mechanism)
+    mechanism = ready(name)
     return mechanism, solve_kinematics(mechanism)
 
 
@@ -49,7 +51,7 @@ def test_polygons_of_the_textbook(shaper: tuple[Mechanism, Kinematics]) -> None:
             assert polygon.vertices[vertex] / scale == pytest.approx(complex(x, y), abs=case["tolerance"]["abs"])
 
 
-@pytest.mark.parametrize("name", CONFIGS)
+@pytest.mark.parametrize("name", READY)
 @pytest.mark.parametrize("k", [1, 5])
 def test_vectors_obey_both_theorems(name: str, k: int) -> None:
     mechanism, result = solved(name)
@@ -73,7 +75,7 @@ def check_coriolis(mechanism: Mechanism, found: VectorPolygons, k: str, slider: 
     assert value == pytest.approx(2j * found.omega[guides[slider]] * relative, abs=1e-9 * size)
 
 
-@pytest.mark.parametrize("name", CONFIGS)
+@pytest.mark.parametrize("name", READY)
 def test_vertices_are_the_points_of_the_result(name: str) -> None:
     mechanism, result = solved(name)
     found = polygons(mechanism, result, 2)
@@ -109,7 +111,7 @@ def test_pins_are_shared_by_chains_of_joints() -> None:
     assert set(pin.joints) == {"B", "B4"}
 
 
-@pytest.mark.parametrize("name", CONFIGS)
+@pytest.mark.parametrize("name", READY)
 def test_every_ready_spec_is_drawn(name: str, tmp_path: Path) -> None:
     file = tmp_path / "picture.svg"
     draw_kinematics(*solved(name), file, polygons=3)
@@ -132,7 +134,7 @@ def test_equal_inputs_give_equal_bytes(shaper, suffix: str, magic: bytes, tmp_pa
 def test_bytes_do_not_depend_on_the_process_or_its_settings(shaper, tmp_path: Path) -> None:
     script = (
         "import sys, pathlib, matplotlib; matplotlib.rcParams['font.size'] = 20\n"
-        "sys.path.insert(0, str(pathlib.Path(sys.argv[1]).parent))\n"
+        "sys.path[:0] = [str(pathlib.Path(sys.argv[1]).parent), str(pathlib.Path(sys.argv[1]).parents[1])]\n"
         "from test_pictures import solved, draw_kinematics\n"
         "draw_kinematics(*solved('shaper'), pathlib.Path(sys.argv[2]))\n"
         "assert 'matplotlib.pyplot' not in sys.modules\n"
@@ -210,3 +212,199 @@ def test_clockwise_cranks_and_fixed_blocks(speed: float, guide_on_frame: bool, t
     mechanism = quick_return(speed, guide_on_frame)
     draw_kinematics(mechanism, solve_kinematics(mechanism), tmp_path / "a.svg", polygons=2)
     assert (tmp_path / "a.svg").stat().st_size > 10_000
+
+
+@pytest.fixture(scope="module")
+def pressed() -> tuple[Mechanism, Loading, Kinematics, Forces]:
+    given = press()
+    return (*given, solve_forces(*given))
+
+
+def forced(name: str) -> tuple[Mechanism, Loading, Kinematics, Forces]:
+    mechanism, kinematics = solved(name)
+    loading = anything(mechanism)
+    return mechanism, loading, kinematics, solve_forces(mechanism, loading, kinematics)
+
+
+def test_forces_with_both_limits_are_drawn_alike_every_time(pressed, tmp_path: Path) -> None:
+    first, second = tmp_path / "a.svg", tmp_path / "b.svg"
+    for file in (first, second):
+        draw_forces(*pressed, file, polygons=pressed[3].labels.index("6"))
+    assert first.read_bytes().startswith(b"<?xml")
+    assert first.read_bytes() == second.read_bytes()
+
+
+def test_a_driven_slider_is_drawn(tmp_path: Path) -> None:
+    draw_forces(*forced("hydraulic-lift"), tmp_path / "a.png", polygons=1)
+    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_crank_alone_is_drawn(tmp_path: Path) -> None:
+    links = (Link(1, {"O": 0j, "A": 0.1 + 0j}),)
+    joints = (Joint("O", "revolute", (0, 1), (0j, 0j)),)
+    mechanism = Mechanism(Link(0, {"O": 0j}), links, joints, Input("O", -3.0, start=0.0), (), Grid(6))
+    loading = Loading(loads=(Load("cutting_force", 1, "force", Constant(5.0), 0.1 + 0j, 1j),))
+    kinematics = solve_kinematics(mechanism)
+    result = solve_forces(mechanism, loading, kinematics)
+    draw_forces(mechanism, loading, kinematics, result, tmp_path / "a.svg", polygons=2)
+    draw_reduction(solve_reduction(mechanism, loading, kinematics), tmp_path / "b.svg")
+    assert (tmp_path / "a.svg").stat().st_size > 10_000
+    assert (tmp_path / "b.svg").stat().st_size > 10_000
+
+
+def test_the_reduction_is_drawn(pressed, tmp_path: Path) -> None:
+    draw_reduction(solve_reduction(*pressed[:3]), tmp_path / "a.pdf")
+    assert (tmp_path / "a.pdf").read_bytes().startswith(b"%PDF")
+
+
+@pytest.mark.parametrize("row", [-1, 99])
+def test_missing_rows_of_forces_are_refused(pressed, row: int, tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match=r"(?s)no position.*0 to 15"):
+        draw_forces(*pressed, tmp_path / "a.svg", polygons=row)
+
+
+def test_other_formats_of_forces_and_reduction_are_refused(pressed, tmp_path: Path) -> None:
+    with pytest.raises(UsageError, match="suffix"):
+        draw_forces(*pressed, tmp_path / "a.jpg")
+    with pytest.raises(UsageError, match="suffix"):
+        draw_reduction(solve_reduction(*pressed[:3]), tmp_path / "a.doc")
+
+
+@pytest.mark.parametrize("name", ["press", "slotter", "engine-compressor"])
+def test_dense_curves_go_through_the_rows(name: str) -> None:
+    """At a position both limits stand side by side; a row is one of them."""
+    from tmmcalc.report.pictures.course import course_of
+
+    mechanism, loading, _, result = forced(name)
+    course = course_of(statics(mechanism, loading))
+    peak = np.max(np.abs(result.reaction))
+    for k, phi in enumerate(result.phi):
+        near = np.argsort(np.abs(course.phi - phi))[:2]
+        found = course.reaction[:, near] if np.ptp(course.phi[near]) < 1e-12 else between(course, phi)
+        off = np.max(np.abs(found - result.reaction[:, [k]]), axis=0)
+        assert np.min(off) < 1e-5 * peak  # a kink of friction may lie inside a panel
+
+
+def between(course, phi: float) -> np.ndarray:
+    """Values where no edge stands, from the polynomial through the points of the panel."""
+    rows = course.phi.reshape(course.panels, -1)
+    k = next(i for i, row in enumerate(rows) if (row[0] - phi) * (row[-1] - phi) <= 0)
+    values = course.reaction.reshape(len(course.reaction), course.panels, -1)[:, k]
+    weights = [
+        np.prod([(phi - other) / (x - other) for j, other in enumerate(rows[k]) if j != i])
+        for i, x in enumerate(rows[k])
+    ]
+    return (values @ np.array(weights))[:, None]
+
+
+def test_a_jump_of_friction_is_a_vertical_step(pressed) -> None:
+    from tmmcalc.report.pictures.course import course_of
+
+    mechanism, loading, _, result = pressed
+    course = course_of(statics(mechanism, loading))
+    before, after = (result.reaction[:, result.labels.index(label)] for label in ("6-", "6"))
+    (k,) = np.flatnonzero((np.diff(course.phi) == 0) & (np.abs(course.phi[:-1] - np.pi) < 1e-9))
+    np.testing.assert_allclose(course.reaction[:, k], before, rtol=1e-9)
+    np.testing.assert_allclose(course.reaction[:, k + 1], after, rtol=1e-9)
+    assert np.max(np.abs(before - after)) > 10
+
+
+def test_hodographs_of_a_crank_and_of_a_driven_slider(pressed) -> None:
+    from tmmcalc.report.pictures.hodographs import hodographs_of
+
+    def shown(mechanism: Mechanism, result: Forces) -> list[tuple[list[str], bool]]:
+        found = hodographs_of(mechanism, result)
+        return [([result.pairs[j].joint for j in drawn.pairs], drawn.turning) for drawn in found]
+
+    assert shown(pressed[0], pressed[3]) == [(["O", "A"], False), (["A"], True)]
+    lift = forced("hydraulic-lift")
+    assert shown(lift[0], lift[3]) == [(["A"], False), (["O"], False)]
+
+
+def test_sheets_of_free_bodies(pressed) -> None:
+    from tmmcalc.report.pictures.cutting import sheets_of
+
+    mechanism, loading, kinematics, result = pressed
+    scene, labels = statics(mechanism, loading), result.labels
+    (jump,) = sheets_of(scene, kinematics, result, labels.index("6"))
+    (before,) = sheets_of(scene, kinematics, result, labels.index("6-"))
+    (smooth,) = sheets_of(scene, kinematics, result, labels.index("1"))
+    (last,) = sheets_of(scene, kinematics, result, len(labels) - 1)
+    assert [body.name for body in jump.bodies] == ["I(0,1)", "RRP(2,3)"]
+    assert (jump.limits[0], before.limits[0], last.limits[0]) == ("just after", "just before", "just before")
+    assert "Friction jumps" in jump.heading
+    assert "position 6," in before.heading
+    assert smooth.others == ()
+    assert len(last.others) == 2
+    for label, sheet in (("6", jump), ("6-", before), ("12", last)):
+        friction = next(f.value.real for f in sheet.bodies[1].forces if f.letter == "F")
+        row = labels.index(label)
+        assert friction == pytest.approx(result.friction[3, row], rel=1e-9)
+
+
+@pytest.mark.parametrize(("name", "counts"), [("press", [2]), ("engine-compressor", [2, 2]), ("four-dyads", [3, 2])])
+def test_bodies_are_dealt_out_evenly(name: str, counts: list[int]) -> None:
+    from tmmcalc.report.pictures.cutting import sheets_of
+
+    mechanism, loading, kinematics, result = forced(name)
+    found = sheets_of(statics(mechanism, loading), kinematics, result, 3)
+    assert [len(sheet.bodies) for sheet in found] == counts
+
+
+def test_arrows_keep_clear_of_what_is_drawn() -> None:
+    from matplotlib.figure import Figure
+
+    from tmmcalc.report.pictures.board import Board
+
+    axes = Figure(figsize=(4, 4)).add_axes((0, 0, 1, 1))
+    board = Board(axes, np.array([-1 - 1j, 1 + 1j]), 5.0)
+    board.line((0j, 1 + 0j))
+    along, across, beyond = (0.1 + 0j, 0.9 + 0j), (0.5 - 0.4j, 0.5 + 0.4j), (0j, 9j)
+    clear = (-0.5 - 0.5j, -0.5 + 0.5j)
+    costs = [board.labels.crowded(line, 1.2) for line in (along, across, clear, beyond)]
+    assert costs[0] > costs[1] > costs[2] == 0
+    assert costs[3] >= 60
+
+
+@pytest.mark.parametrize(
+    ("peak", "unit", "expected"),
+    [
+        (9_999.0, "N", (1.0, "N")),
+        (1e4, "N", (1e-3, "kN")),
+        (2e7, "W", (1e-6, "MW")),
+        (5.0, "kg*m^2", (1.0, "kg·m²")),
+        (0.0, "N*m", (1.0, "N·m")),
+    ],
+)
+def test_units_suit_the_size(peak: float, unit: str, expected: tuple[float, str]) -> None:
+    from tmmcalc.report.pictures.curves import suited
+
+    assert suited(peak, unit) == expected
+
+
+@pytest.mark.parametrize(
+    ("letter", "index", "expected"),
+    [
+        ("R", "21", r"$R_{\mathrm{21}}$"),
+        ("R", "10,2", r"$R_{\mathrm{10,2}}$"),
+        ("Q5", "", r"$Q_{\mathrm{5}}$"),
+        ("Q5'", "", r"$Q_{\mathrm{5'}}$"),
+        ("T", "", "$T$"),
+        ("cutting_force", "", "cutting_force"),
+    ],
+)
+def test_signs_of_forces(letter: str, index: str, expected: str) -> None:
+    from tmmcalc.report.pictures.labels import symbol
+
+    assert symbol(letter, index) == expected
+
+
+def test_names_with_underscores_are_drawn(tmp_path: Path) -> None:
+    """Two in a row would be a fault in a formula."""
+    mechanism = ready("four-bar")
+    joints = tuple(replace(j, name="A__1") if j.name == "A" else j for j in mechanism.joints)
+    renamed = replace(mechanism, joints=joints, outputs=(replace(mechanism.outputs[0], label="out__1"),))
+    kinematics, loading = solve_kinematics(renamed), anything(renamed)
+    draw_forces(renamed, loading, kinematics, solve_forces(renamed, loading, kinematics), tmp_path / "a.svg")
+    draw_kinematics(renamed, kinematics, tmp_path / "b.svg")
+    assert len(list(tmp_path.iterdir())) == 2

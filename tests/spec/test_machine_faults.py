@@ -662,9 +662,9 @@ def test_a_key_in_the_wrong_table_has_a_home(shaper: str, faults_of: Faults) -> 
     (fault,) = faults_of(f"{shaper}\n[reduction]\nefficiency = 0.9\n")
     assert fault.remedy == "efficiency belongs in [motor] or [transmission]"
     (fault,) = faults_of(f"{shaper}\n[reduction]\nstiffness = 1\n")
-    assert fault.remedy == "stiffness belongs in [[springs]]"
-    (fault,) = faults_of(f"{shaper}\n[engine]\n")
-    assert fault.remedy.startswith("the keys here are: project, mechanism, loads, springs, drive, motor")
+    assert fault.remedy == "stiffness belongs in [[springs]] or [[shafts]]"
+    (fault,) = faults_of(f"{shaper}\n[weather]\n")
+    assert fault.remedy.startswith("the keys here are: project, mechanism, torque, loads, springs, drive, motor")
 
 
 @pytest.mark.parametrize(

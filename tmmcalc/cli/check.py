@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sized
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from tmmcalc.cli.messages import put, show_error
 from tmmcalc.cli.options import Set
 from tmmcalc.errors import TmmError
+
+if TYPE_CHECKING:
+    from tmmcalc.spec import Spec
 
 
 def command(
@@ -32,6 +36,23 @@ def command(
             code = error.exit_code
             continue
         if not quiet:
-            mechanism = spec.mechanism
-            put(f"{file}: ok ({len(mechanism.links)} moving links, {len(mechanism.joints)} joints)\n")
+            put(f"{file}: ok ({'; '.join(_held(spec))})\n")
     raise typer.Exit(code)
+
+
+def _held(spec: Spec) -> Iterator[str]:
+    """What a spec is about."""
+    if spec.mechanism is not None:
+        yield f"{_count(spec.mechanism.links, 'moving link')}, {_count(spec.mechanism.joints, 'joint')}"
+    if spec.torque is not None:
+        yield "a torque diagram"
+    if spec.engine is not None:
+        cylinders = spec.engine.cylinders
+        count = cylinders if isinstance(cylinders, int) else len(cylinders)
+        yield f"an engine of {count} cylinder{'s' if count > 1 else ''}"
+    if spec.rotor is not None:
+        yield f"a rotor with {_count(spec.rotor.unbalances, 'unbalance')}"
+
+
+def _count(listed: Sized, noun: str) -> str:
+    return f"{len(listed)} {noun}{'s' if len(listed) != 1 else ''}"

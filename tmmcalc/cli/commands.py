@@ -12,6 +12,8 @@ COMMANDS = {
     "power": ("tmmcalc.cli.power", "Work per cycle, efficiency, power, choice of the motor."),
     "flywheel": ("tmmcalc.cli.flywheel", "The flywheel for the allowed unevenness, by all methods."),
     "motion": ("tmmcalc.cli.motion", "Steady motion of the machine over the cycle."),
+    "transient": ("tmmcalc.cli.transient", "Start-up, braking, run-down, load changes in time."),
+    "balance": ("tmmcalc.cli.balance", "Shaking forces of linkage, engine, rotor; counterweights."),
     "run": ("tmmcalc.cli.run", "Run every stage that the spec has."),
     "plot": ("tmmcalc.cli.plot", "Draw the result of a stage to an svg, png or pdf file."),
 }

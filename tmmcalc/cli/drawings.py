@@ -50,7 +50,7 @@ def _kinematics(order: Order) -> None:
 
     result = order.results["kinematics"]
     chosen, marked = order.rows(POSITIONS, result.labels), order.row(POLYGONS, result.labels)
-    mechanism = to_linkage(order.spec.mechanism)
+    mechanism = to_linkage(order.spec.linkage)
     draw_kinematics(mechanism, result, order.file, positions=chosen, polygons=marked)
 
 
@@ -61,7 +61,7 @@ def _forces(order: Order) -> None:
 
     result = order.results["forces"]
     marked = order.row(POLYGONS, result.labels)
-    mechanism, loading = to_linkage(order.spec.mechanism), to_loading(order.spec)
+    mechanism, loading = to_linkage(order.spec.linkage), to_loading(order.spec)
     draw_forces(mechanism, loading, order.results["kinematics"], result, order.file, polygons=marked)
 
 
@@ -71,10 +71,25 @@ def _reduction(order: Order) -> None:
     draw_reduction(order.results["reduction"], order.file)
 
 
+def _flywheel(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_flywheel
+
+    draw_flywheel(order.results["flywheel"], order.results["reduction"].phi, order.file)
+
+
+def _motion(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_motion
+
+    results = order.results
+    draw_motion(results["motion"], results["power"], results["reduction"], order.file)
+
+
 DRAWINGS = {
     "kinematics": Drawing(_kinematics, (POSITIONS, POLYGONS)),
     "forces": Drawing(_forces, (POLYGONS,)),
     "reduction": Drawing(_reduction),
+    "flywheel": Drawing(_flywheel),
+    "motion": Drawing(_motion),
 }
 
 

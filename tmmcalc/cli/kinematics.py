@@ -123,7 +123,7 @@ def _methods_document(
     from tmmcalc.report.methods import comparison_document, study_document
     from tmmcalc.spec.linkage import to_linkage
 
-    mechanism = to_linkage(scene.mechanism)
+    mechanism = to_linkage(scene.linkage)
     if study:
         return study_document(mechanism, result, f"{heading}, error of differences", decimals)
     return comparison_document(mechanism, result, f"{heading}, {method.value} beside the exact values")
@@ -171,7 +171,8 @@ def _step(scene: Spec, text: str) -> float:
     """The step in the dimension of the input coordinate, above zero."""
     from tmmcalc.spec.units import UnitError, parse
 
-    drive = next(joint for joint in scene.mechanism.joints if joint.name == scene.mechanism.input.joint)
+    mechanism = scene.linkage
+    drive = next(joint for joint in mechanism.joints if joint.name == mechanism.input.joint)
     try:
         size = parse(text, "angle" if drive.kind == "revolute" else "length")
     except UnitError as error:

@@ -64,7 +64,10 @@ Csv = Annotated[
 Depfile = Annotated[
     Path | None,
     typer.Option(
-        "--depfile", metavar="FILE", help="Write a Makefile rule: the stage files need the spec.", show_default=False
+        "--depfile",
+        metavar="FILE",
+        help="Write a Makefile rule: the stage files need the spec and its files.",
+        show_default=False,
     ),
 ]
 Columns = Annotated[

@@ -61,8 +61,9 @@ class Job:
                 result = self._run(spec, target, progress.start, progress.done)
         if self.depfile is not None:
             from tmmcalc.pipeline.depfile import write
+            from tmmcalc.spec.files import named_files
 
-            write(self.depfile, result.files, [self.file])
+            write(self.depfile, result.files, [self.file, *named_files(spec, self.file.parent)])
         return result
 
     def _run(

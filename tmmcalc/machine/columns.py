@@ -1,4 +1,4 @@
-"""The columns of the tables of the machine stages.
+"""The columns of the table of a steady motion.
 
 t omega eps                 time since position 0, angular speed of the input shaft, its angular acceleration
 M_d M_load                  moment of the drive, reduced moment of everything else

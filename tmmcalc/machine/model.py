@@ -1,14 +1,60 @@
-"""What the machine stages read of a spec: the motor or the wish for one, the gears, the flywheel, constant inertias.
+"""What the machine stages read of a spec: a torque diagram, the motor or the wish for one, gears and shafts, the
+flywheel, motions, an engine, a rotor.
 
 Plain values: the pipeline hashes them.
 """
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor
 from tmmcalc.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.balancing.cylinders import Cylinder
+    from tmmcalc.machine.balancing.rotors import Rotor
+    from tmmcalc.machine.transient.methods import Method
+    from tmmcalc.machine.transient.model import Shaft
+    from tmmcalc.machine.transient.scenario import Scenario
+
+
+@record
+class TorqueFormula:
+    """A formula of theta, as `diagram.from_formula` reads it."""
+
+    text: str
+    constants: tuple[tuple[str, float], ...] = ()
+
+
+@record
+class TorqueHarmonics:
+    """A constant moment and harmonics, as `diagram.from_harmonics` takes them."""
+
+    constant: float  # [N*m]
+    terms: tuple[tuple[float, float, float], ...]  # order k, amplitudes of cos and sin [N*m]
+
+
+@record
+class TorquePoints:
+    """Moments at angles, as `diagram.from_table` takes them."""
+
+    theta: tuple[float, ...]  # ascending, of linear ones two equal at a jump [rad]
+    moment: tuple[float, ...]  # [N*m]
+    interpolation: Literal["linear", "pchip"] = "linear"
+
+
+@record
+class TorqueTask:
+    """A torque diagram in place of a mechanism: the moment on the input shaft, and the shaft's inertia."""
+
+    name: str
+    speed: float  # mean speed [rad/s]
+    period: float  # of the cycle [rad]
+    law: TorqueFormula | TorqueHarmonics | TorquePoints
+    delays: tuple[float, ...] = ()  # of equal diagrams on the shaft [rad]; empty: one alone
+    inertia: float = 0.0  # constant, of the shaft [kg*m^2]
+    balanced: bool = False  # with the constant moment that closes the work of a cycle
 
 
 @record
@@ -54,3 +100,42 @@ class MotionTask:
     positional: bool  # a constant driving moment, and not a motor
     inertia: float = 0.0  # further constant inertia of the input shaft [kg*m^2]
     speed: float | None = None  # mean speed of the positional motion [rad/s]; None: that of the input
+
+
+@record
+class DriveShaft:
+    """A shaft of the elastic drive, with the gear and the mass behind it."""
+
+    name: str
+    shaft: Shaft
+    inertia: float  # of the mass behind, on its own shaft [kg*m^2]; of the last, the crank, what is its own
+
+
+class TransientTask(NamedTuple):
+    """A motion in time, and how it is integrated."""
+
+    scenario: Scenario
+    method: Method
+    steady: bool  # it begins in the steady motion at theta = 0: the scenario's speed is not known yet
+
+
+@record
+class EngineTask:
+    """An engine whose shaking forces and couples are asked for."""
+
+    cylinders: tuple[Cylinder, ...]
+    speed: float  # [rad/s]
+    orders: tuple[int, ...]  # of the shaft speed, told apart
+    strokes: Literal[2, 4]
+    firing_order: tuple[int, ...] | None  # cylinder numbers from 1; None: not given
+
+
+@record
+class RotorTask:
+    """A rotor to be balanced."""
+
+    rotor: Rotor
+    planes: tuple[float, float]  # of correction, z [m]
+    static_plane: float | None  # z [m]; None: that of the centre of mass
+    grade: float | None  # balance quality to be kept [mm/s]
+    radius: float | None  # of the correction masses [m]; None: static moments alone

@@ -22,6 +22,7 @@ WHERE = "steady motion"
 BALANCED = 1e-6  # work that a given driving moment may leave over, against the work of all moments
 LEVEL = 1e-15  # relative change of the energy at which its level is found
 LEVELS = 60
+RAISED = 0.2  # to the logarithm of the energy's level, where the first guess of it does not last
 MEAN = 1e-14  # relative deviation of the mean speed
 
 
@@ -160,26 +161,36 @@ def _resisted(cycle: Cycle, constant: float, mean: float) -> Regime:
 
 
 def _at_mean(cycle: Cycle, constant: float, mean: float, start: Regime) -> Orbit:
-    """The periodic motion with the mean speed asked for, by the secant in the logarithms of T0 and the mean."""
+    """The periodic motion with the mean speed asked for, by the secant in the logarithms of T0 and the mean.
+
+    A level with which the energy does not last for the cycle is too low: the next one lies half-way back.
+    """
     panels = start.panels
     energy = (onto(cycle, panels).inertia + constant) * start.omega**2 / 2
     guess = np.stack((energy, start.driving))
     log_level, power = float(np.log(panels.ends(energy)[0][0])), 2.0
-    last: tuple[float, float] | None = None
+    known: list[tuple[float, float]] = []  # logarithms of the level, and of the mean over that asked for
     for _ in range(LEVELS):
-        orbit = _from_level(cycle, constant, panels, guess, float(np.exp(log_level)))
+        try:
+            orbit = _from_level(cycle, constant, panels, guess, float(np.exp(log_level)))
+        except AccuracyError:
+            log_level = (log_level + known[-1][0]) / 2 if known else log_level + RAISED
+            continue
         omega = np.sqrt(2 * orbit.y[0] / (onto(cycle, orbit.panels).inertia + constant))
         (slow, _), (fast, _) = orbit.panels.extremes(omega)
         off = float(np.log((slow + fast) / (2 * mean)))
         if abs(off) < MEAN:
             return orbit
-        if last is not None and off != last[1]:
-            power = (log_level - last[0]) / (off - last[1])
-        last = log_level, off
+        if known and off != known[-1][1]:
+            power = (log_level - known[-1][0]) / (off - known[-1][1])
+        known.append((log_level, off))
         log_level -= power * off
         panels, guess = orbit.panels, orbit.y
-    raise AccuracyError(
-        f"no level of the energy gives the mean speed {mean:g} rad/s", where=WHERE, value=abs(off), limit=MEAN
+    raise NoSolutionError(
+        f"the kinetic energy of {constant:.6g} kg*m^2 does not last for the cycle at a mean speed of {mean:.6g} rad/s",
+        where=WHERE,
+        value=constant,
+        remedy="more constant inertia (a flywheel), or a higher speed",
     )
 
 
@@ -187,17 +198,14 @@ def _from_level(cycle: Cycle, constant: float, panels: Panels, guess: Values, le
     """The motion that begins with the energy ``level`` [J] and the constant moment that makes it periodic."""
     # E(end) = E(0) and E(0) = level
     ends = Ends(np.array([[-1.0, 0.0], [1.0, 0.0]]), np.array([[1.0, 0.0], [0.0, 0.0]]), np.array([0.0, level]))
-    try:
-        return solve(
-            lambda on: _governed(cycle, constant, on), panels, guess, ends=ends, floor=np.array([0.0, -np.inf])
-        )
-    except AccuracyError:
-        raise NoSolutionError(
-            f"the kinetic energy of {constant:.6g} kg*m^2 does not last for the cycle",
-            where=WHERE,
-            value=constant,
-            remedy="more constant inertia (a flywheel), or a higher speed",
-        ) from None
+    return solve(
+        lambda on: _governed(cycle, constant, on),
+        panels,
+        guess,
+        ends=ends,
+        floor=np.array([0.0, -np.inf]),
+        tolerance=max(TOLERANCE, cycle.error),
+    )
 
 
 def _governed(cycle: Cycle, constant: float, panels: Panels) -> Rates:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.errors import AccuracyError
-from tmmcalc.machine.onemass import OneMass, balanced_speed, onto
+from tmmcalc.machine.onemass import SPEEDS, OneMass, balanced_speed, onto
 from tmmcalc.machine.regime import multipliers
 from tmmcalc.numerics.collocation import TOLERANCE, Orbit, System, initial, solve
 from tmmcalc.numerics.panels import NARROWEST, Panels, Values
@@ -44,6 +44,11 @@ def settled(machine: OneMass, guess: Guess | None = None) -> Orbit | Halt:
 
     Raises `AccuracyError` if neither shows within `TURNS` cycles.
     """
+    return directly(machine, guess) or followed(machine)
+
+
+def directly(machine: OneMass, guess: Guess | None = None) -> Orbit | None:
+    """The regime reached from the no-load speed, if it is found as a periodic solution and known to be that."""
     guesses = [] if guess is None else [guess]
     even = balanced_speed(machine)
     if even is not None:
@@ -52,7 +57,7 @@ def settled(machine: OneMass, guess: Guess | None = None) -> Orbit | Halt:
         found = _periodic(machine, panels, omega)
         if found is not None:
             return found
-    return followed(machine)
+    return None
 
 
 def next_to(machine: OneMass, guess: Guess) -> Orbit | None:
@@ -193,8 +198,14 @@ def _inertia_at(machine: OneMass, theta: Values) -> Values:
 
 
 def _stopped(machine: OneMass, theta: float, y: Values, inertia: float, turn: int) -> Halt:
+    """The end of a motion that no panel resolves: a stop if all moments on the way to standstill brake."""
+    cycle, motor = machine.cycle, machine.characteristic
     pace = float(np.sqrt(2 * y[0] / inertia)) / machine.reference
-    if pace < SLOW:
+    omega = machine.reference * np.append(SPEEDS[pace > SPEEDS], pace)
+    load, viscous, quadratic = cycle.panels.at(
+        np.stack((cycle.moment, cycle.viscous, cycle.quadratic)), np.array([theta])
+    )
+    if pace < SLOW or np.all(motor.moment(omega) + load + (viscous + quadratic * omega) * omega < 0):
         return Halt(True, theta, turn)
     raise AccuracyError(
         f"the motion cannot be followed beyond {np.degrees(theta):.6g} deg of cycle {turn}",

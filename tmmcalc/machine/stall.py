@@ -10,7 +10,7 @@ import numpy as np
 from tmmcalc.errors import AccuracyError, NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.onemass import SPEEDS, OneMass
-from tmmcalc.machine.settling import Guess, Halt, next_to, settled
+from tmmcalc.machine.settling import Guess, Halt, directly, next_to, settled
 from tmmcalc.numerics.collocation import Orbit
 
 if TYPE_CHECKING:
@@ -21,6 +21,7 @@ FIRST = 10.0  # first trial: the inertia with which the surplus work changes the
 GROWTH = 10.0
 LARGEST = 1e9  # times the first trial: where the search upwards ends
 LEAST = 1e-9  # times an inertia that carries the load: with so little the links alone do
+STEP = 0.8  # from one inertia to the next smaller one: near enough for the regime to be continued
 MESSAGE = 1e-3  # tolerance of the inertia in a message
 
 Machine = Callable[[float], OneMass]  # of its constant inertia
@@ -34,33 +35,46 @@ def stall_inertia(
     Zero if the links alone do. Raises `NoSolutionError` if the mean load is too much for the motor, or the machine does
     not settle with any inertia.
     """
-
-    def machine(inertia: float) -> OneMass:
-        return OneMass(cycle, inertia, characteristic, time_constant)
-
+    machine = _family(cycle, characteristic, time_constant)
     check_mean_load(machine(1.0))
-    high, orbit = _carrying(machine)
-    if isinstance(settled(machine(LEAST * high)), Orbit):
+    carrying = _carrying(machine, 0.0)
+    none = LEAST * carrying[0]
+    if _regime(machine(none)) is not None:
         return 0.0
-    low = LEAST * high
-    while high > low * (1 + tolerance):
-        middle = max((low * high) ** 0.5, high / 2)
-        found = _carried(machine, middle, high, orbit)
-        if found is None:
-            low = middle
-        else:
-            high, orbit = middle, found
-    return high
+    return _threshold(machine, none, carrying, tolerance)
 
 
-def _carrying(machine: Machine) -> tuple[float, Orbit]:
-    """An inertia that carries the load, and the regime with it."""
+def _family(cycle: Cycle, characteristic: Characteristic, lag: float) -> Machine:
+    return lambda inertia: OneMass(cycle, inertia, characteristic, lag)
+
+
+def _threshold(machine: Machine, stalls: float, carrying: tuple[float, Orbit], tolerance: float) -> float:
+    """The least inertia that carries the load, between one that ``stalls`` and one that is known to carry it."""
+    high, orbit = carrying
+    low = stalls
+    while True:
+        while high > low * (1 + tolerance):
+            middle = max((low * high) ** 0.5, STEP * high)
+            found = next_to(machine(middle), _guess(machine(high), orbit))
+            if found is None:
+                low = middle
+            else:
+                high, orbit = middle, found
+        # so far a periodic solution that was not found counted as a stall; the motion itself decides
+        lower = _regime(machine(low)) if low > stalls else None
+        if lower is None:
+            return high
+        high, orbit, low = low, lower, stalls
+
+
+def _carrying(machine: Machine, stalls: float) -> tuple[float, Orbit]:
+    """An inertia that carries the load, larger than one that ``stalls``, and the regime with it."""
     cycle, reference = machine(1.0).cycle, machine(1.0).reference
     work = cycle.panels.primitive(cycle.moment - cycle.panels.total(cycle.moment) / cycle.period)[0]
-    inertia = first = FIRST * float(np.ptp(work)) / reference**2 or 1.0
+    inertia = first = max(FIRST * float(np.ptp(work)) / reference**2, GROWTH * stalls) or 1.0
     while inertia <= LARGEST * first:
-        found = settled(machine(inertia))
-        if isinstance(found, Orbit):
+        found = directly(machine(inertia))
+        if found is not None:
             return inertia, found
         inertia *= GROWTH
     raise NoSolutionError(
@@ -71,14 +85,13 @@ def _carrying(machine: Machine) -> tuple[float, Orbit]:
     )
 
 
-def _carried(machine: Machine, inertia: float, known: float, orbit: Orbit) -> Orbit | None:
-    """The regime with an inertia, continued from a ``known`` larger one; None if the machine stalls."""
-    found = next_to(machine(inertia), _guess(machine(known), orbit))
-    if found is None and inertia < 0.9 * known:
-        # from so far a failure of Newton's method says little: the motion itself decides
-        settling = settled(machine(inertia))
-        return settling if isinstance(settling, Orbit) else None
-    return found
+def _regime(machine: OneMass) -> Orbit | None:
+    """The regime that a machine settles in, None if it stops or cannot be followed."""
+    try:
+        found = settled(machine)
+    except AccuracyError:
+        return None
+    return found if isinstance(found, Orbit) else None
 
 
 def _guess(machine: OneMass, orbit: Orbit) -> Guess:
@@ -131,9 +144,8 @@ def _needed(machine: OneMass) -> tuple[float | None, str]:
     """Inertia that would carry a stalled machine, and the advice; no inertia if none is known to."""
     otherwise = "a motor with a larger break-down moment, or less load"
     try:
-        inertia = stall_inertia(machine.cycle, machine.characteristic, time_constant=machine.lag, tolerance=MESSAGE)
+        family = _family(machine.cycle, machine.characteristic, machine.lag)
+        inertia = _threshold(family, machine.constant, _carrying(family, machine.constant), MESSAGE)
     except (NoSolutionError, AccuracyError):
         return None, otherwise
-    if inertia <= machine.constant:
-        return None, f"some more constant inertia, or {otherwise}"
     return inertia, f"a constant inertia of at least {inertia:.4g} kg*m^2 (a flywheel), or {otherwise}"

@@ -8,6 +8,7 @@ layer hides in it, or halved, until the last Legendre coefficients of the soluti
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,7 @@ TOLERANCE = 2e-13  # of the last Legendre coefficients, relative
 ROUGH = 1e-2  # Newton step before the first look at the panels
 CLOSE = 1e-13  # Newton step that would come next, relative
 PASSES = 60
+PANELS = 2000  # beyond them the solution is given up: its roughness is that of rounding, or of the equations
 STIFF = 16.0  # decay over a panel above which its start may hide a layer
 ON_EDGE = NARROWEST / 16  # of the range: a bend this near to an edge counts as marked
 SNAP = 0.05  # of the panel: an edge so near to a bend moves there
@@ -82,35 +84,52 @@ def solve(
     scheme, m = radau(first.order), len(guess)
     closing = periodic(m) if ends is None else ends
     scale = Measure(np.full(m, -np.inf) if floor is None else floor, np.zeros(m) if typical is None else typical)
-    now, state = first, _first(scheme, guess)
-    steps = 0
+    now, state, steps = first, _first(scheme, guess), 0
     for passed in range(1, passes + 1):
         rates, step = system(now), np.inf
         for target in (ROUGH, CLOSE):
             settled = newton(scheme, now.width, rates, closing, state, scale, target, step)
             state, step, steps = settled.state, settled.step, steps + settled.iterations
-            f, jacobian, watched = rates(state.y)
-            measure = _roughness(scheme, now, state, f, jacobian, watched, scale)
-            bends = kinks(_points(scheme, now), watched) if kinks else np.empty(0)
-            rough = measure > tolerance
-            if target == CLOSE:  # a bend before the first point of a panel shows in none
-                hidden = bends[_off_edges(now, bends) > ON_EDGE * (now.edges[-1] - now.edges[0])]
-                rough[np.searchsorted(now.edges, hidden) - 1] = True
-            rough &= now.width > NARROWEST * (now.edges[-1] - now.edges[0])
+            look = _look(scheme, now, state, rates, scale, kinks)
+            rough = look.rough(now, tolerance, target == CLOSE)
             if rough.any():
                 break
         else:
-            error = float(np.max(measure)) + settled.next + 4 * EPS
-            return _orbit(scheme, now, state, jacobian, settled.monodromy, error, steps, passed)
-        finer = _refined(now, rough, jacobian, bends, first.edges if fixed is None else fixed)
-        state = _moved(scheme, now, state, finer)
-        now = finer
+            error = float(np.max(look.measure)) + settled.next + 4 * EPS
+            return _orbit(scheme, now, state, look.jacobian, settled.monodromy, error, steps, passed)
+        if now.count > PANELS:
+            break
+        finer = _refined(now, rough, look, first.edges if fixed is None else fixed)
+        now, state = finer, _moved(scheme, now, state, finer)
     raise AccuracyError(
-        f"{passes} meshes do not resolve the solution",
+        f"{now.count} panels do not resolve the solution",
         where="collocation",
-        value=float(np.max(measure)),
+        value=float(np.max(look.measure)),
         limit=tolerance,
     )
+
+
+class _Look(NamedTuple):
+    """What a solution on a mesh looks like."""
+
+    jacobian: Values  # (m, m, K, N)
+    measure: Values  # (K,) what every panel leaves unresolved, relative
+    bends: Values  # places where the equations bend (any number,)
+
+    def rough(self, mesh: Panels, tolerance: float, close: bool) -> NDArray[np.bool_]:
+        """Panels (K,) to be cut; with a ``close`` solution also those with a bend before their first point."""
+        span, rough = mesh.edges[-1] - mesh.edges[0], self.measure > tolerance
+        if close:
+            hidden = self.bends[_off_edges(mesh, self.bends) > ON_EDGE * span]
+            rough[np.searchsorted(mesh.edges, hidden) - 1] = True
+        return rough & (mesh.width > NARROWEST * span)
+
+
+def _look(scheme: Radau, mesh: Panels, state: State, rates: Rates, scale: Measure, kinks: Kinks | None) -> _Look:
+    f, jacobian, watched = rates(state.y)
+    x = mesh.edges[:-1, None] + mesh.width[:, None] * scheme.points
+    bends = kinks(x, watched) if kinks else np.empty(0)
+    return _Look(jacobian, _roughness(scheme, mesh, state, f, jacobian, watched, scale), bends)
 
 
 def _first(scheme: Radau, guess: Values) -> State:
@@ -123,14 +142,15 @@ def _roughness(
     scheme: Radau, mesh: Panels, state: State, f: Values, jacobian: Values, watched: Values, scale: Measure
 ) -> Values:
     """What every panel leaves unresolved (K,), relative: last coefficients of states, rates and watched functions."""
-    size = np.max(scale.sizes(state.y), axis=2)
+    y = state.y
+    size = np.max(scale.sizes(y), axis=2)
+    # states carry the rounding of their largest, rates that times the stiffness: neither is a reason to refine
+    rounding = EPS * np.max(np.abs(y), axis=(1, 2))
     last = scheme.coefficients[-3:].T
     missed = np.abs(_missed(scheme, state))
-    states = (np.max(np.abs(state.rise @ last), axis=2) + missed) / size
-    share = mesh.width / size
-    # a rate carries the rounding of the states times the stiffness: that is no reason to refine
-    sway = np.max(np.einsum("abkn,bk->akn", np.abs(jacobian), size), axis=2)
-    rates = (np.max(np.abs(f @ last), axis=2) / 4 - 2 * EPS * sway) * share
+    states = (np.max(np.abs(state.rise @ last), axis=2) + missed - 8 * rounding[:, None]) / size
+    sway = np.max(np.einsum("abkn,b->akn", np.abs(jacobian), rounding), axis=2)
+    rates = (np.max(np.abs(f @ last), axis=2) / 4 - 2 * sway) * mesh.width / size
     largest = np.max(np.abs(watched), axis=(1, 2))
     others = np.max(np.abs(watched @ last), axis=2) / np.where(largest > 0, largest, 1.0)[:, None]
     return np.max(np.concatenate((states, rates, others)), axis=0)
@@ -141,30 +161,26 @@ def _missed(scheme: Radau, state: State) -> Values:
     return state.before - state.rise @ scheme.start
 
 
-def _points(scheme: Radau, mesh: Panels) -> Values:
-    return mesh.edges[:-1, None] + mesh.width[:, None] * scheme.points
-
-
 def _off_edges(mesh: Panels, places: Values) -> Values:
     """Distance of places (any number,) from the nearest edge."""
     k = np.clip(np.searchsorted(mesh.edges, places), 1, mesh.count)
     return np.minimum(np.abs(places - mesh.edges[k - 1]), np.abs(mesh.edges[k] - places))
 
 
-def _refined(mesh: Panels, rough: NDArray[np.bool_], jacobian: Values, bends: Values, fixed: Values) -> Panels:
+def _refined(mesh: Panels, rough: NDArray[np.bool_], look: _Look, fixed: Values) -> Panels:
     """The mesh with its rough panels cut: at bends, or towards their start where a layer may hide in it, or in half.
 
     An edge that marked a bend before moves along with it, unless it is ``fixed``.
     """
     least = NARROWEST * (mesh.edges[-1] - mesh.edges[0])
-    rates = np.abs(np.linalg.eigvals(jacobian[:, :, rough].transpose(2, 3, 0, 1)))
+    rates = np.abs(np.linalg.eigvals(look.jacobian[:, :, rough].transpose(2, 3, 0, 1)))
     decay = np.max(rates, axis=(1, 2)) * mesh.width[rough]
     halvings = np.where(decay > STIFF, np.minimum(np.log2(decay / LAYER), np.log2(mesh.width[rough] / least)), 1.0)
     stays = np.ones(mesh.count + 1, bool)
     cuts = []
     for k, count in zip(np.flatnonzero(rough), halvings, strict=True):
         low, high = mesh.edges[k], mesh.edges[k + 1]
-        bent = bends[(bends > low) & (bends < high)]
+        bent = look.bends[(look.bends > low) & (look.bends < high)]
         near = [i for i in (k, k + 1) if np.any(np.abs(bent - mesh.edges[i]) < SNAP * (high - low))]
         moving = [i for i in near if mesh.edges[i] not in fixed]
         stays[moving] = False

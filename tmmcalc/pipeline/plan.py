@@ -80,7 +80,8 @@ def _barred(spec: object, asked: set[str], stages: Mapping[str, Stage]) -> dict[
         if name not in asked:
             continue
         lacking = next((need for need in stage.needs if need in barred), None)
-        reason = f"needs {lacking}, which is left out" if lacking else _unwanted(spec, stage)
+        # the scene's own reason tells more than the chain that leads there
+        reason = _unwanted(spec, stage) or (f"needs {lacking}, which is left out" if lacking else None)
         if reason is not None:
             barred[name] = reason
     return barred

@@ -38,11 +38,12 @@ def _stage(
 STAGES: dict[str, Stage] = {
     stage.name: stage
     for stage in (
-        _stage("structure", "mobility, Assur groups, structural formula, class and order", table=False),
+        _stage("structure", "mobility, Assur groups, structural formula, class and order", wanted=True, table=False),
         _stage(
             "kinematics",
             "positions, velocities and accelerations over the cycle",
             needs=("structure",),
+            wanted=True,
             settings={"method": "closed", "step": 0.0, "decimals": 0},  # 0: the default step, no rounding
         ),
         _stage(
@@ -54,7 +55,7 @@ STAGES: dict[str, Stage] = {
         _stage(
             "reduction",
             "reduced moments and inertia, work per cycle",
-            needs=("kinematics",),
+            uses=("kinematics",),
             wanted=True,
         ),
         _stage(
@@ -76,6 +77,19 @@ STAGES: dict[str, Stage] = {
             "steady motion of the machine: speed over the cycle",
             needs=("reduction", "power"),
             uses=("flywheel",),
+            wanted=True,
+        ),
+        _stage(
+            "transient",
+            "start-up, braking, run-down, load changes in time",
+            needs=("reduction", "power"),
+            uses=("flywheel", "motion"),
+            wanted=True,
+        ),
+        _stage(
+            "balance",
+            "shaking forces of linkage, engine, rotor; counterweights",
+            uses=("kinematics",),
             wanted=True,
         ),
     )

@@ -42,11 +42,13 @@ def fitted(document: Document, width: int) -> tuple[list[Cells], int]:
 
 
 def _cells(view: View, k: int) -> tuple[list[str], bool]:
-    """Cells of column k, and whether they are text."""
+    """Cells of column k, and whether they are text; a word in place of a number stands among the numbers."""
     values = view.columns[k]
-    text = any(isinstance(v, str) for v in values)
-    if text or all(isinstance(v, int) for v in values):
-        return [str(v) for v in values], text
+    numbers = [v for v in values if not isinstance(v, str)]
+    if not numbers or all(isinstance(v, int) for v in numbers):
+        return [str(v) for v in values], len(numbers) < len(values)
     if view.headers[k] in view.scientific:
-        return scientific(values), False
-    return column(values, view.peaks[k] if view.peaks else 0.0), False
+        cells = iter(scientific(numbers))
+    else:
+        cells = iter(column(numbers, view.peaks[k] if view.peaks else 0.0))
+    return [v if isinstance(v, str) else next(cells) for v in values], False

@@ -1,13 +1,13 @@
 """The documents of the motion stage: unevenness, extreme speeds, the drive, stability, the recurrence, the table.
 
-Speeds, moments and inertias are those of the crank shaft, counted along its motion: speeds are positive, and so are
+Speeds, moments and inertias are those of the input shaft, counted along its motion: speeds are positive, and so are
 moments that drive.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from tmmcalc.linkage.results import Extreme
@@ -17,25 +17,27 @@ from tmmcalc.machine.motion import Motion, Textbook
 from tmmcalc.machine.recurrence import BOOK
 from tmmcalc.machine.regime import LOST, Regime
 from tmmcalc.report.document import Document, Fact
-from tmmcalc.report.numbers import number
-from tmmcalc.report.places import Crank, choose, span_fact
+from tmmcalc.report.numbers import NOISE, number
+from tmmcalc.report.places import Shaft, choose, span_fact
 from tmmcalc.report.positions import positions_view
 
-QUICK = 1e-3  # a deviation that shrinks to this part in a cycle is gone within it
+NAMES = {"kloss": "Kloss", "table": "tabulated"}
+SHOWN = 6  # speeds of the iteration that are named
+STEADY = 1e-9  # of a moment: it changes by less and is constant
 
 
 def motion_summary(result: Motion, title: str) -> Document:
     """Facts and notes, without the table of positions."""
-    regime, crank = result.regime, Crank(result.phi)
+    regime, shaft = result.regime, Shaft(result.phi)
     facts = (
         _driver_fact(result),
-        *inertia_facts("constant inertia", "J_c", result.inertia),
+        inertia_fact("constant inertia", "J_c", result.inertia),
         _delta_fact(result),
-        _speed_fact(crank, "speed", "omega", regime),
+        _speed_fact(shaft, "speed", "omega", regime),
         *_mean_facts(regime),
-        *_driving_facts(crank, regime),
+        *_driving_facts(shaft, regime),
         _stability_fact(regime),
-        *_idle_facts(crank, result.idle),
+        *_idle_facts(shaft, result.idle),
         *_textbook_facts(result),
         *_check_facts(regime),
     )
@@ -65,23 +67,24 @@ def motion_document(
     )
 
 
-def inverse(delta: float) -> str:
-    """The coefficient as courses write it: ``1/20``."""
-    return f"1/{number(1 / delta, 4)}" if delta else "0"
+def unevenness(delta: float, digits: int = 7) -> str:
+    """The coefficient, and as courses write it: ``0.05 = 1/20``."""
+    return f"{number(delta, digits)} = 1/{number(1 / delta, 4)}" if delta > NOISE else "0"
 
 
-def inertia_facts(label: str, key: str, inertia: ConstantInertia) -> list[Fact]:
+def inertia_fact(label: str, key: str, inertia: ConstantInertia) -> Fact:
     """A constant inertia and its parts."""
     parts = {name: getattr(inertia, name) for name in ("rotor", "gears", "further", "flywheel")}
     text = " + ".join(f"{name} {number(value)}" for name, value in parts.items() if value)
     values = {f"{key}[kg*m^2]": inertia.total, **{f"J_{name}[kg*m^2]": value for name, value in parts.items() if value}}
-    return [Fact(label, f"{number(inertia.total)} kg*m^2{f' = {text}' if text else ''}", values)]
+    return Fact(label, f"{number(inertia.total)} kg*m^2{f' = {text}' if text else ''}", values)
 
 
 def _driver_fact(result: Motion) -> Fact:
     values = {"drive": result.kind, "characteristic": result.characteristic}
     if result.kind == "motor":
-        return Fact("driven by", f"a motor with the {result.characteristic} characteristic", values)
+        name = NAMES.get(result.characteristic, result.characteristic)
+        return Fact("driven by", f"a motor with the {name} characteristic", values)
     moment = result.regime.mean_moment
     what = "a constant moment" if moment >= 0 else "its loads, against a constant moment"
     return Fact("driven by", f"{what} that makes the work of a cycle zero", values)
@@ -91,16 +94,16 @@ def _delta_fact(result: Motion) -> Fact:
     """The unevenness, and that of the idle run beside it."""
     delta, idle = result.regime.delta, result.idle
     values = {"delta": delta}
-    text = f"{number(delta)} ({inverse(delta)}), coefficient of speed fluctuation"
+    text = f"{unevenness(delta)}, coefficient of speed fluctuation"
     if idle is not None:
-        text += f"\n{number(idle.delta)} ({inverse(idle.delta)}) without technological loads"
+        text += f"\n{unevenness(idle.delta)} without technological loads"
         values["delta_idle"] = idle.delta
     return Fact("delta", text, values)
 
 
-def _speed_fact(crank: Crank, label: str, key: str, regime: Regime) -> Fact:
+def _speed_fact(shaft: Shaft, label: str, key: str, regime: Regime) -> Fact:
     extremes = Extreme(regime.omega_min, regime.theta_min), Extreme(regime.omega_max, regime.theta_max)
-    return span_fact(crank, label, key, "rad/s", extremes)
+    return span_fact(shaft, label, key, "rad/s", extremes)
 
 
 def _mean_facts(regime: Regime) -> list[Fact]:
@@ -113,15 +116,17 @@ def _mean_facts(regime: Regime) -> list[Fact]:
     ]
 
 
-def _driving_facts(crank: Crank, regime: Regime) -> list[Fact]:
+def _driving_facts(shaft: Shaft, regime: Regime) -> list[Fact]:
     """Moment and power of the drive."""
-    least, largest = regime.panels.extremes(regime.driving)
-    fact = span_fact(crank, "driving moment", "M_d", "N*m", (Extreme(*least), Extreme(*largest)))
+    (least, least_at), (largest, largest_at) = regime.panels.extremes(regime.driving)
     mean, rms = regime.mean_moment, regime.rms_moment
-    text = f"mean {number(mean)} N*m, root mean square over the time {number(rms)} N*m"
+    fact = span_fact(shaft, "driving moment", "M_d", "N*m", (Extreme(least, least_at), Extreme(largest, largest_at)))
+    text = fact.text
+    if largest - least > STEADY * max(abs(least), abs(largest)):
+        text += f"\nmean {number(mean)} N*m, rms over the time {number(rms)} N*m"
     values = {**fact.values, "M_d_mean[N*m]": mean, "M_d_rms[N*m]": rms}
     return [
-        replace(fact, text=f"{fact.text}\n{text}", values=values),
+        replace(fact, text=text, values=values),
         Fact("mean driving power", f"{number(regime.mean_power)} W", {"P_mean[W]": regime.mean_power}),
     ]
 
@@ -132,25 +137,24 @@ def _stability_fact(regime: Regime) -> Fact:
     slowest = regime.multipliers[0]
     size = abs(slowest)
     word = {True: "stable", False: "unstable", None: "indifferent"}[regime.stable]
-    turning = ", swinging about the regime" if slowest.imag else ""
     if regime.stable is None:
         text = "indifferent: nothing depends on the speed, a governor has to hold it"
     elif not regime.stable:
         text = f"unstable: a deviation grows {number(size, 4)} times in a cycle"
-    elif size < QUICK:
-        text = f"stable: a deviation is gone within a cycle (multiplier {number(size, 2) if size > LOST else 0})"
     else:
-        text = f"stable: a deviation shrinks to {number(size, 4)} of itself in a cycle{turning}"
+        left = number(100 * size, 3) if size > LOST else "0"
+        swings = ", swinging" if slowest.imag else ""
+        text = f"stable: {left} % of a deviation is left after a cycle{swings}"
     return Fact("stability", text, {"stability": word, "multipliers": pairs})
 
 
-def _idle_facts(crank: Crank, idle: Regime | None) -> list[Fact]:
+def _idle_facts(shaft: Shaft, idle: Regime | None) -> list[Fact]:
     """The run without technological loads."""
     if idle is None:
         return []
     power = {"P_idle_mean[W]": idle.mean_power}
     return [
-        _speed_fact(crank, "speed when idle", "omega_idle", idle),
+        _speed_fact(shaft, "speed when idle", "omega_idle", idle),
         Fact("idle driving power", f"{number(idle.mean_power)} W", power),
     ]
 
@@ -163,20 +167,21 @@ def _textbook_facts(result: Motion) -> list[Fact]:
             return []
         why = "not done: it takes a parabola without gear losses or lag, equal steps, and a speed that settles"
         return [Fact("recurrence (3.57)", why)]
-    off = 100 * (book.regime.delta / result.regime.delta - 1) if result.regime.delta else 0.0
+    exact, nodal = result.regime.delta, book.regime.delta
+    off = f", {100 * (nodal / exact - 1):+.3g} % against the exact one" if exact > NOISE else ""
     low, high = (result.labels[k] for k in (book.regime.node_min, book.regime.node_max))
     lines = (
-        f"M_d = A - B omega^2, A = {number(book.a)} N*m, B = {number(book.b)} N*m*s^2",
-        f"delta = {number(book.regime.delta)} ({number(off, 3):s} % off), speed least in position {low}, "
-        f"largest in {high}",
-        f"speeds up to {number(100 * book.error, 3)} % off the exact ones",
-        _turns(book),
+        f"A = {number(book.a)} N*m, B = {number(book.b)} N*m*s^2",
+        f"delta = {number(nodal, peak=1.0)}{off}",
+        f"speed least in position {low}, largest in {high}",
+        f"speeds up to {number(100 * book.error, 3, peak=100.0)} % off the exact ones",
         f"largest B dphi/J = {number(book.regime.warning, 4)}{_sound(book)}",
+        *_turns(book),
     )
     values = {
         "A[N*m]": book.a,
         "B[N*m*s^2/rad^2]": book.b,
-        "delta_textbook": book.regime.delta,
+        "delta_textbook": nodal,
         "omega_textbook_error": book.error,
         "textbook_first[rad/s]": [turn.first for turn in book.turns],
         "textbook_last[rad/s]": [turn.last for turn in book.turns],
@@ -185,11 +190,13 @@ def _textbook_facts(result: Motion) -> list[Fact]:
     return [Fact("recurrence (3.57)", "\n".join(lines), values)]
 
 
-def _turns(book: Textbook) -> str:
+def _turns(book: Textbook) -> Iterator[str]:
     """The iteration of the textbook from the rated speed."""
-    speeds = [book.turns[0].first, *(turn.last for turn in book.turns)]
-    count = f"{len(book.turns)} turn{'s' if len(book.turns) > 1 else ''}"
-    return f"settles to {BOOK:g} rad/s in {count}: {' -> '.join(number(speed) for speed in speeds)} rad/s"
+    speeds = [number(speed) for speed in (book.turns[0].first, *(turn.last for turn in book.turns))]
+    if len(speeds) > SHOWN:
+        speeds = [*speeds[: SHOWN - 1], "...", speeds[-1]]
+    yield f"settles within {BOOK:g} rad/s in {len(book.turns)} turns, if begun at the rated speed:"
+    yield f"{' -> '.join(speeds)} rad/s"
 
 
 def _sound(book: Textbook) -> str:
@@ -199,6 +206,6 @@ def _sound(book: Textbook) -> str:
 def _check_facts(regime: Regime) -> list[Fact]:
     work, error = abs(regime.residual), regime.error
     return [
-        Fact("work left over", f"{work:.0e} (relative)", {"residual": {"work": work}}),
+        Fact("energy balance", f"{work:.0e} of all work is left over a cycle", {"residual": {"work": work}}),
         Fact("error of speed (est.)", f"{error:.0e} (relative)", {"error": {"speed": error}}),
     ]

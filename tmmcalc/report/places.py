@@ -33,8 +33,8 @@ class Result(Protocol):
 
 
 @record
-class Crank:
-    """A turning input by its positions, of results that hold no signed speed: only its sign counts."""
+class Shaft:
+    """A turning input by its positions, for results that hold no signed speed: only its sign counts."""
 
     phi: Real  # (n,) [rad]
     turns: bool = True
@@ -95,5 +95,5 @@ def choose(example: str, where: str) -> str:
 
 
 def gone(theta: float) -> str:
-    """A place for people where the result does not say which way the crank turns: the angle that it has gone."""
+    """A place for people where the result does not say which way the input turns: the angle that it has gone."""
     return f"{angle(math.degrees(theta))} deg from position 0"

@@ -1,7 +1,7 @@
 """The documents of the power stage: work over a cycle, efficiency and power, the motor against its duty.
 
-Work, moments and power are those of the crank shaft at its mean speed; what drives is positive. A place is the angle
-that the crank has gone from position 0.
+Work, moments and power are those of the input shaft at its mean speed; what drives is positive. A place is the angle
+that it has gone from position 0.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ PLATE = (  # a line each
     (
         Datum("power", "{} W", "P_N[W]"),
         Datum("speed", "{} rpm", "n_N[rpm]", RPM),
-        Datum("synchronous", "without load {} rpm", "n_sync[rpm]", RPM),
+        Datum("synchronous", "no load {} rpm", "n_sync[rpm]", RPM),
         Datum("nominal_moment", "M_N = {} N*m", "M_N[N*m]"),
     ),
     (
@@ -118,7 +118,7 @@ def _formula(result: Power) -> str:
 
 
 def _power_facts(result: Power) -> list[Fact]:
-    """Time of a cycle, mean and peak power and moment of the crank shaft, and what they ask of a motor."""
+    """Time of a cycle, mean and peak power and moment of the input shaft, and what they ask of a motor."""
     (least, largest), mean = result.peak_power, result.mean_moment
     peak = max(abs(least), abs(largest))
     whose = "left for the machine that it drives" if result.machine == "engine" else "of the drive"
@@ -157,13 +157,13 @@ def _motor_facts(result: Power) -> list[Fact]:
     rated = duty.motor.nominal_moment * duty.ratio * result.transmission
     text = f"mean {number(duty.mean_load, 4)}, peak {number(duty.peak_load, 4)} of the rated moment"
     facts += [
-        Fact("gear ratio u", f"{number(duty.ratio)}, motor over crank", {"u": duty.ratio}),
-        Fact("rated at the crank", f"{number(rated)} N*m", {"M_N_crank[N*m]": rated}),
+        Fact("gear ratio u", f"{number(duty.ratio)}, motor over input shaft", {"u": duty.ratio}),
+        Fact("rated at the input", f"{number(rated)} N*m", {"M_N_input[N*m]": rated}),
         Fact("load of the motor", text, {"mean_load": duty.mean_load, "peak_load": duty.peak_load}),
     ]
     if duty.motor.inertia is not None:
         text = f"{number(duty.rotor)} kg*m^2 = J_R u^2"
-        facts.append(Fact("rotor at the crank", text, {"J_rotor[kg*m^2]": duty.rotor}))
+        facts.append(Fact("rotor at the input", text, {"J_rotor[kg*m^2]": duty.rotor}))
     return facts
 
 

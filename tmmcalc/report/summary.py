@@ -17,6 +17,9 @@ SUMMARIES = {
     "kinematics": "tmmcalc.report.kinematics:kinematics_summary",
     "forces": "tmmcalc.report.forces:forces_summary",
     "reduction": "tmmcalc.report.reduction:reduction_summary",
+    "power": "tmmcalc.report.power:power_summary",
+    "flywheel": "tmmcalc.report.flywheel:flywheel_summary",
+    "motion": "tmmcalc.report.motion:motion_summary",
 }
 
 

@@ -2,10 +2,6 @@
 
 # What a missing key is for, and what to write. A test holds this against the required fields of the tables.
 MISSING = {
-    "mechanism": (
-        "a spec describes a mechanism",
-        "add [mechanism.input], [[mechanism.links]] and [[mechanism.joints]]",
-    ),
     "mechanism.input": (
         "every mechanism needs an input",
         'add [mechanism.input] with joint = "O" and speed = "55 rpm"',
@@ -39,6 +35,32 @@ MISSING = {
     "springs.links": ("every spring connects two links", "add links = [2, 0]; 0 is the frame"),
     "motor.table.speed": ("a characteristic has its speeds", 'add speed = ["0 rpm", "1400 rpm", "1500 rpm"]'),
     "motor.table.moment": ("a characteristic has its moments", 'add moment = ["15 N*m", "7.5 N*m", 0]'),
+    "torque.speed": ("a torque diagram is that of a shaft with its mean speed", 'add speed = "180 rpm"'),
+    "torque.harmonics.terms": ("a sum of harmonics has terms", 'add terms = [{ order = 2, sin = "100 N*m" }]'),
+    "torque.harmonics.terms.order": ("every harmonic has its order", "add order = 1 (2, 3, ...)"),
+    "transients.duration": ("every motion in time has its longest duration", 'add duration = "5 s"'),
+    "transients.load_steps.factor": ("a load step has its load factor", "add factor = 1"),
+    "balance.counterweights.link": ("a counterweight is on a link", "add link = 1"),
+    "balance.add.order": ("a rotating weight turns with some multiple of the crank's speed", "add order = -1"),
+    "balance.add.mass": ("a rotating weight has its mass", 'add mass = "2 kg"'),
+    "balance.add.radius": ("a rotating weight has its radius", 'add radius = "60 mm"'),
+    "engine.speed": ("inertia forces depend on the speed of the shaft", 'add speed = "3000 rpm"'),
+    "engine.cylinders": (
+        "an engine has cylinders",
+        "add cylinders = 4 with an arrangement, or [[engine.cylinders]], one for each",
+    ),
+    "engine.cylinders.crank_angle": ("the crank of every cylinder has its direction", 'add crank_angle = "180 deg"'),
+    "engine.cylinders.position": ("every cylinder has its place along the shaft", 'add position = "90 mm"'),
+    "rotor.mass": ("a rotor has its mass", 'add mass = "40 kg"'),
+    "rotor.center": ("the centre of mass has its place along the axis", 'add center = "200 mm"'),
+    "rotor.bearings": ("a rotor runs in two bearings", 'add bearings = [0, "400 mm"], their places along the axis'),
+    "rotor.speed": ("bearing loads and tolerances depend on the speed", 'add speed = "3000 rpm"'),
+    "rotor.planes": (
+        "a rotor is balanced in two planes",
+        'add planes = ["50 mm", "350 mm"], their places along the axis',
+    ),
+    "rotor.unbalances": ("a rotor has unbalances", "add [[rotor.unbalances]], one for each"),
+    "rotor.unbalances.position": ("every unbalance has its place along the axis", 'add position = "120 mm"'),
 }
 
 ARRAYS_OF_TABLES = (
@@ -48,9 +70,17 @@ ARRAYS_OF_TABLES = (
     "loads",
     "springs",
     "loads.indicator.strokes",
+    "torque.harmonics.terms",
+    "shafts",
+    "transients",
+    "transients.load_steps",
+    "balance.counterweights",
+    "balance.add",
+    "engine.cylinders",
+    "rotor.unbalances",
 )
 
-# Lists that are not points: what they hold, and an example.
+# Lists that are not points: what they hold, and an example; with brackets, the lists that are elements of a list.
 LISTS = {
     "mechanism.grid.extra": ("a list of input coordinates", 'extra = ["30 deg", "200 deg"]'),
     "mechanism.joints.links": ("two link numbers", "links = [0, 1]"),
@@ -68,6 +98,20 @@ LISTS = {
     "springs.points": ("the ends of the spring on the two links", 'points = ["B", [0.1, 0.2]]'),
     "motor.table.speed": ("a list of two speeds or more", 'speed = ["0 rpm", "1400 rpm", "1500 rpm"]'),
     "motor.table.moment": ("a list of two moments or more", 'moment = ["15 N*m", "7.5 N*m", 0]'),
+    "torque.pieces": ("a list of two points or more", 'pieces = [["0 deg", "100 N*m"], ["90 deg", "-50 N*m"]]'),
+    "torque.pieces[]": ("an angle and a moment", '["90 deg", "100 N*m"]'),
+    "torque.table.theta": ("a list of two angles or more", 'theta = ["0 deg", "90 deg", "270 deg"]'),
+    "torque.table.moment": ("a list of two moments or more", 'moment = [0, "40 N*m", 0]'),
+    "torque.delays": ("a list of angles", 'delays = ["0 deg", "180 deg"]'),
+    "transients.motor_on": ("a list of intervals of time", 'motor_on = [["0 s", "2 s"]]'),
+    "transients.motor_on[]": ("two times, on and off", '["0 s", "2 s"]'),
+    "transients.targets": ("a list of speeds", 'targets = ["500 rpm"]'),
+    "balance.schemes": ("a list of schemes", 'schemes = ["least squares", "minimax"]'),
+    "engine.firing_order": ("a list of cylinder numbers", "firing_order = [1, 3, 4, 2]"),
+    "engine.throws": ("a list of angles", 'throws = ["0 deg", "180 deg", "180 deg", "0 deg"]'),
+    "engine.orders": ("a list of orders", "orders = [1, 2, 4, 6]"),
+    "rotor.bearings": ("the places of the two bearings", 'bearings = [0, "400 mm"]'),
+    "rotor.planes": ("the places of the two correction planes", 'planes = ["50 mm", "350 mm"]'),
 }
 
 # Tables that are written in one line.
@@ -77,4 +121,12 @@ INLINE = {
     "loads.polynomial": "polynomial = { force = [0, 250, -12.5] }",
     "loads.indicator.strokes": 'strokes = [{ x = [0, 1], p = ["5 MPa", "0.3 MPa"] }, ...]',
     "motor.table": 'table = { speed = ["0 rpm", "1500 rpm"], moment = ["15 N*m", 0] }',
+    "torque.constants": "constants = { M0 = 500 }",
+    "torque.harmonics": 'harmonics = { constant = "20 N*m", terms = [{ order = 2, sin = "100 N*m" }] }',
+    "torque.harmonics.terms": 'terms = [{ order = 2, sin = "100 N*m" }]',
+    "torque.table": 'table = { theta = ["0 deg", "180 deg"], moment = ["100 N*m", 0] }',
+    "transients.load_steps": 'load_steps = [{ factor = 0.5, time = "3 s" }]',
+    "transients.brake": 'brake = { moment = "200 N*m", from = "2 s" }',
+    "balance.counterweights": 'counterweights = [{ link = 1, radius = "60 mm" }]',
+    "balance.add": 'add = [{ order = -1, mass = "2 kg", radius = "60 mm" }]',
 }

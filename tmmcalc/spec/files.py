@@ -1,6 +1,7 @@
-"""Files that a spec names: CSV tables of loads, a catalogue of motors. Their paths count from the folder of the spec.
+"""Files that a spec names: CSV tables of loads and of a torque diagram, a catalogue of motors.
 
-A table of a load is two columns under a header ``name[unit]``, separated by commas, semicolons or tabs:
+Their paths count from the folder of the spec. A table is two columns under a header ``name[unit]``, separated by
+commas, semicolons or tabs:
 
     phi[deg],Q[N]
     0,0
@@ -13,14 +14,18 @@ stood in the spec. Blank lines, and lines that begin with ``#``, are passed over
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from pathlib import Path as FilePath
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from .checks.outline import Raw, subtable, tables, word
 from .findings import Finding
-from .phrases import Path, show
+from .phrases import Path, either, show
 from .quantities import Number
 from .units import UnitError, dimension_of, parse
+
+if TYPE_CHECKING:
+    from .root import Spec
 
 LARGEST_FILE = 10_000_000  # bytes
 _MOST_FAULTS = 10  # of one file; the rest is counted
@@ -28,7 +33,20 @@ _HEADER = re.compile(r"(.*?)\s*(?:\[\s*(.*?)\s*\])?")
 _DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _COUNTED = {"position": "numbers of positions", "stroke": "parts of the stroke"}  # x without a unit
 _PLAIN = ("", "-", "1")  # how a header says that
-_EXAMPLE = "write a header such as phi[deg],Q[N]"
+
+
+class _Form(NamedTuple):
+    """What a table is of: its words, the key and the dimensions of x, the dimensions of the values."""
+
+    noun: str
+    key: str
+    x: tuple[str, ...]
+    values: tuple[str, ...]
+    example: str
+
+
+_LOAD = _Form("a load", "x", ("angle", "length"), ("force", "moment"), "write a header such as phi[deg],Q[N]")
+_TORQUE = _Form("a torque diagram", "theta", ("angle",), ("moment",), "write a header such as theta[deg],M[N*m]")
 
 
 class Rows(NamedTuple):
@@ -70,10 +88,9 @@ def read_files(data: Raw, folder: FilePath) -> tuple[list[Finding], dict[Path, R
     """
     found: list[Finding] = []
     rows: dict[Path, Rows] = {}
-    for index, load in tables(data, "loads"):
-        table, path = subtable(load, "table"), ("loads", index, "table")
-        if isinstance(table.get("file"), str) and not {"x", "force", "moment"} & {*table}:
-            read, faults = _read_table(table, folder)
+    for path, table, form in _tables(data):
+        if isinstance(table.get("file"), str) and not {form.key, *form.values} & {*table}:
+            read, faults = _read_table(table, folder, form)
             found += _findings(table["file"], faults, (*path, "file"))
             if read is not None:
                 rows[path] = read
@@ -85,6 +102,22 @@ def read_files(data: Raw, folder: FilePath) -> tuple[list[Finding], dict[Path, R
     return found, rows
 
 
+def named_files(spec: Spec, folder: FilePath) -> list[FilePath]:
+    """Return the files that a spec from this folder was read with: its tables, its catalogue."""
+    curves = [load.table for load in spec.loads]
+    names = [curve.file for curve in curves if curve is not None]
+    names.append(spec.torque.table.file if spec.torque is not None and spec.torque.table is not None else None)
+    catalogue = spec.motor.catalogue if spec.motor is not None else None
+    found = [folder / name for name in names if name is not None]
+    return list(dict.fromkeys([*found, *([FilePath(catalogue)] if catalogue is not None else [])]))
+
+
+def _tables(data: Raw) -> Iterator[tuple[Path, Raw, _Form]]:
+    for index, load in tables(data, "loads"):
+        yield ("loads", index, "table"), subtable(load, "table"), _LOAD
+    yield ("torque", "table"), subtable(subtable(data, "torque"), "table"), _TORQUE
+
+
 def _findings(file: str, faults: list[_FileError], path: Path) -> list[Finding]:
     shown = [
         Finding(path, f"{file}, line {f.line}: {f.message}" if f.line else f.message, f.remedy)
@@ -94,15 +127,15 @@ def _findings(file: str, faults: list[_FileError], path: Path) -> list[Finding]:
     return [*shown, Finding(path, f"{file}: {more} more faults", "mend these first")] if more else shown
 
 
-def _read_table(table: Raw, folder: FilePath) -> tuple[Rows | None, list[_FileError]]:
+def _read_table(table: Raw, folder: FilePath, form: _Form) -> tuple[Rows | None, list[_FileError]]:
     """Put x and the values of a file into its table."""
     file = folder / table["file"]
     if faults := _absent(file):
         return None, faults
     try:
-        (number, header), *body = _lines(file)
+        (number, header), *body = _lines(file, form)
         separator = next((sign for sign in ";\t" if sign in header), ",")
-        x, y = _columns(_cells(header, separator), word(table, "of", "angle"), number)
+        x, y = _columns(_cells(header, separator), word(table, "of", "angle"), number, form)
     except _FileError as fault:
         return None, [fault]
     pairs: list[tuple[float, float]] = []
@@ -115,7 +148,9 @@ def _read_table(table: Raw, folder: FilePath) -> tuple[Rows | None, list[_FileEr
         faults.append(_FileError(number, "fewer than two rows under the header", "write one row for each x"))
     if faults:
         return None, faults
-    table["x"], table[y.dimension] = map(list, zip(*pairs, strict=True))
+    at, table[y.dimension] = map(list, zip(*pairs, strict=True))
+    # an angle beyond a turn has to say that it is one; of loads x may be a length or a plain number
+    table[form.key] = [f"{angle!r} rad" for angle in at] if form is _TORQUE else at
     return Rows(table["file"], [line for line, _ in body], f"1 {x.unit}" if x.unit else ""), []
 
 
@@ -131,7 +166,7 @@ def _absent(file: FilePath) -> list[_FileError]:
     return []
 
 
-def _lines(file: FilePath) -> list[tuple[int, str]]:
+def _lines(file: FilePath, form: _Form) -> list[tuple[int, str]]:
     """Return the lines that hold something, each with its number."""
     try:
         text = file.read_text("utf-8-sig")
@@ -141,7 +176,7 @@ def _lines(file: FilePath) -> list[tuple[int, str]]:
         raise _FileError(0, f"{file} cannot be read: {error.strerror}", "check its permissions") from None
     held = [(n, line) for n, line in enumerate(text.split("\n"), 1) if line.strip() and line.lstrip()[0] != "#"]
     if not held:
-        raise _FileError(0, f"{file} is empty", _EXAMPLE)
+        raise _FileError(0, f"{file} is empty", form.example)
     return held
 
 
@@ -149,20 +184,25 @@ def _cells(line: str, separator: str) -> list[str]:
     return [cell.strip().strip('"').strip() for cell in line.split(separator)]
 
 
-def _columns(header: list[str], of: str, line: int) -> tuple[_Column, _Column]:
+def _columns(header: list[str], of: str, line: int, form: _Form) -> tuple[_Column, _Column]:
     """Return the columns of x and of the values; raise _FileError if the header does not name them."""
     if len(header) != 2:
         count = f"{len(header)} column{'s' if len(header) != 1 else ''}"
-        raise _FileError(line, f"{count}; a table of a load has two, x and the values", _EXAMPLE)
+        raise _FileError(line, f"{count}; a table of {form.noun} has two, {form.key} and the values", form.example)
     x, y = (_column(cell) for cell in header)
     if of in _COUNTED and x.unit:
         what = _COUNTED[of]
         raise _FileError(line, f"{show(header[0])} has a unit; x are {what}", "write a name without unit, such as i")
-    if of not in _COUNTED and x.dimension not in ("angle", "length"):
-        raise _FileError(line, f"{show(header[0])} is not a column of angles or lengths with its unit", _EXAMPLE)
-    if y.dimension not in ("force", "moment"):
-        raise _FileError(line, f"{show(header[1])} is not a column of forces or moments with its unit", _EXAMPLE)
+    if of not in _COUNTED and x.dimension not in form.x:
+        raise _not_of(header[0], form.x, line, form)
+    if y.dimension not in form.values:
+        raise _not_of(header[1], form.values, line, form)
     return x, y
+
+
+def _not_of(name: str, dimensions: tuple[str, ...], line: int, form: _Form) -> _FileError:
+    kinds = either(f"{dimension}s" for dimension in dimensions)
+    return _FileError(line, f"{show(name)} is not a column of {kinds} with its unit", form.example)
 
 
 def _column(cell: str) -> _Column:

@@ -28,7 +28,9 @@ class FlywheelTable(Table):
     )
     width: Size | None = Field(default=None, description="Width of the rim, along the axis.")
     thickness: Size | None = Field(default=None, description="Thickness of the rim, along the radius.")
-    material: Literal["cast iron", "cast steel", "steel"] = Field(default="steel", description="Material of the rim.")
+    material: Literal["cast iron", "cast steel", "steel"] = Field(
+        default="cast iron", description="Material of the rim."
+    )
     density: Density | None = Field(default=None, description="Density of the rim (default: that of the material).")
     speed_limit: RimSpeed | None = Field(
         default=None, description="Highest allowed speed of the rim (default: that of the material)."

@@ -19,7 +19,7 @@ from .syntax import read_toml, too_deep
 if TYPE_CHECKING:
     from .files import Rows
 
-NAMING = {"loads", "motor"}  # the tables that may name files
+NAMING = {"loads", "motor", "torque"}  # the tables that may name files
 LARGEST_FILE = 10_000_000  # bytes; a spec of a hundred links has some ten thousand
 
 # Lists of tables whose elements have a name: the key that holds it, and the words for a message.
@@ -28,6 +28,8 @@ _ELEMENTS: dict[Path, tuple[str, str]] = {
     ("mechanism", "joints"): ("name", 'joint "{}"'),
     ("loads",): ("name", 'load "{}"'),
     ("springs",): ("name", 'spring "{}"'),
+    ("shafts",): ("name", 'shaft "{}"'),
+    ("transients",): ("name", 'transient "{}"'),
 }
 
 
@@ -100,7 +102,7 @@ def _checked(data: dict[str, Any], text: str, file: str, changed: list[Path], fo
 def _read_files(data: dict[str, Any], folder: FilePath) -> tuple[list[Finding], dict[Path, Rows]]:
     if not NAMING & data.keys():
         return [], {}
-    from .files import read_files  # late: only loads and a motor name files
+    from .files import read_files  # late: most specs name no files
 
     return read_files(data, folder)
 

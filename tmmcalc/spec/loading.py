@@ -46,7 +46,7 @@ TURN = 2 * math.pi
 
 def to_loading(spec: Spec) -> Loading:
     """Return what acts on the linkage of a checked spec: SI, points and directions complex."""
-    mechanism = spec.mechanism
+    mechanism = spec.linkage
     points = link_points(mechanism)
     return Loading(
         bodies=tuple(_body(link) for link in mechanism.links if link.mass is not None),

@@ -1,17 +1,36 @@
-"""From the tables of a spec to the plain values that the machine stages read: motor, gears, flywheel, motion."""
+"""From the tables of a spec to the plain values that the machine stages read.
+
+A torque diagram, motor, gears and shafts, flywheel, motion and motions in time; for balancing see ``balancing``.
+"""
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
+from tmmcalc.machine.model import (
+    DriveShaft,
+    FlywheelTask,
+    Gears,
+    MotionTask,
+    MotorChoice,
+    TorqueFormula,
+    TorqueHarmonics,
+    TorquePoints,
+    TorqueTask,
+    TransientTask,
+)
 from tmmcalc.machine.motors.catalogue import find, load_catalogue
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor, gd2
 
 if TYPE_CHECKING:
+    from tmmcalc.machine.transient.scenario import Brake, Scenario
+
     from .motor import MotorTable
     from .root import Spec
+    from .torque import TorqueTable
+    from .transients import BrakeTable, TransientTable
 
 CHOOSE = "choose"
 _USUAL: dict[str, CharacteristicKind] = {"induction": "parabolic", "shunt": "shunt", "series": "series"}
@@ -56,9 +75,29 @@ def _data(table: MotorTable) -> dict[str, Any]:
 
 
 def to_gears(spec: Spec) -> Gears:
-    """The gears; without a table a ratio that follows from the speeds."""
+    """The gears; their ratio is given, or that of the shafts together, or follows from the speeds."""
     table = spec.transmission
-    return Gears(table.ratio, table.efficiency, table.inertia) if table is not None else Gears()
+    product = math.prod(shaft.ratio for shaft in spec.shafts) if spec.shafts else None
+    return Gears(table.ratio or product, table.efficiency, table.inertia) if table is not None else Gears(product)
+
+
+def to_shafts(spec: Spec) -> tuple[DriveShaft, ...]:
+    """The elastic drive from the motor to the crank; empty if the spec has none, and the drive is rigid."""
+    from tmmcalc.machine.transient.model import Shaft
+
+    return tuple(
+        DriveShaft(
+            name=table.name or f"shaft {i}",
+            shaft=Shaft(
+                stiffness=math.inf if table.stiffness is None else table.stiffness,
+                damping=table.damping,
+                ratio=table.ratio,
+                behind_gear=table.behind_gear,
+            ),
+            inertia=table.inertia or 0.0,
+        )
+        for i, table in enumerate(spec.shafts, 1)
+    )
 
 
 def to_flywheel(spec: Spec) -> FlywheelTask | None:
@@ -87,3 +126,101 @@ def to_motion(spec: Spec) -> MotionTask:
         return MotionTask(spec.motor is None)
     positional = spec.motor is None if table.drive is None else table.drive == "positional"
     return MotionTask(positional, table.inertia, table.speed)
+
+
+def to_torque(spec: Spec) -> TorqueTask | None:
+    """The torque diagram of the spec, None if it has none."""
+    table = spec.torque
+    if table is None:
+        return None
+    return TorqueTask(
+        name=table.name,
+        speed=table.speed,
+        period=table.period,
+        law=_torque_law(table),
+        delays=_delays(table),
+        inertia=table.inertia,
+        balanced=table.balanced,
+    )
+
+
+def _torque_law(table: TorqueTable) -> TorqueFormula | TorqueHarmonics | TorquePoints:
+    """The one law of a diagram."""
+    from .torque import with_powers
+
+    if table.formula is not None:
+        return TorqueFormula(with_powers(table.formula), tuple(table.constants.items()))
+    if table.harmonics is not None:
+        terms = tuple((term.order, term.cos, term.sin) for term in table.harmonics.terms)
+        return TorqueHarmonics(table.harmonics.constant, terms)
+    if table.pieces is not None:
+        theta, moment = zip(*table.pieces, strict=True)
+        return TorquePoints(theta, moment)
+    assert table.table is not None
+    curve = table.table
+    moments = tuple(curve.moment or ())
+    steps = (i * table.period / len(moments) for i in range(len(moments)))
+    return TorquePoints(tuple(steps if curve.theta is None else curve.theta), moments, curve.interpolation)
+
+
+def _delays(table: TorqueTable) -> tuple[float, ...]:
+    if table.count is None:
+        return tuple(table.delays or ())
+    from tmmcalc.machine.diagram import even_delays
+
+    return even_delays(table.count, table.period)
+
+
+def to_scenarios(spec: Spec) -> tuple[TransientTask, ...]:
+    """The motions in time of the spec; speeds and angles are those of the crank, along its motion."""
+    from tmmcalc.machine.transient.methods import Method
+
+    return tuple(
+        TransientTask(
+            _scenario(table, name),
+            Method(table.method, table.step, table.tolerance),
+            table.begin == "steady",
+        )
+        for table, name in zip(spec.transients, _transient_names(spec.transients), strict=True)
+    )
+
+
+def _transient_names(tables: list[TransientTable]) -> list[str]:
+    """Names of the motions: their own, or "transient", "transient 2", ..."""
+    free = "transient" not in [table.name for table in tables]
+    return [table.name or ("transient" if i == 1 and free else f"transient {i}") for i, table in enumerate(tables, 1)]
+
+
+def _scenario(table: TransientTable, name: str) -> Scenario:
+    from tmmcalc.machine.transient.scenario import LoadStep, Scenario
+
+    steps = (LoadStep(step.factor, step.time, step.speed, step.quiet) for step in table.load_steps)
+    return Scenario(
+        name=name,
+        duration=table.duration,
+        speed=table.start_speed,
+        angle=table.start_angle,
+        settled=table.begin == "steady",
+        motor=_motor_times(table),
+        load=(LoadStep(table.load), *steps),
+        brake=_brake(table.brake),
+        standstill=table.standstill,
+        targets=tuple(table.targets),
+        end_speed=table.end_speed,
+        end_angle=table.end_angle,
+    )
+
+
+def _motor_times(table: TransientTable) -> tuple[tuple[float, float], ...]:
+    if table.motor_on is not None:
+        return tuple((on, off) for on, off in table.motor_on)
+    return ((0.0, math.inf),) if table.motor != "off" else ()
+
+
+def _brake(table: BrakeTable | None) -> Brake | None:
+    from tmmcalc.machine.transient.scenario import Brake
+
+    if table is None:
+        return None
+    mass = -1 if table.mass is None else table.mass
+    return Brake(table.moment, table.viscous, mass, table.start, math.inf if table.end is None else table.end)

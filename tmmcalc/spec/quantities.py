@@ -223,6 +223,27 @@ class Label(_Reader):
         return {"anyOf": kinds, "description": "Number or label of a position."}
 
 
+class QualityGrade(_Reader):
+    """A balance quality grade in mm/s: ``"G6.3"``, or its number."""
+
+    PATTERN = r"\s*G\s*([0-9]+\.?[0-9]*|\.[0-9]+)\s*"
+
+    def read(self, value: object) -> float:
+        """Return the number of the grade; raise UnitError if the value is none."""
+        match = re.fullmatch(self.PATTERN, value, re.ASCII) if isinstance(value, str) else None
+        number = float(match[1]) if match else value
+        if isinstance(number, bool) or not isinstance(number, int | float):
+            raise UnitError(f"{show(value)} is not a balance quality grade", 'write "G6.3", or 6.3')
+        if not 1e-3 <= number <= 1e6:
+            raise UnitError(f"{show(value)} is no grade: the usual ones are from G0.4 to G4000", 'write "G6.3", or 6.3')
+        return float(number)
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema: a number, or G and a number."""
+        kinds = [{"type": "number", "exclusiveMinimum": 0}, {"type": "string", "pattern": f"^{self.PATTERN}$"}]
+        return {"anyOf": kinds, "description": 'Balance quality grade: "G6.3", or its number in mm/s.'}
+
+
 def _unit_pattern(unit: str) -> str:
     """Return a regex of one unit that takes ``·`` and the raised digits as well."""
     # A unit that begins with a digit (1/s) keeps its distance from the number.
@@ -260,6 +281,8 @@ Ratio = Annotated[float, Number("a ratio", "26.4", above=0)]
 Friction = Annotated[float, Number("a coefficient of friction", "0.1", at_least=0, at_most=5)]
 Force = Annotated[float, Quantity("force")]
 Moment = Annotated[float, Quantity("moment")]
+
+Grade = Annotated[float, QualityGrade()]
 
 PointName = Annotated[str, Name("point")]
 JointName = Annotated[str, Name("joint")]

@@ -10,6 +10,7 @@ from typing import Any, get_args
 
 from pydantic import ValidationError
 
+from .engine import COUNT_TAG, LIST_TAG
 from .examples import ARRAYS_OF_TABLES, INLINE, LISTS, MISSING
 from .findings import Finding
 from .joints import NAME_TAG, POINT_TAG
@@ -18,6 +19,8 @@ from .phrases import Path, either, listing, nearest, show
 from .root import Spec
 from .table import Table
 from .units import UnitError
+
+_TAGS = (NAME_TAG, POINT_TAG, COUNT_TAG, LIST_TAG, "[key]")  # what pydantic puts into places beside TOML keys
 
 Item = Any  # one entry of ValidationError.errors(): type, loc, input, ctx, msg
 
@@ -38,14 +41,23 @@ def _finding(item: Item) -> Finding:
 
 def _place(loc: Path) -> Path:
     """Return the TOML path of a pydantic location: without the tags of its unions."""
-    steps = [step for step in loc if step not in (NAME_TAG, POINT_TAG, "[key]")]
+    steps = _without_tags(loc)
     if loc[:2] == ("mechanism", "joints") and len(loc) > 3:
         del steps[3]  # the kind of the joint
     return tuple(steps)
 
 
+def _without_tags(loc: Path) -> list[str | int]:
+    return [step for step in loc if step not in _TAGS]
+
+
 def _pattern(path: Path) -> str:
     return ".".join(step for step in path if isinstance(step, str))
+
+
+def _slot(path: Path) -> str:
+    """Return the pattern of a place, with brackets for an element of a list."""
+    return _pattern(path) + ("[]" if isinstance(path[-1], int) else "")
 
 
 def _missing(item: Item, path: Path) -> Finding:
@@ -90,7 +102,7 @@ def _not_a_list(item: Item, path: Path) -> Finding:
         return Finding(
             path, f"{what}, where a list of tables is needed", f"begin each with [[{pattern}]], two brackets"
         )
-    rule, example = LISTS.get(pattern, ("a point", 'two coordinates, such as [0, "620 mm"]'))
+    rule, example = LISTS.get(_slot(path), ("a point", 'two coordinates, such as [0, "620 mm"]'))
     if _is_place(path):
         rule, example = "a point", 'the name of a point, such as "B", or two coordinates [x, y]'
     return Finding(path, f"{show(value)} is not {rule}", f"write {example}")
@@ -98,7 +110,7 @@ def _not_a_list(item: Item, path: Path) -> Finding:
 
 def _is_place(path: Path) -> bool:
     """Whether a value is the name of a point or its coordinates; in a list, it is the ends of a spring."""
-    return path[-1] in ("through", "point") or isinstance(path[-1], int)
+    return path[-1] in ("through", "point") or _slot(path) == "springs.points[]"
 
 
 def _wrong_length(item: Item, path: Path) -> Finding:
@@ -106,7 +118,7 @@ def _wrong_length(item: Item, path: Path) -> Finding:
     if pattern in ARRAYS_OF_TABLES:
         return Finding(path, f"no {path[-1]}: {MISSING[pattern][0]}", MISSING[pattern][1])
     a_point = ("a point is two coordinates", '[x, y], such as [0, "620 mm"]')
-    rule, example = a_point if _is_place(path) else LISTS.get(pattern, a_point)
+    rule, example = a_point if _is_place(path) else LISTS.get(_slot(path), a_point)
     rule = "a joint connects two links" if pattern == "mechanism.joints.links" else rule
     count = "no values" if not value else "1 value" if len(value) == 1 else f"{len(value)} values"
     return Finding(path, f"{show(value)} has {count}; {rule}", f"write {example}")
@@ -137,7 +149,7 @@ def _too_small(item: Item, path: Path) -> Finding:
     limit, value, pattern = item["ctx"]["ge"], item["input"], _pattern(path)
     if value == 0 and pattern == "mechanism.links.id":
         return Finding(path, "0 is the frame, not a moving link", "its points stand in [mechanism.fixed]; count from 1")
-    if value == 0 and pattern in ("mechanism.outputs.link", "loads.link"):
+    if value == 0 and pattern in ("mechanism.outputs.link", "loads.link", "balance.counterweights.link"):
         return Finding(path, "link 0 is the frame and does not move", "name a moving link")
     return Finding(path, f"{show(value)} is less than {limit}, the least allowed", f"write {limit} or more")
 
@@ -193,14 +205,19 @@ def _header(pattern: str) -> str:
 def _keys_at(loc: Path) -> list[str]:
     """Return the keys that the table of an unknown key has, by walking the table classes along its place."""
     tables: list[type[Table]] = [Spec]
-    for step in loc[:-1]:
+    for step in _without_tags(loc[:-1]):
         if step in ("revolute", "prismatic"):
             tables = [t for t in tables if "kind" in t.model_fields and _kind_of(t) == step]
         elif isinstance(step, str):
             tables = [
                 sub for t in tables if step in t.model_fields for sub in _tables_in(t.model_fields[step].annotation)
             ]
-    return [key for table in tables for key in table.model_fields]
+    return [key for table in tables for key in _keys(table)]
+
+
+def _keys(table: type[Table]) -> list[str]:
+    """Return the keys of a table as TOML has them: from is a word of Python, so its field has another name."""
+    return [field.alias or name for name, field in table.model_fields.items()]
 
 
 def _kind_of(table: type[Table]) -> object:
@@ -220,7 +237,7 @@ def _homes(table: type[Table] = Spec, pattern: str = "") -> Iterator[tuple[str, 
     for key, field in table.model_fields.items():
         for sub in _tables_in(field.annotation):
             name = f"{pattern}.{key}" if pattern else key
-            yield name, list(sub.model_fields)
+            yield name, _keys(sub)
             yield from _homes(sub, name)
 
 

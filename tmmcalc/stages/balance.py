@@ -1,4 +1,4 @@
-"""Stage ``balance``: shaking force and moment of the linkage on its foundation, and balancing."""
+"""Stage ``balance``: shaking forces of the linkage on its foundation, of an engine, of a rotor; and balancing."""
 
 from __future__ import annotations
 
@@ -9,7 +9,10 @@ import numpy as np
 
 from tmmcalc.linkage.balance.columns import columns
 from tmmcalc.linkage.balance.task import BalanceTask, Balancing
+from tmmcalc.machine.balancing.task import BalancedRotor, Engine
+from tmmcalc.machine.model import EngineTask, RotorTask
 from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.records import record
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
@@ -17,38 +20,82 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.model import Mechanism
     from tmmcalc.spec import Spec
 
-Given = tuple["Mechanism", "tuple[Body, ...]", BalanceTask]
+
+@record
+class Balances:
+    """What of a spec is balanced; None: it has none."""
+
+    linkage: Balancing | None
+    engine: Engine | None
+    rotor: BalancedRotor | None
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """Labels of the positions of the linkage."""
+        return self.linkage.labels if self.linkage is not None else ()
+
+
+@record
+class Given:
+    """What the stage reads."""
+
+    linkage: tuple[Mechanism, tuple[Body, ...], BalanceTask] | None
+    engine: EngineTask | None
+    rotor: RotorTask | None
 
 
 def inputs(spec: Spec) -> Given:
-    """The linkage, its masses, what is asked of the balance."""
-    from tmmcalc.spec.balance import to_balance
+    """The linkage with its masses, the engine, the rotor: as far as the spec has them."""
+    from tmmcalc.spec.balancing import to_engine, to_rotor
+
+    return Given(_linkage(spec), to_engine(spec), to_rotor(spec))
+
+
+def _linkage(spec: Spec) -> tuple[Mechanism, tuple[Body, ...], BalanceTask] | None:
+    from tmmcalc.stages.wanted import shakes
+
+    if not shakes(spec):
+        return None
+    from tmmcalc.spec.balancing import to_balance
     from tmmcalc.spec.linkage import to_linkage
     from tmmcalc.spec.loading import to_loading
 
-    return to_linkage(spec.mechanism), to_loading(spec).bodies, to_balance(spec)
+    return to_linkage(spec.linkage), to_loading(spec).bodies, to_balance(spec)
 
 
-def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Balancing:
-    """Shaking force and moment, and what the schemes leave."""
+def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Balances:
+    """Shaking forces, and what balancing leaves of them."""
     from tmmcalc.linkage.balance.task import solve_balance
+    from tmmcalc.machine.balancing.task import solve_engine, solve_rotor
 
-    mechanism, bodies, task = given
-    return solve_balance(mechanism, bodies, upstream["kinematics"], task)
+    linkage = None
+    if given.linkage is not None:
+        mechanism, bodies, task = given.linkage
+        linkage = solve_balance(mechanism, bodies, upstream["kinematics"], task)
+    return Balances(
+        linkage,
+        solve_engine(given.engine) if given.engine is not None else None,
+        solve_rotor(given.rotor) if given.rotor is not None else None,
+    )
 
 
-def dump(result: Balancing) -> Record:
-    """Arrays by the names of the fields: shaking, and what each scheme leaves."""
-    return to_record(result, {"forces": result.shaking.error})
+def dump(result: Balances) -> Record:
+    """Arrays by the names of the fields: ``linkage.shaking.force``, what each scheme leaves, ..."""
+    errors = {"linkage": result.linkage.shaking.error} if result.linkage is not None else {}
+    if result.engine is not None:
+        errors["engine"] = result.engine.balance.error
+    return to_record(result, errors)
 
 
-def load(record: Record) -> Balancing:
+def load(record: Record) -> Balances:
     """Build the result from its record."""
-    result: Balancing = from_record(Balancing, record)
+    result: Balances = from_record(Balances, record)
     return result
 
 
-def table(result: Balancing) -> Table:
-    """All columns, one row a position."""
-    chosen = columns(result)
+def table(result: Balances) -> Table | None:
+    """All columns of the linkage, one row a position; None without one."""
+    if result.linkage is None:
+        return None
+    chosen = columns(result.linkage)
     return Table(["i", *(c.header for c in chosen)], [np.array(result.labels), *(c.make() for c in chosen)])

@@ -11,7 +11,6 @@ from tmmcalc.pipeline.stage import Record
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
-    from tmmcalc.machine.power import Power
     from tmmcalc.spec import Spec
 
 Given = tuple[FlywheelTask, MotorChoice | None, Gears, MotionTask]
@@ -29,20 +28,13 @@ def inputs(spec: Spec) -> Given:
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Flywheel:
     """All methods, and the wheel itself."""
     from tmmcalc.machine.flywheel.task import solve_flywheel
-    from tmmcalc.stages.shaft import constant_inertia, driver, mean_speed
+    from tmmcalc.stages.shaft import constant_inertia, driver, mean_speed, shaft_ratio
 
     task, wish, gears, motion = given
     at_hand = constant_inertia(upstream, gears, motion)
     moved = driver(upstream, wish, gears, motion)
     cycle, speed = upstream["reduction"].cycle, mean_speed(upstream, motion)
     return solve_flywheel(cycle, at_hand, task, moved, speed, shaft_ratio(task, upstream["power"]))
-
-
-def shaft_ratio(task: FlywheelTask, power: Power) -> float:
-    """Speed of the flywheel's shaft over that of the input shaft."""
-    if task.shaft == "motor" and power.duty is not None:
-        return power.duty.ratio
-    return task.ratio or 1.0
 
 
 def dump(result: Flywheel) -> Record:

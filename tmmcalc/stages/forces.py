@@ -23,7 +23,7 @@ def inputs(spec: Spec) -> tuple[Mechanism, Loading]:
     from tmmcalc.spec.linkage import to_linkage
     from tmmcalc.spec.loading import to_loading
 
-    return to_linkage(spec.mechanism), to_loading(spec)
+    return to_linkage(spec.linkage), to_loading(spec)
 
 
 def solve(given: tuple[Mechanism, Loading], upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Forces:

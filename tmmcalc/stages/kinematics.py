@@ -25,7 +25,7 @@ def inputs(spec: Spec) -> Mechanism:
     """The linkage as plain numbers; masses, gravity and the project's title are not read."""
     from tmmcalc.spec.linkage import to_linkage
 
-    return to_linkage(spec.mechanism)
+    return to_linkage(spec.linkage)
 
 
 def solve(mechanism: Mechanism, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Kinematics:

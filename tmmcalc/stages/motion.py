@@ -29,19 +29,15 @@ def inputs(spec: Spec) -> Given:
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Motion:
     """The regime with the flywheel that is there, or else the one that was found."""
     from tmmcalc.machine.motion import solve_motion
-    from tmmcalc.stages.flywheel import shaft_ratio
-    from tmmcalc.stages.shaft import constant_inertia, driver, mean_speed
+    from tmmcalc.stages.shaft import constant_inertia, driver, flywheel_inertia, mean_speed
 
     wish, gears, task, wheel = given
     reduction = upstream["reduction"]
-    there = wheel.inertia * shaft_ratio(wheel, upstream["power"]) ** 2 if wheel is not None else 0.0
-    if not there and "flywheel" in upstream:
-        there = upstream["flywheel"].addition
     theta = np.abs(reduction.phi - reduction.phi[0])
     return solve_motion(
         reduction.cycle,
         reduction.idle,
-        constant_inertia(upstream, gears, task, there),
+        constant_inertia(upstream, gears, task, flywheel_inertia(upstream, wheel)),
         driver(upstream, wish, gears, task),
         mean_speed(upstream, task),
         (reduction.labels, reduction.phi, theta),

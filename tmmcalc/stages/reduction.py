@@ -9,6 +9,7 @@ import numpy as np
 
 from tmmcalc.linkage.reduction.columns import columns
 from tmmcalc.linkage.reduction.results import Reduction
+from tmmcalc.machine.model import TorqueTask
 from tmmcalc.pipeline.stage import Record, Table
 from tmmcalc.stages.conversion import from_record, to_record
 
@@ -18,17 +19,30 @@ if TYPE_CHECKING:
     from tmmcalc.spec import Spec
 
 
-def inputs(spec: Spec) -> tuple[Mechanism, Loading, str]:
-    """The linkage, what acts on it, and how rods are reduced."""
+Given = tuple["Mechanism", "Loading", str] | TorqueTask
+
+
+def inputs(spec: Spec) -> Given:
+    """The linkage, what acts on it, and how rods are reduced; or the torque diagram that stands in its place."""
+    from tmmcalc.spec.machine import to_torque
+
+    torque = to_torque(spec)
+    if torque is not None:
+        return torque
     from tmmcalc.spec.linkage import to_linkage
     from tmmcalc.spec.loading import to_loading
 
     rods = spec.reduction.rods if spec.reduction is not None else "exact"
-    return to_linkage(spec.mechanism), to_loading(spec), rods
+    return to_linkage(spec.linkage), to_loading(spec), rods
 
 
-def solve(given: tuple[Mechanism, Loading, str], upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Reduction:
+def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Reduction:
     """Reduce everything to the input link."""
+    if isinstance(given, TorqueTask):
+        from tmmcalc.linkage.reduction.diagram import reduced_diagram
+        from tmmcalc.machine.diagram.task import cycle_of
+
+        return reduced_diagram(given.name, cycle_of(given))
     from tmmcalc.linkage.reduction.reduce import solve_reduction  # a stored result is loaded without it
 
     mechanism, loading, rods = given

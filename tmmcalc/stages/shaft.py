@@ -7,7 +7,8 @@ from typing import Any
 
 from tmmcalc.linkage.reduction.results import Reduction
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
-from tmmcalc.machine.model import Gears, MotionTask, MotorChoice
+from tmmcalc.machine.flywheel.task import Flywheel
+from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
 from tmmcalc.machine.power import Power
 
 
@@ -27,6 +28,21 @@ def constant_inertia(
     power: Power = upstream["power"]
     rotor = power.duty.rotor if power.duty is not None else 0.0
     return ConstantInertia(rotor, gears.inertia, task.inertia, flywheel)
+
+
+def shaft_ratio(task: FlywheelTask, power: Power) -> float:
+    """Speed of the flywheel's shaft over that of the input shaft."""
+    if task.shaft == "motor" and power.duty is not None:
+        return power.duty.ratio
+    return task.ratio or 1.0
+
+
+def flywheel_inertia(upstream: Mapping[str, Any], wheel: FlywheelTask | None) -> float:
+    """Inertia at the input shaft of the flywheel that is there, or else of the one that was found [kg*m^2]."""
+    if wheel is not None and wheel.inertia:
+        return wheel.inertia * shaft_ratio(wheel, upstream["power"]) ** 2
+    found: Flywheel | None = upstream.get("flywheel")
+    return found.addition if found is not None else 0.0
 
 
 def mean_speed(upstream: Mapping[str, Any], task: MotionTask) -> float:

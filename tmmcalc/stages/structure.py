@@ -18,7 +18,7 @@ def inputs(spec: Spec) -> Mechanism:
     """Links and joints with their kinds and links: the metric plays no part."""
     from tmmcalc.spec.linkage import to_linkage
 
-    return skeleton(to_linkage(spec.mechanism))
+    return skeleton(to_linkage(spec.linkage))
 
 
 def solve(mechanism: Mechanism, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Structure:

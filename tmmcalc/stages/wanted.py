@@ -14,22 +14,33 @@ if TYPE_CHECKING:
 TURN = 2 * math.pi
 
 
+def structure(spec: Spec) -> str | None:
+    """Groups are those of a mechanism."""
+    return None if spec.mechanism is not None else "no [mechanism]"
+
+
+def kinematics(spec: Spec) -> str | None:
+    """What moves is a mechanism."""
+    return structure(spec)
+
+
 def forces(spec: Spec) -> str | None:
     """Nothing acts on a linkage without loads, masses and springs."""
-    masses = any(link.mass or link.inertia for link in spec.mechanism.links)
-    if masses or spec.loads or spec.springs:
+    if spec.mechanism is None:
+        return structure(spec)
+    if _masses(spec) or spec.loads or spec.springs:
         return None
     return "no loads, masses or springs: nothing acts on the links"
 
 
 def reduction(spec: Spec) -> str | None:
-    """What does not act cannot be reduced."""
-    return forces(spec)
+    """What does not act cannot be reduced; a torque diagram is reduced already."""
+    return None if spec.torque is not None else forces(spec)
 
 
 def power(spec: Spec) -> str | None:
     """Work over a cycle needs a cycle: a crank that turns fully."""
-    return _acyclic(spec) or forces(spec)
+    return None if spec.torque is not None else _acyclic(spec) or forces(spec)
 
 
 def flywheel(spec: Spec) -> str | None:
@@ -42,16 +53,42 @@ def flywheel(spec: Spec) -> str | None:
 
 
 def motion(spec: Spec) -> str | None:
-    """The speed varies where kinetic energy is stored and something acts."""
-    masses = any(link.mass or link.inertia for link in spec.mechanism.links)
+    """The speed varies where kinetic energy is stored and something acts; without a drive it is that of the input."""
+    if spec.motor is None and spec.motion is None and spec.flywheel is None:
+        return "no [motor]: the speed is constant"
     wheel = spec.flywheel is not None and (spec.flywheel.inertia or spec.flywheel.delta)
     further = spec.motion is not None and spec.motion.inertia
-    if not (masses or wheel or further or spec.motor is not None):
+    if not (_masses(spec) or wheel or further or spec.motor is not None):
         return "no masses and no constant inertia: nothing stores kinetic energy"
     return power(spec)
 
 
+def transient(spec: Spec) -> str | None:
+    """Motions in time are asked for one by one."""
+    return "no [[transients]]: no motion in time is asked for" if not spec.transients else power(spec)
+
+
+def balance(spec: Spec) -> str | None:
+    """What shakes is a linkage with masses, an engine, a rotor."""
+    if spec.engine is not None or spec.rotor is not None or shakes(spec):
+        return None
+    if spec.mechanism is None:
+        return "no [engine], no [rotor] and no [mechanism]"
+    return "no masses: nothing shakes the foundation" if not _masses(spec) else _acyclic(spec)
+
+
+def shakes(spec: Spec) -> bool:
+    """Whether the spec has a linkage with masses whose crank turns fully."""
+    return _masses(spec) and _acyclic(spec) is None
+
+
+def _masses(spec: Spec) -> bool:
+    return spec.mechanism is not None and any(link.mass or link.inertia for link in spec.mechanism.links)
+
+
 def _acyclic(spec: Spec) -> str | None:
+    if spec.mechanism is None:
+        return structure(spec)
     drive = next((joint for joint in spec.mechanism.joints if joint.name == spec.mechanism.input.joint), None)
     if drive is not None and drive.kind == "prismatic":
         return "the input is a driven slider: its motion is no cycle"

@@ -26,7 +26,7 @@ from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Assembly, Grid, Input, Link, Mechanism
 
 EXTREME = {case["id"]: case for case in CASES["dyn-friction-extreme"]["inputs"]["cases"]}
-EXAMPLES = settings(derandomize=True, deadline=None, max_examples=60, database=None)
+EXAMPLES = settings(derandomize=True, deadline=None, max_examples=25, database=None)
 
 
 def steep(tan: float, sense: float = 1.0) -> Mechanism:
@@ -226,8 +226,8 @@ def miss(pairs: list[Rubbing], solution: Solution) -> Any:
 @EXAMPLES
 def test_the_law_holds_wherever_there_is_a_solution(seed: int, k: int, size: float) -> None:
     rng = np.random.default_rng(seed)
-    pairs = system(rng, k, 50, size)
-    solution = solve(pairs, 50)
+    pairs = system(rng, k, 30, size)
+    solution = solve(pairs, 30)
     free = ~solution.locked
     scale = 1 + np.max(np.abs(solution.values), axis=0)
     assert np.all(miss(pairs, solution)[free] <= 1e-12 * scale[free])
@@ -237,17 +237,17 @@ def test_the_law_holds_wherever_there_is_a_solution(seed: int, k: int, size: flo
         assert free.all()
 
 
-@given(st.integers(0, 2**32 - 1), st.integers(1, 3))
-@EXAMPLES
+@pytest.mark.parametrize("k", [1, 2, 3])
+@pytest.mark.parametrize("seed", range(4))
 def test_the_solution_grows_out_of_no_friction(seed: int, k: int) -> None:
     """From a little friction to the full one in small steps, by the plain fixed point where that converges."""
     rng = np.random.default_rng(seed)
     pairs = system(rng, k, 8, 0.12)
     full = solve(pairs, 8)
     q = np.zeros((k, 8))
-    for part_of in np.linspace(0, 1, 21)[1:]:
+    for part_of in np.linspace(0, 1, 11)[1:]:
         scaled = [pair._replace(c=pair.c * part_of) for pair in pairs]
-        for _ in range(400):
+        for _ in range(150):
             forces = [
                 Wrench(
                     pair.base.force + sum(r.force * v for r, v in zip(pair.responses, q, strict=True)),
@@ -257,7 +257,7 @@ def test_the_solution_grows_out_of_no_friction(seed: int, k: int) -> None:
             ]
             law = [-pair.c * size_of(pair.seat, wrench, pair.half) for pair, wrench in zip(scaled, forces, strict=True)]
             q = 0.5 * q + 0.5 * np.array(law)
-    settled = np.max(np.abs(np.array(law) - q), axis=0) < 1e-12
+    settled = np.max(np.abs(np.array(law) - q), axis=0) < 1e-10
     both = settled & ~full.locked
     assert both.sum() >= 4
     np.testing.assert_allclose(full.values[:, both], q[:, both], rtol=1e-9, atol=1e-9)

@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Drive, Mass
-from tmmcalc.machine.transient.results import Method, Transient
+from tmmcalc.machine.transient.results import Transient
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.simulate import simulate
 from tmmcalc.numerics.panels import panels

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-
-from tmmcalc.linkage.forces.dyad import FRICTIONLESS, UNITS, Balance, Friction
+from tmmcalc.linkage.forces.dyad import FRICTIONLESS, Balance, Friction, Reactions
 from tmmcalc.linkage.forces.friction import Rubbing, Solution, solve
 from tmmcalc.linkage.forces.wrench import NOTHING, Wrench
 from tmmcalc.linkage.loading import Pair
@@ -67,22 +65,39 @@ class Cut(NamedTuple):
     loads: tuple[Wrench, Wrench]
     c: dict[int, Real]  # of every rubbing joint: coefficient times the sense of the receiver's motion in it, (n,)
 
-    def friction(self, n: int) -> tuple[Friction, Solution | None]:
-        """Friction in the three joints at n positions, and how it came out; None where nothing rubs."""
+    def solve(self, n: int) -> tuple[Reactions, Friction, Solution | None]:
+        """Reactions at n positions, the friction in them, and how it came out; None where nothing rubs."""
+        inner = self.balance.inner(*self.loads)
         if not self.c:
-            return FRICTIONLESS, None
-        base = self.balance.reactions(*self.loads)
-        units = [self.balance.reactions(NOTHING, NOTHING, UNITS[k]) for k in self.c]
+            return self.balance.outer(*self.loads, inner), FRICTIONLESS, None
+        responses = [self.balance.response(k) for k in self.c]
+        load_a, load_b = self.loads
+        base = (load_a.plus(inner).reversed() if 0 in self.c else NOTHING, inner, inner.minus(load_b))
         pairs = [
-            Rubbing(self.balance.dyad[k], c, base[k], tuple(unit[k] for unit in units), self.plan.posts[k].half)
+            Rubbing(
+                self.balance.dyad[k],
+                c,
+                self._about(k, base[k]),
+                tuple(self._about(k, r.reversed() if k == 0 else r) for r in responses),
+                self.plan.posts[k].half,
+            )
             for k, c in self.c.items()
         ]
         solution = solve(pairs, n)
-        return self.given(solution.values), solution
+        for response, value in zip(responses, solution.values, strict=True):
+            inner = inner.plus(response.times(value))
+        friction = self.given(solution.values)
+        return self.balance.outer(load_a, load_b, inner, friction), friction, solution
+
+    def _about(self, k: int, wrench: Wrench) -> Wrench:
+        """A wrench about the inner joint's point, about that of joint ``k`` if its moment counts there."""
+        if k == 1 or self.plan.posts[k].half is None:
+            return wrench
+        return wrench.about(self.balance.dyad[k].r - self.balance.dyad.inner.r)
 
     def given(self, values: Real) -> Friction:
         """Friction in the three joints from the values (k, n) of those that rub."""
-        three = [np.zeros(())] * 3
+        three = list(FRICTIONLESS)
         for k, value in zip(self.c, values, strict=True):
             three[k] = value
         return Friction(*three)

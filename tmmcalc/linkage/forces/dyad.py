@@ -44,7 +44,6 @@ class Friction(NamedTuple):
 
 _NONE = np.zeros(())
 FRICTIONLESS = Friction(_NONE, _NONE, _NONE)
-UNITS = (Friction(np.ones(()), _NONE, _NONE), Friction(_NONE, np.ones(()), _NONE), Friction(_NONE, _NONE, np.ones(())))
 
 
 class Dyad(NamedTuple):
@@ -65,7 +64,7 @@ class Dyad(NamedTuple):
 
     def balance(self) -> Balance:
         """The equations of both links, solved once for all loads."""
-        a, b = _row(self.a, self.inner), _row(self.b, self.inner)
+        a, b = _row(self.a, self.inner, 1.0), _row(self.b, self.inner, -1.0)
         with np.errstate(divide="ignore", invalid="ignore"):
             if isinstance(self.inner, Pivot):
                 determinant = cross(a.arm, b.arm)
@@ -80,17 +79,25 @@ class Dyad(NamedTuple):
 
 
 class Row(NamedTuple):
-    """What an outer joint says of the inner wrench (F, M) on its own link: Re(conj(arm) F) - lever M = value."""
+    """What an outer joint says of the inner wrench (F, M): Re(conj(arm) F) - lever M = value.
+
+    ``side`` is the sign with which the inner wrench acts on its link: +1 on a, -1 on b.
+    """
 
     arm: Plane
     lever: float
     turns: bool  # a revolute joint
+    side: float
 
-    def value(self, d: Plane, load: Wrench, friction: Real) -> Real:
+    def value(self, d: Plane, load: Wrench) -> Real:
         """The value under a load about the inner joint's point, ``d`` the vector from there to the outer joint."""
-        if self.turns:
-            return friction + load.moment - cross(d, load.force)
-        return -(friction + _dot(self.arm, load.force))
+        value = load.moment - cross(d, load.force) if self.turns else -_dot(self.arm, load.force)
+        return value if self.side > 0 else -value
+
+    @property
+    def of_friction(self) -> float:
+        """The value of a unit of friction in the outer joint."""
+        return self.side if self.turns else -self.side
 
     def of(self, inner: Wrench) -> Real:
         """The left side for an inner wrench."""
@@ -122,37 +129,50 @@ class Balance(NamedTuple):
                 remedy="keep its links away from that position",
             )
 
+    def inner(self, load_a: Wrench, load_b: Wrench) -> Wrench:
+        """The inner wrench on link a without friction, loads about the inner joint's point (n,)."""
+        value_a = self.a.value(self.dyad.a.r - self.dyad.inner.r, load_a)
+        value_b = self.b.value(self.dyad.b.r - self.dyad.inner.r, load_b)
+        return self.by_a.times(value_a).plus(self.by_b.times(value_b))
+
+    def response(self, k: int) -> Wrench:
+        """The inner wrench that a unit of friction in joint ``k`` alone makes: 0 outer of a, 1 inner, 2 outer of b."""
+        if k == 0:
+            return self.by_a.times(self.a.of_friction)
+        if k == 2:
+            return self.by_b.times(self.b.of_friction)
+        pivot = isinstance(self.dyad.inner, Pivot)
+        own = Wrench(NOTHING.force, np.ones(())) if pivot else Wrench(self.dyad.inner.e, _NONE)
+        return own.plus(self.by_a.times(-self.a.of(own))).plus(self.by_b.times(-self.b.of(own)))
+
+    def outer(self, load_a: Wrench, load_b: Wrench, inner: Wrench, friction: Friction = FRICTIONLESS) -> Reactions:
+        """All reactions once the inner wrench is known: each link is in equilibrium."""
+        dyad = self.dyad
+        on_a, on_b = load_a.plus(inner).reversed(), inner.minus(load_b)
+        return Reactions(
+            _outer(dyad.a, on_a, dyad.inner.r, friction.outer_a),
+            inner,
+            _outer(dyad.b, on_b, dyad.inner.r, friction.outer_b),
+        )
+
     def reactions(self, load_a: Wrench, load_b: Wrench, friction: Friction = FRICTIONLESS) -> Reactions:
         """Reactions under wrenches on a and b, each about the inner joint's point (n,)."""
-        dyad, f = self.dyad, friction.inner
-        to_a, to_b = dyad.a.r - dyad.inner.r, dyad.b.r - dyad.inner.r
-        value_a = self.a.value(to_a, load_a, friction.outer_a)
-        value_b = -self.b.value(to_b, load_b, friction.outer_b)  # the inner wrench acts on b reversed
-        own = NOTHING
-        if f.ndim or f:
-            own = Wrench(NOTHING.force, f) if isinstance(dyad.inner, Pivot) else Wrench(f * dyad.inner.e, _NONE)
-            value_a = value_a - self.a.of(own)
-            value_b = value_b - self.b.of(own)
-        inner = Wrench(
-            value_a * self.by_a.force + value_b * self.by_b.force + own.force,
-            value_a * self.by_a.moment + value_b * self.by_b.moment + own.moment,
-        )
-        return Reactions(
-            _outer(dyad.a, load_a.plus(inner).reversed(), to_a, friction.outer_a),
-            inner,
-            _outer(dyad.b, inner.plus(load_b.reversed()), to_b, friction.outer_b),
-        )
+        inner = self.inner(load_a, load_b)
+        for k, value in enumerate(friction):
+            if value is not _NONE:
+                inner = inner.plus(self.response(k).times(value))
+        return self.outer(load_a, load_b, inner, friction)
 
 
-def _outer(seat: Seat, wrench: Wrench, d: Plane, friction: Real) -> Wrench:
+def _outer(seat: Seat, wrench: Wrench, point: Plane, friction: Real) -> Wrench:
     """The reaction of an outer joint about its own point; that of a pin has no moment but friction."""
-    return Wrench(wrench.force, friction) if isinstance(seat, Pivot) else wrench.about(d)
+    return Wrench(wrench.force, friction) if isinstance(seat, Pivot) else wrench.about(seat.r - point)
 
 
-def _row(outer: Seat, inner: Seat) -> Row:
+def _row(outer: Seat, inner: Seat, side: float) -> Row:
     if isinstance(outer, Slideway):
-        return Row(outer.e, 0.0, False)
-    return Row(1j * (outer.r - inner.r), 1.0, True)
+        return Row(outer.e, 0.0, False, side)
+    return Row(1j * (outer.r - inner.r), 1.0, True, side)
 
 
 def _dot(a: Plane, b: Plane) -> Real:

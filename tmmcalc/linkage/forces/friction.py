@@ -29,6 +29,7 @@ TOGETHER = 5  # passes over all positions; the few that need more go on alone
 FIRST_STEP, LEAST_STEP = 0.25, 1e-9  # of the path from no friction (0) to the full friction (1)
 GROWTH = 10.0  # of the values in one step of the path
 STEPS = 400
+TINY = 1e-300  # a force without direction
 APART = 1e-6  # relative difference that makes another solution of a Newton end
 
 Flags = NDArray[np.bool_]
@@ -122,15 +123,19 @@ class _Problem(NamedTuple):
     def residual(self, q: Real, part: Real) -> tuple[Real, Real]:
         """Left sides (k, n) with the friction multiplied by ``part`` (n,), and their Jacobian (k, k, n)."""
         k = len(q)
-        z = self.base + (self.response * q).sum(axis=2)
+        work = self.response * q  # large: the second use of it saves fetching fresh memory
+        z = work.sum(axis=2)
+        z += self.base
         length = np.sqrt(z[0] * z[0] + z[1] * z[1])
-        unit = z / np.where(length > 0, length, 1.0)
-        slopes = unit[0, :, None] * self.response[0] + unit[1, :, None] * self.response[1]
+        z /= np.maximum(length, TINY)
+        np.multiply(z[:, :, None], self.response, out=work)
+        slopes = work[0]
+        slopes += work[1]
         for j, row in self.tipping:
             tips = length[row] > length[j]
             length[j], slopes[j] = np.where(tips, length[row], length[j]), np.where(tips, slopes[row], slopes[j])
         c = part * self.c
-        jacobian = c[:, None] * slopes[:k]
+        jacobian = np.multiply(slopes[:k], c[:, None], out=slopes[:k])
         jacobian[np.arange(k), np.arange(k)] += 1.0
         return q + c * length[:k], jacobian
 

@@ -147,8 +147,7 @@ class Statics(NamedTuple):
     ) -> Solution | None:
         """Solve one dyad and hand its reactions on to the links that carry it."""
         cut = self.cut(plan, place, side, pole, carried)
-        friction, solution = cut.friction(len(place.theta))
-        found = cut.balance.reactions(*cut.loads, friction)
+        found, friction, solution = cut.solve(len(place.theta))
         for post, wrench, value, seat in zip(plan.posts, found, friction, cut.balance.dyad, strict=True):
             on_higher = (wrench, value) if post.sign > 0 else (wrench.reversed(), -value)
             reactions[post.joint.name] = Reaction(*on_higher, seat)

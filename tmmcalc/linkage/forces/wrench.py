@@ -29,6 +29,10 @@ class Wrench(NamedTuple):
         """Difference of two wrenches about the same point."""
         return Wrench(self.force - other.force, self.moment - other.moment)
 
+    def times(self, factor: Real | float) -> Wrench:
+        """The wrench as many times."""
+        return Wrench(self.force * factor, self.moment * factor)
+
     def reversed(self) -> Wrench:
         """The opposite wrench."""
         return Wrench(-self.force, -self.moment)

@@ -64,7 +64,7 @@ def strokes_of(chain: Chain, kinematics: Kinematics, travel: Travel, name: str |
     theta = travel.theta(np.array([centre.x for centre in centres]))
     if not travel.whole:
         theta = np.sort(theta)
-    middle = theta[:1] + np.mod(theta[1] - theta[0], travel.period) / 2
+    middle = theta[:1] + np.mod(theta[1] - theta[0], TURN if travel.whole else travel.period) / 2
     rate = coordinate_of(chain, output, chain.evaluate(travel.x(middle)))[1]
     first = math.copysign(1.0, float(np.ravel(rate)[0]) * travel.sense)
     sense = _working(output, first) if not travel.whole else first

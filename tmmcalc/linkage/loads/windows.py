@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain
-from tmmcalc.linkage.loading import Load
+from tmmcalc.linkage.loading import Load, Polynomial
 from tmmcalc.linkage.loads.sources import Place
 from tmmcalc.linkage.loads.strokes import Strokes, strokes_of
 from tmmcalc.linkage.loads.travel import EDGE, Travel, turns_of
@@ -39,7 +39,8 @@ def window_of(chain: Chain, kinematics: Kinematics, travel: Travel, load: Load) 
     window, where = load.window, f"load {load.name}"
     own = TURN * turns_of(load)
     if window is None:
-        return Inside(lambda place: True, lambda theta: travel.since(0.0, theta, own), travel.repeated([0.0], own))
+        edges = travel.repeated([0.0], own) if isinstance(load.law, Polynomial) else []
+        return Inside(lambda place: True, lambda theta: travel.since(0.0, theta, own), edges)
     if window.stroke is not None:
         which = 0 if window.stroke == "working" else 1
         return _stroke(travel, strokes_of(chain, kinematics, travel, window.output, where), which)

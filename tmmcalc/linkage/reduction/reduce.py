@@ -1,67 +1,36 @@
 """The reduction stage: reduced moments of every load, weights, springs and friction, reduced inertia, work per cycle.
 
-All are sampled on panels whose edges lie at every jump of a load and every reversal of friction, so that work over
-the cycle is exact to rounding. Friction is taken at the mean speed, with the loads of inertia in the reactions
-(textbook 3.3.1.6).
+All are sampled on panels whose edges lie at every jump of a load, every reversal and every kink of friction, so that
+work over the cycle is exact to rounding. Friction is taken at the mean speed, with the loads of inertia in the
+reactions (textbook 3.3.1.6).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterable
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.linkage.assembly import TURN
-from tmmcalc.linkage.forces.friction import Solution
-from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
-from tmmcalc.linkage.forces.locking import refuse_locked
-from tmmcalc.linkage.forces.verification import friction_power
+from tmmcalc.linkage.forces.kinetostatics import reversals
+from tmmcalc.linkage.forces.kinks import kinked
 from tmmcalc.linkage.loading import Load, Loading
 from tmmcalc.linkage.loads.scene import Scene, compile_scene
-from tmmcalc.linkage.loads.sources import Place, Source
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.reduction.causes import Causes, Sample, causes_of
 from tmmcalc.linkage.reduction.inertia import lumped, reduced_inertia, rods_of
 from tmmcalc.linkage.reduction.results import Contribution, Reduction
 from tmmcalc.linkage.results import Extreme, Grade, Kinematics
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.numerics.panels import Panels, panels, resolved
-from tmmcalc.numerics.roots import Indices
 
 TOLERANCE = 1e-13  # of the panels: last coefficients against the largest value
-OPEN_PANELS = 12  # first panels of a range that is not a turn
-
-
-class Causes(NamedTuple):
-    """What is reduced: the sources of the scene, merged by name, and friction."""
-
-    scene: Scene
-    statics: Statics
-    names: tuple[tuple[str, str, int], ...]  # name, kind, order of every contribution but friction
-
-    @property
-    def orders(self) -> Indices:
-        """Order in the speed of every contribution (S,), friction included."""
-        return np.array([order for _, _, order in self.names] + [0] * bool(self.statics.scales))
-
-    def moments(self, place: Place, side: Real | float = 1.0) -> tuple[Real, dict[str, Solution]]:
-        """Reduced moments (S, n) per power of the speed, along the motion; and how the friction came out."""
-        sense = self.scene.travel.sense
-        rows = np.zeros((len(self.orders), len(place.theta)))
-        for source in self.scene.sources:
-            k = self.names.index((source.name, source.kind, source.order))
-            rows[k] += _power(source, place) * (sense if source.order == 0 else 1.0)
-        if not self.statics.scales:
-            return rows, {}
-        state = self.statics.solve(place, side)
-        rows[-1] = sense * sum(friction_power(self.statics, state, place).values())
-        return rows, state.solutions
-
-
-def _power(source: Source, place: Place) -> Real:
-    return np.asarray(sum(action.power(place.configuration) for action in source.actions(place)))
+PARTS = 12  # of a turn, or of the range: no first panel is wider
+NOTHING = 1e-9  # part of what a load moves to and fro below which its work has no sign
 
 
 def solve_reduction(mechanism: Mechanism, loading: Loading, kinematics: Kinematics, rods: str = "exact") -> Reduction:
@@ -73,134 +42,142 @@ def solve_reduction(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
     static = lumped(mechanism, loading, links)
     taken = replace(loading, bodies=static) if rods == "lumped" else loading
     scene = compile_scene(mechanism, taken, kinematics)
-    causes = _causes(scene)
-    dense, values, tail = _resolved(causes)
-    cycle, parts = _cycle(causes, dense, values, max(tail, kinematics.error.velocity))
+    causes = causes_of(scene)
+    dense, values, tail, stuck = _resolved(causes)
+    cycle, parts, idle = _cycles(causes, dense, values, max(tail, kinematics.error.velocity))
     theta, labels = scene.travel.rows(kinematics)
-    moment, inertia, slope = _at_positions(causes, theta, labels)
-    contributions = tuple(_contribution(causes, k, dense, parts[k], theta, moment[k]) for k in range(len(parts)))
-    least, largest = dense.extremes(cycle.inertia)
-    other = reduced_inertia(static, scene.place(theta).configuration, len(theta))[0] if links else None
+    place = scene.place(theta)
+    nodes = causes.at(place, scene.travel.sides(theta), lambda at: [f"position {labels[i]}" for i in at])
+    moment = scene.travel.sense * nodes.moments * _powers(causes)[:, None]
+    inertia_range, ranges = _ranges(scene, cycle, parts)
+    works = dense.total(parts) if len(parts) else np.empty(0)
+    other = reduced_inertia(static, place.configuration, len(theta))[0] if links else None
     return Reduction(
         labels=labels,
         phi=scene.travel.phi(theta),
         turns=scene.chain.turns,
         whole=scene.travel.whole,
         speed=scene.travel.speed,
-        contributions=contributions,
+        contributions=tuple(
+            Contribution(
+                name=name,
+                kind=cast(Any, kind),
+                role=_role(loading.loads, name) if kind == "load" else None,
+                order=order,
+                work=float(works[k]),
+                simpson=simpson(theta, scene.travel.sense * moment[k]),
+                least=ranges[k][0],
+                largest=ranges[k][1],
+            )
+            for k, (name, kind, order) in enumerate(causes.names)
+        ),
         moment=moment,
         total=moment.sum(axis=0),
-        inertia=inertia,
-        slope=slope,
+        inertia=nodes.inertia,
+        slope=nodes.slope * scene.travel.sense,
         parts=parts,
         cycle=cycle,
-        idle=_idle(scene, kinematics.error.velocity),
-        inertia_range=(Extreme(*least), Extreme(*largest)),
+        idle=idle if causes.loaded and not stuck else None,
+        inertia_range=inertia_range,
         lumped=other,
         rods=links,
-        grades=_grades(contributions, loading.loads),
+        grades=_grades(causes, loading.loads, works, dense, parts),
         counters={"panels": dense.count, "points": dense.x.size},
     )
 
 
-def _causes(scene: Scene) -> Causes:
-    names = tuple(dict.fromkeys((s.name, s.kind, s.order) for s in scene.sources))
-    return Causes(scene, compile_statics(scene), names)
+def _role(loads: tuple[Load, ...], name: str) -> Any:
+    return next(load.role for load in loads if load.name == name)
 
 
-def _idle(scene: Scene, error: float) -> Cycle | None:
-    """The cycle without technological loads, whose friction is less too; None if there are none."""
-    kept = tuple(source for source in scene.sources if source.kind != "load")
-    if len(kept) == len(scene.sources):
-        return None
-    causes = _causes(scene._replace(sources=kept, angles=(), knots=()))
-    dense, values, tail = _resolved(causes)
-    return _cycle(causes, dense, values, max(tail, error))[0]
-
-
-def _resolved(causes: Causes) -> tuple[Panels, Real, float]:
-    """Panels that resolve J, dJ and all moments, their values (2 + S, K, N), and the largest tail."""
+def _resolved(causes: Causes) -> tuple[Panels, Real, float, bool]:
+    """Panels that resolve J, dJ and all moments, their values (3 + S, K, N), the largest tail; whether idle sticks."""
     scene = causes.scene
-    first = panels(
-        0.0,
-        scene.travel.period,
-        scene.edges(reversals(causes.statics)),
-        TURN / 12 if scene.chain.turns else scene.travel.period / OPEN_PANELS,
+    edges = scene.edges(reversals(causes.statics))
+    first = _panels(scene, edges)
+    samples = [causes.along(first.x.ravel())]
+    places = kinked(
+        first,
+        samples[0].faces,
+        lambda on: causes.along(on.x.ravel()).faces,
+        lambda further: _panels(scene, [*edges, *further]),
     )
-    sample = _sampler(causes)
-    scale = np.max(np.abs(sample(first.x.ravel())), axis=1)
-    scale[1] = scale[0]
-    scale[2:] = np.max(scale[2:], initial=0.0)
-    return resolved(sample, first, TOLERANCE, np.where(scale > 0, scale, 1.0))
+    if places:
+        first = _panels(scene, [*edges, *places])
+        samples = [causes.along(first.x.ravel())]
+    waiting = samples[:]  # the first panels are sampled already
+
+    def rows(theta: Real) -> Real:
+        if waiting:
+            return waiting.pop().rows
+        samples.append(causes.along(theta))
+        return samples[-1].rows
+
+    return *resolved(rows, first, TOLERANCE, _scales(samples[0])), any(sample.stuck for sample in samples)
 
 
-def _sampler(causes: Causes) -> Callable[[Real], Real]:
-    def sample(theta: Real) -> Real:
-        place = causes.scene.place(theta)
-        moments, solutions = causes.moments(place)
-        refuse_locked(causes.statics, solutions, lambda rows: causes.scene.travel.named(theta[rows]))
-        inertia, slope = reduced_inertia(causes.scene.loading.bodies, place.configuration, len(theta))
-        return np.vstack((inertia, slope * causes.scene.travel.sense, moments))
-
-    return sample
+def _panels(scene: Scene, edges: Iterable[float]) -> Panels:
+    whole = TURN if scene.chain.turns else scene.travel.period
+    return panels(0.0, scene.travel.period, edges, whole / PARTS)
 
 
-def _cycle(causes: Causes, dense: Panels, values: Real, error: float) -> tuple[Cycle, Real]:
-    """The cycle that the machine room takes, and the moments of all contributions at the mean speed (S, K, N)."""
-    speed = abs(causes.scene.travel.speed)
-    orders = causes.orders
-    rows = values[2:]
-    positional, viscous, quadratic = (rows[orders == order].sum(axis=0) for order in (0, 1, 2))
-    cycle = Cycle(dense, values[0], values[1], positional, viscous, quadratic, speed, error)
-    return cycle, rows * (speed**orders)[:, None, None]
+def _scales(sample: Sample) -> Real:
+    """What the tails of J, dJ and all moments (3 + S,) are measured against: J, and the largest of the moments."""
+    inertia = float(np.max(sample.inertia))
+    moment = max(float(np.max(np.abs(sample.moments), initial=0.0)), float(np.max(np.abs(sample.idle))))
+    scale = np.array([inertia, inertia, moment, *[moment] * len(sample.moments)])
+    return np.where(scale > 0, scale, 1.0)
 
 
-def _at_positions(causes: Causes, theta: Real, labels: tuple[str, ...]) -> tuple[Real, Real, Real]:
-    """Algebraic moments (S, n) at the mean speed, inertia and its derivative against the input coordinate."""
-    scene = causes.scene
-    speed, sense = abs(scene.travel.speed), scene.travel.sense
-    place = scene.place(theta)
-    moments, solutions = causes.moments(place, scene.travel.sides(theta))
-    refuse_locked(causes.statics, solutions, lambda at: [f"position {labels[i]}" for i in at])
-    orders = causes.orders
-    inertia, slope = reduced_inertia(scene.loading.bodies, place.configuration, len(theta))
-    return sense * moments * (speed**orders)[:, None], inertia, slope
+def _powers(causes: Causes) -> Real:
+    """What each contribution is multiplied by at the mean speed (S,)."""
+    return np.asarray(abs(causes.scene.travel.speed) ** causes.orders)
 
 
-def _contribution(causes: Causes, k: int, dense: Panels, part: Real, theta: Real, nodes: Real) -> Contribution:
-    name, kind, order = causes.names[k] if k < len(causes.names) else ("friction", "friction", 0)
-    role = next((load.role for load in causes.scene.loading.loads if kind == "load" and load.name == name), None)
-    sense = causes.scene.travel.sense
-    least, largest = dense.extremes(sense * part)
-    return Contribution(
-        name,
-        kind,  # type: ignore[arg-type]  # the kinds of sources, and friction
-        role,
-        order,
-        float(dense.total(part)),
-        simpson(theta, sense * nodes),
-        Extreme(*least),
-        Extreme(*largest),
-    )
+def _cycles(causes: Causes, dense: Panels, values: Real, error: float) -> tuple[Cycle, Real, Cycle]:
+    """The cycle for the machine room, moments of all contributions at the mean speed (S, K, N), the idle cycle."""
+    speed, rows = abs(causes.scene.travel.speed), values[3:]
+    loads = np.array([kind == "load" for _, kind, _ in causes.names], dtype=bool)
+    rubs = np.array([kind == "friction" for _, kind, _ in causes.names], dtype=bool)
+
+    def cycle(taken: NDArray[np.bool_], further: Real | float) -> Cycle:
+        orders = (rows[taken & (causes.orders == order)].sum(axis=0) for order in (0, 1, 2))
+        positional, viscous, quadratic = orders
+        return Cycle(dense, values[0], values[1], positional + further, viscous, quadratic, speed, error)
+
+    return cycle(loads | ~loads, 0.0), rows * _powers(causes)[:, None, None], cycle(~loads & ~rubs, values[2])
+
+
+def _ranges(scene: Scene, cycle: Cycle, parts: Real) -> tuple[tuple[Extreme, Extreme], list[tuple[Extreme, Extreme]]]:
+    """Least and largest of the inertia, and of every algebraic moment."""
+    rows = np.concatenate((cycle.inertia[None], scene.travel.sense * parts))
+    found, at = cycle.panels.largest(np.concatenate((-rows, rows)))
+    low, high = np.split(np.arange(2 * len(rows)), 2)
+    pairs = [
+        (Extreme(-float(found[a]), float(at[a])), Extreme(float(found[b]), float(at[b])))
+        for a, b in zip(low, high, strict=True)
+    ]
+    return pairs[0], pairs[1:]
 
 
 def simpson(x: Real, y: Real) -> float | None:
     """Simpson's rule (3.38); None unless the steps are equal and even in number."""
     steps = np.diff(x)
-    if len(steps) % 2 or np.ptp(steps) > 1e-9 * steps[0]:
+    if len(steps) % 2 or np.ptp(steps) > 1e-9 * abs(steps[0]):
         return None
     return float(steps[0] / 3 * (y[0] + y[-1] + 4 * y[1:-1:2].sum() + 2 * y[2:-2:2].sum()))
 
 
-def _grades(contributions: tuple[Contribution, ...], loads: tuple[Load, ...]) -> tuple[Grade, ...]:
+def _grades(causes: Causes, loads: tuple[Load, ...], works: Real, dense: Panels, parts: Real) -> tuple[Grade, ...]:
     """A resistance that drives, or a drive that resists, is likely a wrong sign."""
     grades = []
-    for c in contributions:
-        wrong = (c.role == "resistance" and c.work > 0) or (c.role == "drive" and c.work < 0)
-        if wrong:
-            does = "drives" if c.work > 0 else "resists"
-            text = (
-                f"is called a {c.role} but {does}: {c.work:+.6g} J a cycle; turn its direction or its sign, or its role"
-            )
-            grades.append(Grade("warning", f"load {c.name}", text))
+    for k, (name, kind, _) in enumerate(causes.names):
+        if kind != "load":
+            continue
+        role, work = _role(loads, name), float(works[k])
+        against = -work if role == "drive" else work
+        if against > NOTHING * float(dense.total(np.abs(parts[k]))):
+            does = "drives" if work > 0 else "resists"
+            text = f"is called a {role} but {does}: {work:+.6g} J a cycle; turn its direction or its sign, or its role"
+            grades.append(Grade("warning", f"load {name}", text))
     return tuple(grades)

@@ -53,43 +53,63 @@ def _hit(watch: Watch, stepper: Stepper) -> Hit | None:
     if watch.component < 0:
         before = watch.gap(stepper.y0)
         after = watch.gap(stepper.y) if before < 0 else -1.0
-        return _locate(watch, stepper, stepper.t, before, after) if after >= 0 else None
+        return _locate(watch, stepper, (stepper.t0, before), (stepper.t, after)) if after >= 0 else None
     i, sign = watch.component, watch.direction
-    before = sign * (stepper.y0[i] - watch.level)
-    if before >= 0:
-        return None
-    after = sign * (stepper.y[i] - watch.level)
-    if after >= 0:
-        return _locate(watch, stepper, stepper.t, before, after)
-    if sign * stepper.rate0[i] > 0 > sign * stepper.rate[i]:
+    before, after = sign * (stepper.y0[i] - watch.level), sign * (stepper.y[i] - watch.level)
+    if before < 0 <= after:
+        return _locate(watch, stepper, (stepper.t0, before), (stepper.t, after))
+    if before < 0 and sign * stepper.rate0[i] > 0 > sign * stepper.rate[i]:
         return _touch(watch, stepper, before, after)
+    if before == 0 < after and sign * stepper.rate0[i] < 0 < sign * stepper.rate[i]:
+        return _return(watch, stepper, after)
     return None
+
+
+def extreme(stepper: Stepper, component: int) -> tuple[float, State] | None:
+    """Where a component turns back within the last step, from the cubic of its ends, and the state there."""
+    if stepper.rate0[component] * stepper.rate[component] >= 0:
+        return None
+    t = _middle(stepper, component)
+    return t, stepper.to(t)
+
+
+def _middle(stepper: Stepper, component: int) -> float:
+    """The time at which the cubic through both ends of the step turns back, for slopes of different sign."""
+    h = stepper.t - stepper.t0
+    rise, fall = h * stepper.rate0[component], h * stepper.rate[component]
+    gained = stepper.y[component] - stepper.y0[component]
+    # the slope of the cubic of Hermite is a s^2 + b s + rise
+    a, b = 3 * (rise + fall - 2 * gained), 2 * (3 * gained - 2 * rise - fall)
+    root = math.copysign(math.sqrt(max(b * b - 4 * a * rise, 0.0)), rise)
+    return stepper.t0 + 2 * rise / (root - b) * h
 
 
 def _touch(watch: Watch, stepper: Stepper, before: float, after: float) -> Hit | None:
     """A level reached and left again within one step, which the cubic of both ends tells."""
-    h = stepper.t - stepper.t0
-    rise, fall = (watch.direction * h * rate[watch.component] for rate in (stepper.rate0, stepper.rate))
+    slope = (stepper.t - stepper.t0) * max(abs(rate[watch.component]) for rate in (stepper.rate0, stepper.rate))
     # a cubic rises above its ends by no more than a third of its largest slope
-    if max(rise, -fall) < -3 * max(before, after):
+    if slope < -3 * max(before, after):
         return None
-    # derivative of the cubic of Hermite: a s^2 + b s + rise
-    a, b = 3 * (rise + fall - 2 * (after - before)), 2 * (3 * (after - before) - 2 * rise - fall)
-    root = math.sqrt(max(b * b - 4 * a * rise, 0.0))
-    middle = stepper.t0 + 2 * rise / (root - b) * h
+    middle = _middle(stepper, watch.component)
     top = watch.gap(stepper.to(middle))
-    return _locate(watch, stepper, middle, before, top) if top >= 0 else None
+    return _locate(watch, stepper, (stepper.t0, before), (middle, top)) if top >= 0 else None
 
 
-def _locate(watch: Watch, stepper: Stepper, end: float, before: float, after: float) -> Hit:
-    """The time between the beginning of the last step and ``end`` at which the gap closes, to rounding.
+def _return(watch: Watch, stepper: Stepper, after: float) -> Hit | None:
+    """A level left at the beginning of the step and reached again before its end."""
+    middle = _middle(stepper, watch.component)
+    bottom = watch.gap(stepper.to(middle))
+    return _locate(watch, stepper, (middle, bottom), (stepper.t, after)) if bottom < 0 else None
+
+
+def _locate(watch: Watch, stepper: Stepper, begin: tuple[float, float], end: tuple[float, float]) -> Hit:
+    """The time within the last step at which the gap closes, to rounding, between two times with their gaps.
 
     Secants through the two latest points, kept inside the bracket by halving it.
     """
-    low, high = stepper.t0, end
-    last, gap_last = low, before
-    t, gap = high, after
-    y = stepper.y if end == stepper.t else stepper.to(end)
+    (last, gap_last), (t, gap) = begin, end
+    low, high = last, t
+    y = stepper.y if t == stepper.t else stepper.to(t)
     for _ in range(ITERATIONS):
         if gap == 0:
             break

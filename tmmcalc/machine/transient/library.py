@@ -10,10 +10,9 @@ import numpy as np
 
 from tmmcalc.errors import AccuracyError
 from tmmcalc.machine.transient.jacobian import Jacobian
+from tmmcalc.machine.transient.methods import HABITS
 from tmmcalc.machine.transient.steps import Derivative, State
 
-IMPLICIT = ("LSODA", "Radau", "BDF")
-MULTISTEP = ("LSODA", "BDF")  # they interpolate as well as they integrate, and begin with short steps of their own
 RELATIVE = 1e-13  # the tolerances are absolute; scipy wants a relative one, so it is set out of the way
 
 
@@ -24,7 +23,7 @@ class Library:
         import scipy.integrate
 
         self._make = getattr(scipy.integrate, name)
-        self._name, self._allowed = name, np.array(allowed)
+        self._name, self._habit, self._allowed = name, HABITS[name], np.array(allowed)
         self._size: float | None = None
         self.error: State | None = None
         self.rejected = self.evaluations = 0
@@ -33,10 +32,10 @@ class Library:
         """Start a piece of smooth motion; a one-step method goes on with the step size of the piece before."""
         self._f, self._matrix = f, matrix
         self.t, self.y, self.rate = t, y, f(t, y)
-        self._solver = self._solve(t, y, end, None if self._name in MULTISTEP else self._size)
+        self._solver = self._solve(t, y, end, None if self._habit.multistep else self._size)
 
     def _solve(self, t: float, y: State, end: float, first: float | None) -> Any:
-        more = {"jac": self._matrix} if self._name in IMPLICIT else {}
+        more = {"jac": self._matrix} if self._habit.implicit else {}
         f = self._f
         return self._make(
             lambda t, y: f(t, y.tolist()),
@@ -73,7 +72,7 @@ class Library:
 
     def to(self, t: float) -> State:
         """The state at a time within the last step: interpolated, or of a one-step method by a shorter step."""
-        if self._name in MULTISTEP:
+        if self._habit.multistep:
             inside: list[float] = self._solver.dense_output()(t).tolist()
             return inside
         if t <= self.t0:

@@ -45,6 +45,12 @@ class Profile(NamedTuple):
         return float(self.inertia[:, 0].min())
 
     @property
+    def lightest(self) -> float:
+        """An angle where J is least [rad]."""
+        k = int(np.argmin(self.inertia[:, 0]))
+        return float(self.edges[k] + self.edges[k + 1]) / 2
+
+    @property
     def largest_moment(self) -> float:
         """Largest |M| with and without load at the middles of the pieces [N*m]."""
         idle, load = self.idle[0, :, 0], self.load[0, :, 0]
@@ -87,7 +93,8 @@ def profile(cycle: Cycle | None, idle: Cycle | None = None) -> Profile:
     scales = np.where(size > 0, size, 1.0)[[0, 1, 2, 3, 1, 2, 3]]
     loaded = np.any(np.abs(values[4:]) > NOISE * scales[4:, None, None], axis=(0, 2))
     coefficients = _coefficients(panels, values, scales)
-    breaks = _breaks(panels, coefficients, scales) | (loaded != np.roll(loaded, 1))
+    noise = max(NOISE, cycle.error, idle.error if idle else 0.0)
+    breaks = _breaks(panels, coefficients, scales, noise) | (loaded != np.roll(loaded, 1))
     return _parted(panels, coefficients, breaks, loaded)
 
 
@@ -134,7 +141,7 @@ def _to_pieces(n: int) -> Values:
     return np.array(parts)[:, None]
 
 
-def _breaks(panels: Panels, coefficients: Values, scales: Values) -> Values:
+def _breaks(panels: Panels, coefficients: Values, scales: Values, noise: float) -> Values:
     """At which lower edges of the panels (K,) a moment or one of its first two derivatives jumps."""
     half = panels.width / (2 * PARTS)
     above = taylor(coefficients[1:, ::PARTS], -half[:, None])
@@ -142,7 +149,7 @@ def _breaks(panels: Panels, coefficients: Values, scales: Values) -> Values:
     narrow = np.minimum(half, np.roll(half, 1)) * PARTS
     broken = np.zeros(len(half), dtype=bool)
     for order, limit in enumerate(JUMPS):
-        allowed = (limit + NOISE * (panels.order**2 / narrow) ** order) * scales[1:, None]
+        allowed = (limit + noise * (panels.order**2 / narrow) ** order) * scales[1:, None]
         broken |= np.any(np.abs(above[..., order] - below[..., order]) > allowed, axis=0)
     return broken
 

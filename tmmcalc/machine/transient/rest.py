@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
+from tmmcalc.errors import NoSolutionError
 from tmmcalc.machine.transient.equations import Regime, System, surplus
 from tmmcalc.machine.transient.events import Watch, level
 from tmmcalc.machine.transient.profile import Profile
@@ -59,14 +60,19 @@ class Holder:
         return float((value > bounds[1] + self._slack) - (value < -bounds[0] - self._slack))
 
     def _entered(self, regime: Regime, stretch: Callable[[Regime], Stretch], y: State, profile: Profile) -> Regime:
-        """Before a crank at rest on the edge of two stretches is the one into which the moments drive it."""
-        forward, back = (self._placed(regime, *profile.place(y[0], way)) for way in (True, False))
-        driven = surplus(self._system, forward, stretch(forward), self._last)(y)
-        return back if driven < 0 else forward
-
-    @staticmethod
-    def _placed(regime: Regime, index: int, base: float) -> Regime:
-        return regime._replace(stretch=index, base=base)
+        """A crank at rest on the edge of two stretches enters the one into which the moments drive it."""
+        places = (profile.place(y[0], way) for way in (True, False))
+        ways = [regime._replace(stretch=k, base=base) for k, base in places]
+        forward, back = (surplus(self._system, way, stretch(way), self._last)(y) for way in ways)
+        if forward < 0 < back:
+            raise NoSolutionError(
+                f"the crank is at rest at {math.degrees(y[0]):.6g} deg on a jump of the load that drives it there from "
+                f"both sides, with {back:.5g} and {forward:.5g} N*m: no motion begins",
+                where=f"transient motion, scenario {self._scenario.name}",
+                value=y[0],
+                remedy="start at another angle",
+            )
+        return ways[0] if forward >= 0 else ways[1]
 
     def watches(self, regime: Regime, stretch: Stretch) -> list[Watch]:
         """Coming to rest and being released."""

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from tmmcalc.errors import AccuracyError
 from tmmcalc.machine.transient.equations import Regime, System, derivative
-from tmmcalc.machine.transient.events import Hit, Watch, hits, level
+from tmmcalc.machine.transient.events import Hit, Watch, extreme, hits, level
 from tmmcalc.machine.transient.jacobian import jacobian
 from tmmcalc.machine.transient.profile import Profile
 from tmmcalc.machine.transient.reading import Stretch, stretches
@@ -59,6 +59,7 @@ class Run:
         self.stepper, self.limits, self.budget = stepper, limits, budget
         self.rows: list[Row] = []
         self.events: list[Event] = []
+        self.turning: list[tuple[float, float, float]] = []
         self.pieces = self.steps = 0
         self.holder = Holder(system, scenario, size.moment)
         self._crank, self._times = system.layout.crank, scenario.times()
@@ -73,6 +74,7 @@ class Run:
         self.t, self.y = 0.0, list(y)
         self._place = self.profile.place(y[0], y[self._crank] >= 0)
         self._instants = sorted(time for time in instants if time > 0)
+        self._slope = 0.0
         idle = 0
         while True:
             began = self.t
@@ -148,6 +150,8 @@ class Run:
         stepper.begin(f, jacobian(self.system, self.profile, regime, f), self.t, self.y, until)
         self.pieces += 1
         self._row(regime, None)
+        if self._slope * stepper.rate[self._crank] < 0:
+            self.turning.append((self.t, self.y[0], self.y[self._crank]))
         watches = self._watches(regime, stretch)
         while True:
             stepper.step()
@@ -159,12 +163,15 @@ class Run:
                 else:
                     self._pass(hit, watches)
             self._land(halts)
+            self._turn()
             self._rows_between(regime)
             self._row(regime, stepper.error)
             self._check_budget()
             if halts:
+                self._slope = f(self.t, self.y)[self._crank]
                 return next((end for end in map(self._act, halts) if end), None)
             if stepper.t >= until:
+                self._slope = stepper.rate[self._crank]
                 return "time" if until >= self.scenario.duration else None
 
     def _land(self, halts: list[Hit]) -> None:
@@ -174,6 +181,12 @@ class Run:
         for hit in halts:
             if hit.watch.component >= 0:
                 self.y[hit.watch.component] = hit.watch.level
+
+    def _turn(self) -> None:
+        """Keep a local extreme of the crank's speed that the last step passed."""
+        found = extreme(self.stepper, self._crank)
+        if found and found[0] <= self.t:
+            self.turning.append((found[0], found[1][0], found[1][self._crank]))
 
     def _watches(self, regime: Regime, stretch: Stretch) -> list[Watch]:
         """What can happen in a regime."""

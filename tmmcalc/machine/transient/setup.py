@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from tmmcalc.errors import UsageError
-from tmmcalc.machine.transient.equations import WORKS, Curve, Regime, System
+from tmmcalc.machine.transient.equations import WORKS, Curve, System
 from tmmcalc.machine.transient.model import Drive, reduced
 from tmmcalc.machine.transient.profile import Profile
 from tmmcalc.machine.transient.reading import reader, stretches
@@ -51,7 +52,14 @@ def _motor(characteristic: Characteristic | None, u: float) -> tuple[Curve | Non
     if characteristic is None:
         return None, None
     moment, slope = characteristic.moment, characteristic.slope
-    return lambda w: u * float(moment(u * w)), lambda w: u * u * float(slope(u * w))
+
+    def curve(w: float) -> float:
+        try:
+            return u * float(moment(u * w))
+        except ArithmeticError:  # a trial step went far off; it will be refused
+            return math.nan
+
+    return curve, lambda w: u * u * float(slope(u * w))
 
 
 def brake_mass(drive: Drive, scenario: Scenario) -> int:
@@ -69,23 +77,30 @@ def brake_mass(drive: Drive, scenario: Scenario) -> int:
     return mass % count
 
 
+def _rated(drive: Drive, u: float) -> list[float]:
+    """Speed of the crank at the rated speed of the motor, if that is known."""
+    motor = drive.characteristic
+    return [] if motor is None or motor.nominal is None else [motor.nominal / u]
+
+
 def working(drive: Drive, scenario: Scenario, u: float) -> set[float]:
     """Speeds of the crank at which the drive works [rad/s]: at first, on the average, rated, without load."""
-    motor = drive.characteristic
-    rated = [] if motor is None else [s / u for s in (motor.nominal, motor.synchronous) if s is not None]
-    return {scenario.speed, *rated, *(() if drive.cycle is None else (drive.cycle.speed,))}
+    known = {scenario.speed, *_rated(drive, u)}
+    if drive.cycle is not None:
+        known.add(drive.cycle.speed)
+    if drive.characteristic is not None and drive.characteristic.synchronous is not None:
+        known.add(drive.characteristic.synchronous / u)
+    return known
 
 
 def sizes(drive: Drive, system: System, scenario: Scenario, profile: Profile) -> Sizes:
     """Largest speed, moment and energy that are known beforehand."""
-    known = working(drive, scenario, system.chain.motor_ratio)
-    speed = max(*map(abs, known), *map(abs, scenario.targets), abs(scenario.end_speed or 0.0))
+    u = system.chain.motor_ratio
+    speed = max(map(abs, (*working(drive, scenario, u), *scenario.targets, scenario.end_speed or 0.0)))
     factor = max(1.0, *(abs(step.factor) for step in scenario.load))
-    rated = drive.characteristic.nominal if drive.characteristic else None
-    at = (scenario.speed, (rated or 0.0) / system.chain.motor_ratio)
-    driving = [abs(system.moment(w)) for w in at[: 1 if rated is None else 2]] if system.moment else []
+    driving = [system.moment(w) for w in (scenario.speed, *_rated(drive, u))] if system.moment else []
     inertia = sum(system.chain.inertia) + max(profile.least_inertia, 0.0)
-    moment = max(factor * profile.largest_moment, system.grip, system.drag * speed, *driving)
+    moment = max(factor * profile.largest_moment, system.grip, system.drag * speed, *map(abs, driving))
     if moment == 0:
         moment = inertia * speed * speed or 1.0
     speed = speed or moment * scenario.duration / inertia
@@ -118,10 +133,3 @@ def initial(system: System, scenario: Scenario, profile: Profile) -> list[float]
     carried = drive - np.cumsum(chain.inertia[:-1]) * rate
     y[1:n] = [float(m / c) if c else 0.0 for m, c in zip(carried, chain.stiffness, strict=True)]
     return y
-
-
-def at_start(scenario: Scenario, profile: Profile, motor: bool) -> Regime:
-    """The regime at t = 0 at the full load, as far as the eigenvalues need it."""
-    factor = max((step.factor for step in scenario.load), key=abs)
-    index, base = profile.place(scenario.angle, True)
-    return Regime(motor, scenario.brake is not None, 0.0, frozenset(), factor, index, base)

@@ -9,18 +9,16 @@ import numpy as np
 
 from tmmcalc.machine.transient.choice import plan
 from tmmcalc.machine.transient.equations import System
+from tmmcalc.machine.transient.methods import Method, habit
 from tmmcalc.machine.transient.model import Drive
 from tmmcalc.machine.transient.outcome import Curves, curves
 from tmmcalc.machine.transient.profile import profile
-from tmmcalc.machine.transient.results import Method, Transient
+from tmmcalc.machine.transient.results import Transient
 from tmmcalc.machine.transient.run import Limits, Run
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.setup import Sizes, allowed, assembled, brake_mass, initial, sizes
 from tmmcalc.machine.transient.steppers import Controlled, Stepper, fixed
 from tmmcalc.machine.transient.verdicts import verdicts
-
-SWINGING = 0.1  # part of the tolerance for a Kutta-Merson step where an oscillation adds errors up
-MULTISTEP = ("LSODA", "BDF")
 
 
 def simulate(
@@ -43,11 +41,12 @@ def simulate(
     chosen = plan(drive, scenario, shape, method)
     system = assembled(drive, scenario, shape, chosen.rigid)
     size = sizes(drive, system, scenario, shape)
-    stepper = _stepper(chosen.name, method, allowed(system, size, _share(chosen.name, system) * method.tolerance))
+    tolerance, left = _control(method, chosen.name, system)
+    stepper = _stepper(chosen.name, method.step, [] if tolerance is None else allowed(system, size, tolerance))
     run = Run(system, shape, scenario, stepper, _limits(drive, system.chain.motor_ratio), size, method.budget)
     end = run.go(initial(system, scenario, shape), instants)
     found = curves(drive, system, shape, run.rows, brake_mass(drive, scenario))
-    imbalance = _imbalance(found)
+    imbalance, given = _imbalance(found), drive.cycle.error if drive.cycle else 0.0
     return Transient(
         drive=drive,
         scenario=scenario,
@@ -56,6 +55,7 @@ def simulate(
         load_work=found.works[1],
         brake_work=found.works[2],
         shaft_loss=found.works[3],
+        turning=np.array(run.turning).reshape(-1, 3).T,
         events=tuple(run.events),
         end=end,
         verdicts=verdicts(scenario, system, found, run.events, end, imbalance, chosen.notes),
@@ -63,7 +63,7 @@ def simulate(
         reason=chosen.reason,
         rigid=tuple(sorted(chosen.rigid)),
         imbalance=imbalance,
-        error=max(imbalance, chosen.ripple, _estimate(method, chosen.name, system, run, size)),
+        error=max(imbalance, chosen.ripple, given, _estimate(tolerance, left, run, size)),
         counters={
             "steps": run.steps,
             "rejected": stepper.rejected,
@@ -73,9 +73,17 @@ def simulate(
     )
 
 
-def _stepper(name: str, method: Method, errors: list[float]) -> Stepper:
+def _control(method: Method, name: str, system: System) -> tuple[float | None, float]:
+    """Tolerance of a step and what steps leave of it; None with fixed steps."""
     if method.step is not None:
-        return fixed(name, method.step)
+        return None, 0.0
+    used = habit(name, system.layout.works)
+    return method.tolerance or used.tolerance, used.left
+
+
+def _stepper(name: str, step: float | None, errors: list[float]) -> Stepper:
+    if step is not None:
+        return fixed(name, step)
     if name == "merson":
         return Controlled(errors)
     from tmmcalc.machine.transient.library import Library
@@ -83,22 +91,13 @@ def _stepper(name: str, method: Method, errors: list[float]) -> Stepper:
     return Library(name, errors)
 
 
-def _share(name: str, system: System) -> float:
-    """The part of the tolerance that one step may take."""
-    return SWINGING if name == "merson" and system.layout.works > 2 else 1.0
-
-
-def _estimate(method: Method, name: str, system: System, run: Run, size: Sizes) -> float:
-    """Relative error of the speeds that the steps leave together.
-
-    In one mass errors of steps die away one after the other, in a chain that swings and in a multistep method they
-    add up. Of fixed steps only Kutta-Merson tells its errors.
-    """
-    speeds = slice(system.layout.speed, system.layout.crank + 1)
-    if method.step is not None:
-        return sum(max(map(abs, row.error[speeds])) for row in run.rows if row.error) / size.speed
-    damped = system.layout.groups == 1 and name not in MULTISTEP
-    return _share(name, system) * method.tolerance * (math.sqrt(run.steps) if damped else run.steps)
+def _estimate(tolerance: float | None, left: float, run: Run, size: Sizes) -> float:
+    """Relative error of the speeds that the steps leave together; of fixed steps only Kutta-Merson tells its errors."""
+    if tolerance is not None:
+        return left * tolerance * math.sqrt(run.steps)
+    layout = run.system.layout
+    speeds = slice(layout.speed, layout.crank + 1)
+    return sum(max(map(abs, row.error[speeds])) for row in run.rows if row.error) / size.speed
 
 
 def _limits(drive: Drive, u: float) -> Limits:

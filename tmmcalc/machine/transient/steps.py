@@ -31,6 +31,8 @@ MERSON = Tableau(
     real=3.548,
 )
 
+RK4_REAL = 2.785  # the same bound of the classical method
+
 
 def merson_step(
     f: Derivative, t: float, y: State, h: float, k0: State | None = None, integrals: int = 0

@@ -25,7 +25,7 @@ def verdicts(
     notes: tuple[str, ...],
 ) -> tuple[Verdict, ...]:
     """Stall, speeds not reached, overload and pull-out of the motor, energy that does not balance; warnings first."""
-    found = [_stall(system, curves)] if end == "stall" else []
+    found = [_stall(scenario, system, curves)] if _stalled(scenario, system, curves, end) else []
     found += _missed(scenario, curves, events, end)
     for kind in ("overload", "pull-out"):
         first = next((event for event in events if event.kind == kind), None)
@@ -54,15 +54,23 @@ def _missed(scenario: Scenario, curves: Curves, events: list[Event], end: End) -
     ]
 
 
-def _stall(system: System, curves: Curves) -> Verdict:
+def _stalled(scenario: Scenario, system: System, curves: Curves, end: End) -> bool:
+    """Whether the motor is on and the crank at rest; on an elastic shaft it may have been so for a while."""
+    driven = system.moment is not None and scenario.motor_on(float(curves.t[-1]))
+    return end == "stall" or (end == "time" and driven and curves.omega[-1, -1] == 0)
+
+
+def _stall(scenario: Scenario, system: System, curves: Curves) -> Verdict:
     """The moments at the standstill, on the crank's shaft."""
     static = system.moment(0.0) if system.moment else 0.0
-    angle, load = math.degrees(curves.theta[-1, -1]), curves.load_moment[-1]
-    began = "the motor cannot start" if curves.t[-1] == 0 or not curves.omega[-1].any() else "the motor stalls"
+    braked = scenario.brake_on(float(curves.t[-1])) and system.grip > 0
+    asked = (system.grip if braked else 0.0) - curves.load_moment[-1]
+    began = "the motor stalls" if curves.omega[-1].any() else "the motor cannot start"
     return Verdict(
         "warning",
-        f"{began} at the crank angle {angle:.5g} deg: at standstill it gives {static:.5g} N*m at the crank, the load "
-        f"asks for {-load:.5g} N*m: a larger starting moment, a larger ratio, more inertia, or a start without load",
+        f"{began} at the crank angle {math.degrees(curves.theta[-1, -1]) % 360:.5g} deg: at standstill it gives "
+        f"{static:.5g} N*m at the crank, {'load and brake ask' if braked else 'the load asks'} for {asked:.5g} N*m: "
+        "a larger starting moment, a larger ratio, more inertia, or a start without load",
     )
 
 

@@ -15,8 +15,12 @@ from tmmcalc.errors import UsageError
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.reduction.results import Reduction
 from tmmcalc.linkage.results import Kinematics
+from tmmcalc.machine.flywheel.task import Flywheel
+from tmmcalc.machine.motion import Motion
+from tmmcalc.machine.power import Power
 
 FORMATS = ("svg", "png", "pdf")
 
@@ -74,6 +78,29 @@ def draw_reduction(result: Reduction, file: Path) -> None:
     from tmmcalc.report.pictures.reduction import reduction_figure
 
     write(file, form, lambda: reduction_figure(result))
+
+
+def draw_flywheel(result: Flywheel, phi: Real, file: Path) -> None:
+    """Draw the energy-mass curve with its tangents, the work over the cycle, all methods, and the search.
+
+    ``phi`` (n,) are the positions of the cycle, which tell the sense in which the input turns.
+    """
+    form = _form(file)
+    _check_matplotlib()
+    from tmmcalc.report.pictures.flywheel import flywheel_figure
+    from tmmcalc.report.pictures.page import write
+
+    write(file, form, lambda: flywheel_figure(result, phi))
+
+
+def draw_motion(result: Motion, power: Power, reduction: Reduction, file: Path) -> None:
+    """Draw speed and moments over the cycle, loaded and idle, and the characteristic of the motor."""
+    form = _form(file)
+    _check_matplotlib()
+    from tmmcalc.report.pictures.motion import motion_figure
+    from tmmcalc.report.pictures.page import write
+
+    write(file, form, lambda: motion_figure(result, power, reduction.cycle))
 
 
 def _form(file: Path) -> str:

@@ -17,6 +17,7 @@ from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.numerics.panels import Panels, panels
 from tmmcalc.records import record
+from tmmcalc.report.pictures.limits import places, with_limits
 
 PARTS = 24  # of the cycle at least, each with the points of a panel
 
@@ -44,18 +45,16 @@ def course_of(statics: Statics) -> Course:
     widest = (2 * math.pi if scene.chain.turns else period) / PARTS
     dense = panels(0.0, period, scene.edges(reversals(statics)), widest)
     over, _ = stacked(statics, dense.x.ravel(), np.ones(dense.x.size))
-    theta = np.concatenate((dense.edges[:-1, None], dense.x, dense.edges[1:, None]), axis=1).ravel()
+    theta = places(dense)
     return Course(
         scene.travel.sense * theta,
         np.exp(1j * scene.travel.x(theta)),
-        _with_limits(dense, over.reaction),
-        _with_limits(dense, over.drive),
+        with_limits(dense, _on(dense, over.reaction)),
+        with_limits(dense, _on(dense, over.drive)),
         dense.count,
     )
 
 
-def _with_limits(dense: Panels, values: NDArray[Any]) -> NDArray[Any]:
-    """Values (..., K N) at the points of panels with the limits at both edges of each, (..., K (N + 2))."""
-    rows = values.reshape(*values.shape[:-1], dense.count, dense.order)
-    low, high = dense.ends(rows)
-    return np.concatenate((low[..., None], rows, high[..., None]), axis=-1).reshape(*values.shape[:-1], -1)
+def _on(dense: Panels, values: NDArray[Any]) -> NDArray[Any]:
+    """Values (..., K N) in a row as those of panels, (..., K, N)."""
+    return values.reshape(*values.shape[:-1], dense.count, dense.order)

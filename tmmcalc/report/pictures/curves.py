@@ -42,6 +42,7 @@ class Diagram:
     phi: Real
     phi_nodes: Real
     lines: tuple[Line, ...]
+    digits: int = 4  # of marked values
 
     @property
     def scale(self) -> tuple[float, str]:
@@ -84,7 +85,7 @@ class Diagram:
                 paper = complex(at.real / (right - left), at.imag / (high - low))
                 if all(abs(paper - other) > SAME for other in done):
                     done.append(paper)
-                    mark(axes, labels, at, line.style)
+                    mark(axes, labels, at, line.style, self.digits)
 
 
 def coordinate(turns: bool, phi: Real) -> Real:
@@ -125,9 +126,9 @@ def suited(peak: float, unit: str) -> tuple[float, str]:
     return next(((factor, prefix + written) for least, factor, prefix in PREFIXES if peak >= least), (1.0, written))
 
 
-def mark(axes: Axes, labels: Labels, at: complex, style: dict[str, Any]) -> None:
+def mark(axes: Axes, labels: Labels, at: complex, style: dict[str, Any], digits: int = 4) -> None:
     """A diamond on an extreme value, with the number where it covers least."""
     color = style["color"]
     axes.plot(at.real, at.imag, "D", markersize=3.6, markerfacecolor="white", color=color, zorder=6, clip_on=False)
     prefer = 1j if at.imag >= 0 else -1j
-    labels.put(signed(at.imag, 4), [at], size=7, prefer=prefer, gaps=(1.1, 1.8, 2.8, 4.0), color=color)
+    labels.put(signed(at.imag, digits), [at], size=7, prefer=prefer, gaps=(1.1, 1.8, 2.8, 4.0), color=color)

@@ -8,12 +8,14 @@ from pathlib import Path
 from typing import Any
 
 import matplotlib
+import numpy as np
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from tmmcalc.pipeline.atomic import replace_file
 from tmmcalc.report.pictures.style import RC, SHEET
 
+PLACES = 9  # decimals of places on the figure, in parts of it
 UNDATED: dict[str, dict[str, Any]] = {
     "svg": {"Date": None},
     "pdf": {"CreationDate": None, "ModDate": None},
@@ -49,3 +51,15 @@ def settle(figure: Figure) -> None:
     if layout is not None:
         layout.execute(figure)
     figure.set_layout_engine("none")
+    _round(figure)
+
+
+def _round(figure: Figure | SubFigure) -> None:
+    """Round all places: the layout's solver leaves last digits that differ from run to run."""
+    for part in figure.subfigs:
+        box = part.bbox_relative
+        box.p0, box.p1 = np.round(box.p0, PLACES), np.round(box.p1, PLACES)
+        _round(part)
+    if isinstance(figure, Figure):
+        for axes in figure.axes:
+            axes.set_position(np.round(axes.get_position().bounds, PLACES).tolist())

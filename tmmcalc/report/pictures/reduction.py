@@ -12,10 +12,11 @@ from matplotlib.lines import Line2D
 
 from tmmcalc.linkage.reduction.results import Contribution, Reduction
 from tmmcalc.linkage.results import Extreme
-from tmmcalc.numerics.panels import Panels, Values
+from tmmcalc.numerics.panels import Values
 from tmmcalc.report.numbers import NOISE
 from tmmcalc.report.pictures.curves import Diagram, Line, bottom, coordinate, suited
 from tmmcalc.report.pictures.labels import signed
+from tmmcalc.report.pictures.limits import places, with_limits
 from tmmcalc.report.pictures.page import blank, settle
 from tmmcalc.report.pictures.style import CURVES, INK
 from tmmcalc.report.places import speed_text
@@ -58,15 +59,7 @@ def _heading(result: Reduction) -> str:
 
 def _phi(result: Reduction) -> Values:
     """The points of the panels with their edges (m,), along the positive input coordinate [rad or m]."""
-    panels = result.cycle.panels
-    theta = np.concatenate((panels.edges[:-1, None], panels.x, panels.edges[1:, None]), axis=1).ravel()
-    return math.copysign(1.0, result.speed) * theta
-
-
-def _dense(panels: Panels, values: Values) -> Values:
-    """Values (K, N) with the limits at both edges of every panel (m,)."""
-    low, high = panels.ends(values)
-    return np.concatenate((low[:, None], values, high[:, None]), axis=1).ravel()
+    return math.copysign(1.0, result.speed) * places(result.cycle.panels)
 
 
 def _diagram(result: Reduction, symbol: str, unit: str, lines: tuple[Line, ...]) -> Diagram:
@@ -77,12 +70,12 @@ def _moments(result: Reduction) -> Diagram:
     """Every contribution with its work in the legend, and the sum over them."""
     panels, sense = result.cycle.panels, math.copysign(1.0, result.speed)
     lines = [
-        Line(_named(result, c.name, c), _dense(panels, sense * part), nodes, CURVES[k % len(CURVES)])
+        Line(_named(result, c.name, c), with_limits(panels, sense * part), nodes, CURVES[k % len(CURVES)])
         for k, (c, part, nodes) in enumerate(zip(result.contributions, result.parts, result.moment, strict=True))
     ]
     total = sense * result.parts.sum(axis=0)
     marks = tuple(_mark(result, Extreme(*found)) for found in panels.extremes(total))
-    lines.append(Line(_named(result, "sum", None), _dense(panels, total), result.total, SUM, marks))
+    lines.append(Line(_named(result, "sum", None), with_limits(panels, total), result.total, SUM, marks))
     symbol, unit = ("M_\\mathrm{red}", "N*m") if result.turns else ("F_\\mathrm{red}", "N")
     return _diagram(result, symbol, unit, tuple(lines))
 
@@ -102,7 +95,7 @@ def _named(result: Reduction, name: str, contribution: Contribution | None) -> s
 def _inertia(result: Reduction) -> Diagram:
     symbol, unit = ("J_\\mathrm{red}", "kg*m^2") if result.turns else ("m_\\mathrm{red}", "kg")
     marks = tuple(_mark(result, extreme) for extreme in result.inertia_range)
-    line = Line("exact", _dense(result.cycle.panels, result.cycle.inertia), result.inertia, CURVES[0], marks)
+    line = Line("exact", with_limits(result.cycle.panels, result.cycle.inertia), result.inertia, CURVES[0], marks)
     return _diagram(result, symbol, unit, (line,))
 
 
@@ -112,7 +105,7 @@ def _slope(result: Reduction) -> Diagram:
     slope = math.copysign(1.0, result.speed) * result.cycle.slope
     panels = result.cycle.panels
     marks = tuple(_mark(result, Extreme(*found)) for found in panels.extremes(slope))
-    return _diagram(result, symbol, unit, (Line("", _dense(panels, slope), result.slope, CURVES[0], marks),))
+    return _diagram(result, symbol, unit, (Line("", with_limits(panels, slope), result.slope, CURVES[0], marks),))
 
 
 def _draw_lumped(axes: Axes, result: Reduction, diagram: Diagram) -> None:

@@ -27,12 +27,14 @@ from .links import (
 )
 from .outline import Outline, Raw
 from .outputs import check_outputs
+from .subject import NEEDS_MECHANISM, check_needs, check_subject
 
 if TYPE_CHECKING:
     from tmmcalc.spec.files import Rows
 
 Check = Callable[[Outline], Iterator[Finding]]
 
+ALWAYS: tuple[Check, ...] = (check_subject, check_needs)
 CHECKS: tuple[Check, ...] = (
     check_ids,
     check_reserved_names,
@@ -57,12 +59,18 @@ CHECKS: tuple[Check, ...] = (
 
 # Modules with the checks of a table, imported only when a spec has it.
 _OF_TABLE = {
+    "torque": ("torque",),
     "loads": ("loads", "windows", "curves", "indicator"),
     "springs": ("springs",),
     "drive": ("gear",),
     "motor": ("motor",),
+    "shafts": ("shafts",),
     "motion": ("motion",),
+    "transients": ("transients",),
     "flywheel": ("flywheel",),
+    "balance": ("balance",),
+    "engine": ("engine",),
+    "rotor": ("rotor",),
 }
 
 
@@ -72,11 +80,13 @@ def check(data: Raw, line_of: Callable[[Path], int | None], rows: Mapping[Path, 
     ``line_of`` gives the line of a place, ``rows`` what was read from the CSV files of load tables.
     """
     outline = Outline(data, line_of, rows)
-    return [finding for rule in (*CHECKS, *_of_tables(data)) for finding in rule(outline)]
+    of_mechanism = CHECKS if "mechanism" in data else ()
+    return [finding for rule in (*ALWAYS, *of_mechanism, *_of_tables(data)) for finding in rule(outline)]
 
 
 def _of_tables(data: Raw) -> Iterator[Check]:
+    """Yield the checks of the tables that are there; without a mechanism one fault of what needs it is enough."""
     for table, modules in _OF_TABLE.items():
-        if table in data:
+        if table in data and ("mechanism" in data or table not in NEEDS_MECHANISM):
             for module in modules:
                 yield from import_module(f".{module}", __name__).CHECKS

@@ -19,7 +19,7 @@ TURN = 2 * math.pi
 _OF_OUTPUT = ("displacement", "stroke")
 
 
-class _Curve(NamedTuple):
+class Curve(NamedTuple):
     """A table as written, or as read from its file."""
 
     outline: Outline
@@ -45,13 +45,13 @@ def check_tables(outline: Outline) -> Iterator[Finding]:
         table = load.get("table")
         if not isinstance(table, dict):
             continue
-        curve = _Curve(outline, table, (*path, "table"), word(table, "of", "angle"))
+        curve = Curve(outline, table, (*path, "table"), word(table, "of", "angle"))
         yield from _check_source(curve)
         yield from _check_options(curve)
         yield from _check_abscissae(curve)
 
 
-def _check_source(curve: _Curve) -> Iterator[Finding]:
+def _check_source(curve: Curve) -> Iterator[Finding]:
     """Values stand in the table or in a file, and are forces or moments."""
     values = [key for key in ("force", "moment") if key in curve.table]
     if "file" in curve.table:
@@ -74,7 +74,7 @@ def _check_source(curve: _Curve) -> Iterator[Finding]:
         )
 
 
-def _check_options(curve: _Curve) -> Iterator[Finding]:
+def _check_options(curve: Curve) -> Iterator[Finding]:
     table, path = curve.table, curve.path
     if "output" in table and curve.of not in _OF_OUTPUT:
         yield Finding(
@@ -103,7 +103,7 @@ def _is_whole(number: float) -> bool:
     return abs(number - round(number)) < 1e-9
 
 
-def _check_abscissae(curve: _Curve) -> Iterator[Finding]:
+def _check_abscissae(curve: Curve) -> Iterator[Finding]:
     """One value for each abscissa; the abscissae ascend, in the dimension and the range of what they are."""
     key = next((key for key in ("force", "moment") if key in curve.table), "")
     values = curve.table.get(key)
@@ -134,7 +134,7 @@ def _check_abscissae(curve: _Curve) -> Iterator[Finding]:
         yield from _check_range(curve, listed, numbers)
 
 
-def _check_without_x(curve: _Curve, key: str, count: int | None) -> Iterator[Finding]:
+def _check_without_x(curve: Curve, key: str, count: int | None) -> Iterator[Finding]:
     missing = curve.of == "displacement" or (curve.of == "angle" and curve.outline.slides)
     if missing and "file" not in curve.table:
         what = "displacements" if curve.of == "displacement" else "distances of the driven slider"
@@ -158,7 +158,7 @@ def _check_without_x(curve: _Curve, key: str, count: int | None) -> Iterator[Fin
         )
 
 
-def _check_dimensions(curve: _Curve, listed: list[object]) -> Iterator[Finding]:
+def _check_dimensions(curve: Curve, listed: list[object]) -> Iterator[Finding]:
     if curve.path in curve.outline.rows:
         written = curve.outline.rows[curve.path].unit
         listed = [written] if written else []
@@ -184,7 +184,7 @@ def _check_dimensions(curve: _Curve, listed: list[object]) -> Iterator[Finding]:
             yield from check_travel(curve.outline, value, math.inf, curve.place("x", index))
 
 
-def _of_output(curve: _Curve) -> str | None:
+def _of_output(curve: Curve) -> str | None:
     """Return the dimension of the output's displacement, None if the output is not listed."""
     named = outputs(curve.outline)
     wanted = curve.table.get("output", named[0][0] if named else None)
@@ -192,7 +192,7 @@ def _of_output(curve: _Curve) -> str | None:
     return None if output is None else "angle" if "link" in output else "length"
 
 
-def _check_range(curve: _Curve, listed: list[object], numbers: list[float]) -> Iterator[Finding]:
+def _check_range(curve: Curve, listed: list[object], numbers: list[float]) -> Iterator[Finding]:
     last = len(numbers) - 1
     if curve.of == "stroke" and numbers[last] > 1:
         yield Finding(
@@ -209,7 +209,7 @@ def _check_range(curve: _Curve, listed: list[object], numbers: list[float]) -> I
             yield fault._replace(message=curve.at(last) + fault.message)
 
 
-def _check_numbers(curve: _Curve, listed: list[object], numbers: list[float]) -> Iterator[Finding]:
+def _check_numbers(curve: Curve, listed: list[object], numbers: list[float]) -> Iterator[Finding]:
     steps = grid_steps(curve.outline)
     for index, number in enumerate(numbers):
         if not number.is_integer() or (steps is not None and number > steps):

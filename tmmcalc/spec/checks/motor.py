@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import either, listing, show
-from tmmcalc.spec.units import LARGEST
 
 from .outline import Outline, Raw, subtable, word
-from .values import amount, amounts, first_disorder
+from .values import FASTEST_BARE, amount, amounts, bare_number, check_bare_speed, first_disorder
 
 CHOOSE = "choose"
 _RATED = ("power", "speed")
@@ -47,7 +45,6 @@ _OF_KIND = {
     "shunt": ("shunt",),
     "series": ("series",),
 }
-_FASTEST_BARE = 400.0  # rad/s: a larger bare speed is rpm in disguise
 _LEAST_BARE = 20.0  # W: a smaller bare power is kW in disguise
 _SPEEDS = ("speed", "synchronous_speed", "no_load_speed")
 
@@ -150,14 +147,8 @@ def check_bare_numbers(outline: Outline) -> Iterator[Finding]:
     """Speeds in rpm and a power in kW say so: their bare numbers stand out."""
     motor = subtable(outline.document, "motor")
     for key in _SPEEDS:
-        bare = _bare(motor.get(key))
-        if bare is not None and bare > _FASTEST_BARE:
-            yield Finding(
-                ("motor", key),
-                f"{show(bare)} without a unit is in rad/s, which is {bare * 30 / math.pi:.0f} rpm",
-                f'write "{bare:g} rpm" or "{bare:g} rad/s"',
-            )
-    power = _bare(motor.get("power"))
+        yield from check_bare_speed(motor.get(key), ("motor", key))
+    power = bare_number(motor.get("power"))
     if power is not None and 0 < power < _LEAST_BARE:
         yield Finding(
             ("motor", "power"), f"{show(power)} without a unit is in W", f'write "{power:g} kW" or "{power:g} W"'
@@ -170,19 +161,13 @@ def check_order(outline: Outline) -> Iterator[Finding]:
     rated = amount(motor.get("speed"), "angular speed")
     for key in _SPEEDS[1:]:
         idle = amount(motor.get(key), "angular speed")
-        disguised = any((_bare(motor.get(name)) or 0.0) > _FASTEST_BARE for name in ("speed", key))
+        disguised = any((bare_number(motor.get(name)) or 0.0) > FASTEST_BARE for name in ("speed", key))
         if rated is not None and idle is not None and rated >= idle > 0 and not disguised:
             yield Finding(
                 ("motor", "speed"),
                 f"the rated speed {show(motor['speed'])} is not below {key} {show(motor[key])}",
                 'a motor slips under load: such as speed = "1455 rpm" below synchronous_speed = "1500 rpm"',
             )
-
-
-def _bare(value: object) -> float | None:
-    """Return a finite number without a unit."""
-    number = isinstance(value, int | float) and not isinstance(value, bool)
-    return value if number and isinstance(value, int | float) and abs(value) < LARGEST else None
 
 
 def check_curve(outline: Outline) -> Iterator[Finding]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeGuard
 
 from tmmcalc.records import record
 from tmmcalc.spec.phrases import Path
@@ -175,7 +175,7 @@ def word(table: Raw, key: str, otherwise: str = "") -> str:
     return found if isinstance(found, str) else otherwise
 
 
-def is_integer(value: object) -> bool:
+def is_integer(value: object) -> TypeGuard[int]:
     """Return whether a TOML value is an integer (a boolean is not)."""
     return isinstance(value, int) and not isinstance(value, bool)
 
@@ -187,7 +187,7 @@ def link_words(link: int) -> str:
 
 def _link(index: int, table: Raw) -> RawLink:
     written, points = table.get("id"), table.get("points", {})
-    id_ = written if isinstance(written, int) and is_integer(written) else None
+    id_ = written if is_integer(written) else None
     if not isinstance(points, dict):
         return RawLink(index, table, id_, None)
     centre = {f"S{id_}": table["center"]} if "center" in table and id_ is not None else {}

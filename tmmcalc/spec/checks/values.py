@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
-from tmmcalc.spec.quantities import Number
-from tmmcalc.spec.units import UnitError, parse
+import math
+from collections.abc import Iterator
 
+from tmmcalc.spec.findings import Finding
+from tmmcalc.spec.phrases import Path, show
+from tmmcalc.spec.quantities import Number
+from tmmcalc.spec.units import LARGEST, UnitError, parse
+
+FASTEST_BARE = 400.0  # rad/s: a larger bare speed is rpm in disguise
 _ANY = Number("a number", "1")
 
 
@@ -32,3 +38,20 @@ def first_disorder(numbers: list[float]) -> int | None:
     2
     """
     return next((i for i in range(1, len(numbers)) if not numbers[i] > numbers[i - 1]), None)
+
+
+def check_bare_speed(value: object, path: Path) -> Iterator[Finding]:
+    """A speed in rpm says so: its bare number stands out."""
+    bare = bare_number(value)
+    if bare is not None and bare > FASTEST_BARE:
+        yield Finding(
+            path,
+            f"{show(bare)} without a unit is in rad/s, which is {bare * 30 / math.pi:.0f} rpm",
+            f'write "{bare:g} rpm" or "{bare:g} rad/s"',
+        )
+
+
+def bare_number(value: object) -> float | None:
+    """Return a finite number without a unit."""
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    return value if number and isinstance(value, int | float) and abs(value) < LARGEST else None

@@ -1,0 +1,47 @@
+"""``tmmcalc plot``: stages, their own flags, what is refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from .conftest import Cli
+
+pytest.importorskip("matplotlib")
+
+
+@pytest.mark.parametrize(
+    ("args", "said"),
+    [
+        (("reduction", "--polygons", "3"), "--polygons cannot be used with the picture of reduction"),
+        (("forces", "--positions", "3"), "--positions cannot be used with the picture of forces"),
+        (("forces", "--positions", "3"), "its own flags: --polygons"),
+        (("reduction", "--positions", "1", "--polygons", "3"), "--positions and --polygons cannot be used"),
+        (("force",), "pictures: kinematics, forces, reduction"),
+        (("forces", "--polygons", "1:3"), "names 3 positions"),
+        (("forces", "--polygons", "77"), "no position is called '77'"),
+        (("kinematics", "--polygons", "77"), "no position is called '77'"),
+    ],
+)
+def test_what_does_not_belong_is_refused(cli: Cli, args: tuple[str, ...], said: str) -> None:
+    code, out, err = cli("plot", "my.toml", *args)
+    assert (code, out) == (2, "")
+    assert said in err
+    assert not list(Path().glob("*.svg"))
+
+
+def test_a_scene_without_loads_has_no_forces_to_draw(cli: Cli) -> None:
+    text = Path("my.toml").read_text()
+    bare = "\n".join(line for line in text.splitlines() if not line.startswith(("mass", "inertia", "center")))
+    Path("bare.toml").write_text(bare)
+    code, out, err = cli("plot", "bare.toml", "forces")
+    assert (code, out) == (2, "")
+    assert "nothing acts on the links" in err
+
+
+@pytest.mark.parametrize("stage", ["kinematics", "forces", "reduction"])
+def test_stages_that_the_shaper_has_are_drawn(cli: Cli, stage: str) -> None:
+    assert cli("plot", "my.toml", stage, "-o", f"{stage}.svg", "-q") == (0, "", "")
+    assert Path(f"{stage}.svg").read_bytes().startswith(b"<?xml")
+    assert not Path("my.out").exists()

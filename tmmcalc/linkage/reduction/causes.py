@@ -1,0 +1,97 @@
+"""What is reduced: every source of load by itself, and friction; their moments and the inertia at any angle."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.linkage.forces.kinetostatics import State, Statics, compile_statics
+from tmmcalc.linkage.forces.kinks import faces
+from tmmcalc.linkage.forces.locking import refuse_locked
+from tmmcalc.linkage.forces.verification import friction_power
+from tmmcalc.linkage.loads.scene import Scene
+from tmmcalc.linkage.loads.sources import Place, Source
+from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.reduction.inertia import reduced_inertia
+from tmmcalc.numerics.roots import Indices
+
+
+class Sample(NamedTuple):
+    """Everything at n angles, along the motion: a positive moment drives."""
+
+    inertia: Real  # (n,)
+    slope: Real  # (n,) against theta
+    moments: Real  # (S, n) per power of the speed
+    idle: Real  # (n,) moment of friction without technological loads
+    faces: Real  # (F, n) forces whose signs the friction of sliders depends on, with the loads and without
+    stuck: bool  # whether friction locks the linkage somewhere without the loads
+
+    @property
+    def rows(self) -> Real:
+        """The functions that are held on panels (3 + S, n)."""
+        return np.vstack((self.inertia, self.slope, self.idle, self.moments))
+
+
+class Causes(NamedTuple):
+    """The sources of a scene, merged by name, and friction as the last if any pair rubs."""
+
+    scene: Scene
+    statics: Statics
+    quiet: Statics | None  # without technological loads; None if nothing rubs, or nothing but them is there
+    names: tuple[tuple[str, str, int], ...]  # name, kind, order in the speed of every contribution
+
+    @property
+    def orders(self) -> Indices:
+        """Order in the speed of every contribution (S,)."""
+        return np.array([order for _, _, order in self.names], dtype=np.intp)
+
+    @property
+    def loaded(self) -> bool:
+        """Whether there is a technological load."""
+        return any(kind == "load" for _, kind, _ in self.names)
+
+    def at(self, place: Place, side: Real | float, named: Callable[[NDArray[np.intp]], list[str]]) -> Sample:
+        """Moments and inertia at a place; ``side`` as in the statics, ``named`` tells rows that lock themselves."""
+        sense, n = self.scene.travel.sense, len(place.theta)
+        inertia, slope = reduced_inertia(self.scene.loading.bodies, place.configuration, n)
+        moments = np.zeros((len(self.names), n))
+        for source in self.scene.sources:
+            k = self.names.index((source.name, source.kind, source.order))
+            moments[k] += _power(source, place) * (sense if source.order == 0 else 1.0)
+        if not self.statics.scales:
+            return Sample(inertia, slope * sense, moments, np.zeros(n), np.zeros((0, n)), False)
+        state = self.statics.solve(place, side)
+        refuse_locked(self.statics, state.solutions, named)
+        moments[-1] = self._lost(state, place)
+        on_faces = faces(self.statics, state, n)
+        if self.quiet is None:
+            return Sample(inertia, slope * sense, moments, np.zeros(n), on_faces, False)
+        state = self.quiet.solve(place, side)
+        stuck = any(solution.locked.any() for solution in state.solutions.values())
+        idle, more = self._lost(state, place), faces(self.quiet, state, n)
+        return Sample(inertia, slope * sense, moments, idle, np.concatenate((on_faces, more)), stuck)
+
+    def along(self, theta: Real) -> Sample:
+        """The same at theta (n,) between the positions."""
+        return self.at(self.scene.place(theta), 1.0, lambda rows: self.scene.travel.named(theta[rows]))
+
+    def _lost(self, state: State, place: Place) -> Real:
+        """Moment of friction along the motion (n,)."""
+        return np.asarray(self.scene.travel.sense * sum(friction_power(self.statics, state, place).values()))
+
+
+def _power(source: Source, place: Place) -> Real:
+    return np.asarray(sum(action.power(place.configuration) for action in source.actions(place)))
+
+
+def causes_of(scene: Scene) -> Causes:
+    """The causes of a scene, in the order of its sources."""
+    statics = compile_statics(scene)
+    names = dict.fromkeys((source.name, source.kind, source.order) for source in scene.sources)
+    friction = (("friction", "friction", 0),) if statics.scales else ()
+    others = tuple(source for source in statics.sources if source.kind != "load")
+    apart = bool(friction and others) and len(others) < len(statics.sources)
+    return Causes(scene, statics, statics._replace(sources=others) if apart else None, (*names, *friction))

@@ -1,0 +1,68 @@
+"""Balance of an engine and of a rotor as a project asks for them."""
+
+from __future__ import annotations
+
+from tmmcalc.machine.balancing.engines import EngineBalance, ShaftWeights, corrected, engine_balance, shaft_weights
+from tmmcalc.machine.balancing.firing import Firing, firing
+from tmmcalc.machine.balancing.rotors import RotorBalance, RotorVerdict, rotor_balance, verdict
+from tmmcalc.machine.balancing.weights import Weight, sized
+from tmmcalc.machine.model import EngineTask, RotorTask
+from tmmcalc.records import record
+
+
+@record
+class Engine:
+    """Shaking forces and couples of an engine, and what weights on its crankshaft and on balance shafts leave."""
+
+    cylinders: int
+    balance: EngineBalance
+    firing: Firing | None  # None without a firing order
+    crankshaft: ShaftWeights  # weights of the first order on the crankshaft
+    with_crankshaft: EngineBalance
+    shafts: tuple[ShaftWeights, ...]  # crankshaft and balance shafts of the orders -1, 2, -2
+    with_shafts: EngineBalance
+
+
+@record
+class BalancedRotor:
+    """A rotor before and after balancing, its correction masses, and whether it kept its grade before and after."""
+
+    balance: RotorBalance
+    static: Weight | None  # correction in one plane at the chosen radius; None without a radius
+    dynamic: tuple[Weight, ...]  # corrections in two planes
+    grade: tuple[RotorVerdict, ...]  # before, after static, after two-plane balancing; empty without a grade
+
+
+def solve_engine(task: EngineTask) -> Engine:
+    """The engine as it is, with weights on the crankshaft, and with balance shafts of the first and second order."""
+    balance = engine_balance(task.cylinders, task.speed, orders=task.orders)
+    positions = [cylinder.position_along_shaft for cylinder in task.cylinders]
+    low, high = min(positions), max(positions)
+    planes = (low, high) if high > low else (low - 0.5, low + 0.5)
+    crankshaft = shaft_weights(balance, 1, planes)
+    shafts = (crankshaft, *(shaft_weights(balance, order, planes) for order in (-1, 2, -2)))
+    sense = 1 if task.speed > 0 else -1
+    fired = None
+    if task.firing_order is not None:
+        fired = firing(task.cylinders, task.firing_order, strokes=task.strokes, sense=sense)
+    return Engine(
+        len(task.cylinders),
+        balance,
+        fired,
+        crankshaft,
+        corrected(balance, [crankshaft]),
+        shafts,
+        corrected(balance, shafts),
+    )
+
+
+def solve_rotor(task: RotorTask) -> BalancedRotor:
+    """Static and two-plane balancing of a rotor."""
+    balance = rotor_balance(task.rotor, task.planes, task.static_plane)
+    states = (balance.before, balance.static, balance.dynamic)
+    return BalancedRotor(
+        balance,
+        sized(balance.static_moment, radius=task.radius) if task.radius is not None else None,
+        tuple(sized(moment, radius=task.radius) for moment in balance.moments) if task.radius is not None else (),
+        tuple(verdict(task.rotor, now, task.grade) for now in states) if task.grade is not None else (),
+    )

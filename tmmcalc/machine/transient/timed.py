@@ -1,0 +1,49 @@
+"""The records that the transient stage leaves, apart from the code that makes them."""
+
+from __future__ import annotations
+
+from tmmcalc.machine.transient.results import End, Event
+from tmmcalc.machine.verdicts import Verdict
+from tmmcalc.numerics.panels import Values
+from tmmcalc.records import record
+
+
+@record
+class TimedMotion:
+    """One motion in time: what `results.Transient` holds, but for the drive; S times, N masses from the motor on."""
+
+    name: str
+    masses: tuple[str, ...]  # (N,) names
+    ratios: tuple[float, ...]  # (N,) speed of each mass over the speed of the crank while no shaft is twisted
+    t: Values  # (S,) [s]
+    theta: Values  # (N, S) [rad]
+    omega: Values  # (N, S) [rad/s]
+    alpha: Values  # (N, S) [rad/s^2]
+    shaft_moment: Values  # (N - 1, S) [N*m]
+    motor_moment: Values  # (S,) on the shaft of the first mass [N*m]
+    load_moment: Values  # (S,) on the crank, positive drives [N*m]
+    load_factor: Values  # (S,)
+    kinetic: Values  # (S,) [J]
+    elastic: Values  # (S,) [J]
+    motor_work: Values  # (S,) [J]
+    load_work: Values  # (S,) [J]
+    brake_work: Values  # (S,) [J]
+    shaft_loss: Values  # (S,) [J]
+    turning: Values  # (3, P) time, angle, speed of the crank at the local extremes of its speed
+    step_error: Values | None  # (S,) estimated in the step to t (Merson)
+    events: tuple[Event, ...]
+    end: End
+    verdicts: tuple[Verdict, ...]
+    method: str
+    reason: str
+    rigid: tuple[int, ...]
+    imbalance: float  # of the energy [-]
+    error: float  # estimated relative error of the speeds [-]
+    counters: dict[str, int]
+
+
+@record
+class TimedMotions:
+    """Result of the transient stage: one motion a scenario."""
+
+    motions: tuple[TimedMotion, ...]

@@ -1,0 +1,65 @@
+"""Checks of what a spec is about: a mechanism, a torque diagram, an engine or a rotor, and what belongs to each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tmmcalc.spec.findings import Finding
+
+from .outline import Outline
+
+SUBJECTS = ("mechanism", "torque", "engine", "rotor")
+
+# Tables that say nothing without a mechanism, and why.
+NEEDS_MECHANISM = {
+    "loads": "loads act on the links of a mechanism",
+    "springs": "springs join the links of a mechanism",
+    "drive": "it drives the crank of a mechanism",
+    "reduction": "forces and masses are those of a mechanism",
+    "balance": "the masses are those of a mechanism",
+}
+# Tables that a torque diagram serves as well.
+NEEDS_MACHINE = {
+    "motor": "there is nothing that it drives",
+    "transmission": "there is nothing that it drives",
+    "shafts": "there is nothing that they drive",
+    "motion": "there is nothing that moves",
+    "transients": "there is nothing that moves",
+    "flywheel": "there is nothing whose speed it evens out",
+}
+_ARRAYS = ("loads", "springs", "shafts", "transients")
+
+
+def check_subject(outline: Outline) -> Iterator[Finding]:
+    """A spec has a mechanism or a torque diagram, an engine or a rotor; the moment on a crank has one source."""
+    document = outline.document
+    if not {*SUBJECTS} & {*document}:
+        yield Finding(
+            ("mechanism",),
+            "missing key: a spec describes a mechanism, or else a torque diagram, an engine or a rotor",
+            "add [mechanism.input], [[mechanism.links]] and [[mechanism.joints]]; or [torque], [engine] or [rotor]",
+        )
+    if "mechanism" in document and "torque" in document:
+        yield Finding(
+            ("torque",),
+            "torque together with mechanism: a torque diagram stands in place of a mechanism",
+            "remove one of them; a moment on a link of the mechanism is a load, [[loads]]",
+        )
+
+
+def check_needs(outline: Outline) -> Iterator[Finding]:
+    """Tables of a machine have one that they belong to."""
+    document = outline.document
+    if "mechanism" in document or not {*SUBJECTS} & {*document}:
+        return  # without any subject that is the fault
+    for table, why in NEEDS_MECHANISM.items():
+        if table in document:
+            yield Finding((table,), f"{_header(table)} without [mechanism]: {why}", "add [mechanism], or remove it")
+    for table, why in NEEDS_MACHINE.items():
+        if table in document and "torque" not in document:
+            rule = f"{_header(table)} without [mechanism] or [torque]: {why}"
+            yield Finding((table,), rule, "add [mechanism] or [torque], or remove it")
+
+
+def _header(table: str) -> str:
+    return f"[[{table}]]" if table in _ARRAYS else f"[{table}]"
