@@ -1,4 +1,4 @@
-"""``make bench``: start-up as ratios, kinematics in one process, growth and memory, in one run on one machine.
+"""``make bench``: start-up as ratios, stages in one process, growth and memory, in one run on one machine.
 
 Commands are timed as whole processes, in turn with their yardstick (A B A B ...), and compared pair by pair, so the
 ratio holds when the machine's speed drifts. The bars are those of the design; a bar that is missed is marked.
@@ -14,18 +14,30 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 from time import perf_counter
+from typing import Any
 
 import numpy as np
 from random_mechanisms import build
 
 import tmmcalc
 from tmmcalc.linkage.chain import Chain, compile_chain
+from tmmcalc.linkage.forces.forces import solve_forces
+from tmmcalc.linkage.reduction.reduce import solve_reduction
 from tmmcalc.linkage.results import Trace
 from tmmcalc.linkage.structure import solve_structure
 from tmmcalc.linkage.trace import trace
+from tmmcalc.machine.driver import driver_of
+from tmmcalc.machine.flywheel.required import required_inertia
+from tmmcalc.machine.steady import driven
+from tmmcalc.machine.transient.model import Drive, Mass
+from tmmcalc.machine.transient.scenario import LoadStep, Scenario
+from tmmcalc.machine.transient.simulate import simulate
 from tmmcalc.spec.linkage import to_linkage
+from tmmcalc.spec.loading import to_loading
+from tmmcalc.spec.machine import to_gears, to_motor
 
-SHAPER = Path(__file__).parent.parent / "configs" / "shaper.toml"
+CONFIGS = Path(__file__).parent.parent / "configs"
+SHAPER = CONFIGS / "shaper.toml"
 ROUNDS = 15
 YARDSTICK_HELP = "import typer"
 YARDSTICK_RUN = "import numpy, typer, pydantic, rich.table"
@@ -46,7 +58,7 @@ app(["x"])
 
 def main() -> None:
     """Print all tables."""
-    missed = [*startup(), *kinematics()]
+    missed = [*startup(), *kinematics(), *forces(), *machine(), *project()]
     growth()
     memory()
     print(f"\n{len(missed)} bars missed{': ' if missed else ''}{'; '.join(missed)}")
@@ -100,7 +112,7 @@ def _time(work: Callable[[], object], least: float = 0.4) -> float:
 
 
 def _shaper() -> Chain:
-    mechanism = to_linkage(tmmcalc.load_spec(SHAPER).mechanism)
+    mechanism = to_linkage(tmmcalc.load_spec(SHAPER).linkage)
     return compile_chain(mechanism, solve_structure(mechanism), {})
 
 
@@ -126,6 +138,66 @@ def _in_time(t: Trace, speed: float = 5.76) -> list[np.ndarray]:
     """Time derivatives of everything, as a result gives them."""
     pairs = ((t.dr, t.ddr), (t.dangle, t.ddangle), (t.ds, t.dds))
     return [scaled for rate, rate2 in pairs for scaled in (rate * speed, rate2 * speed**2)]
+
+
+def _solved(name: str, positions: int) -> tuple[Any, Any, Any]:
+    """Mechanism, what acts on it, and its kinematics at so many positions."""
+    spec = tmmcalc.load_spec(CONFIGS / f"{name}.toml", [f"mechanism.grid.positions={positions}"])
+    mechanism = to_linkage(spec.linkage)
+    return mechanism, to_loading(spec), tmmcalc.solve_kinematics(mechanism)
+
+
+def forces() -> list[str]:
+    """Reactions with friction in three pairs, whole stage: residuals, maxima over the cycle, both sides of jumps."""
+    missed = []
+    print("\nforces with friction, press (pins A, B, guide), whole stage")
+    for n, bar in ((12, None), (360, 3.0), (36_000, 100.0)):
+        given = _solved("press", n)
+        ms = _time(lambda given=given: solve_forces(*given)) * 1e3
+        print(f"  {n:>7} positions           {ms:8.2f} ms  {_bar(ms, bar) if bar else ''}")
+        if bar and ms > bar:
+            missed.append(f"forces at {n}")
+    return missed
+
+
+def machine() -> list[str]:
+    """Reduction, steady motion, the true flywheel, a start-up."""
+    given = _solved("piston-compressor", 360)
+    reduction = solve_reduction(*given)
+    spec = tmmcalc.load_spec(CONFIGS / "piston-compressor.toml")
+    motor, gears = to_motor(spec), to_gears(spec)
+    drive = driver_of(motor.motor, motor.characteristic, gears.ratio, 1.0)
+    cycle, curve = reduction.cycle, drive.characteristic
+    whole = Drive((Mass(6.4),), (), curve, cycle, reduction.idle)
+    start = Scenario("start-up", 2.0, load=(LoadStep(0.0),))
+    rows: list[tuple[str, Callable[[], object], float | None]] = [
+        ("reduction with friction, 360 positions", lambda: solve_reduction(*given), None),
+        ("steady motion under the Kloss curve", lambda: driven(cycle, 6.4, curve), 10.0),
+        ("steady motion, motor lag 5 ms", lambda: driven(cycle, 6.4, curve, time_constant=5e-3), 80.0),
+        ("true flywheel under the Kloss curve", lambda: required_inertia(cycle, curve, 0.0125, 0.4), 20.0),
+        ("idle start-up, 2 s, Merson", lambda: simulate(whole, start), None),
+    ]
+    missed = []
+    print("\nmachine, piston compressor")
+    for name, work, bar in rows:
+        ms = _time(work) * 1e3
+        print(f"  {name:<40} {ms:8.2f} ms  {_bar(ms, bar) if bar else ''}")
+        if bar and ms > bar:
+            missed.append(name)
+    return missed
+
+
+def project() -> list[str]:
+    """All stages of a project in one process; the reading of the spec apart."""
+    missed = []
+    print("\nwhole projects, all stages in one process")
+    for name in ("press", "shaper", "piston-compressor"):
+        spec = tmmcalc.load_spec(CONFIGS / f"{name}.toml")
+        ms = _time(lambda spec=spec: tmmcalc.run(spec)) * 1e3
+        print(f"  {name:<28} {ms:8.1f} ms  {_bar(ms, 300.0)}")
+        if ms > 300.0:
+            missed.append(f"project {name}")
+    return missed
 
 
 def growth() -> None:
@@ -162,7 +234,7 @@ def memory() -> None:
         "from tmmcalc.linkage.chain import compile_chain\n"
         "from tmmcalc.linkage.trace import Trace, trace\n"
         "from tmmcalc.spec.linkage import to_linkage\n"
-        "m = to_linkage(tmmcalc.load_spec({file!r}).mechanism)\n"
+        "m = to_linkage(tmmcalc.load_spec({file!r}).linkage)\n"
         "c = compile_chain(m, tmmcalc.solve_structure(m), {{}})\n"
         "t = trace(c, np.linspace(0, 6.2, {n}))\n"
         "print(re.search(r'VmHWM:\\s*(\\d+)', open('/proc/self/status').read())[1])"

@@ -16,7 +16,18 @@ from typing import TYPE_CHECKING
 from tmmcalc._version import __version__
 
 if TYPE_CHECKING:
-    from tmmcalc.api import run, solve_kinematics, solve_structure
+    from tmmcalc.api import (
+        run,
+        solve_balance,
+        solve_flywheel,
+        solve_forces,
+        solve_kinematics,
+        solve_motion,
+        solve_power,
+        solve_reduction,
+        solve_structure,
+        solve_transients,
+    )
     from tmmcalc.errors import (
         AccuracyError,
         AssemblyError,
@@ -30,10 +41,29 @@ if TYPE_CHECKING:
     )
     from tmmcalc.linkage.dyad import DyadMotion, solve_dyad
     from tmmcalc.linkage.dyads import PRP, RPP, RPR, RRP, RRR
+    from tmmcalc.linkage.forces.results import Forces
+    from tmmcalc.linkage.loading import (
+        Body,
+        Constant,
+        Coupling,
+        GearDrive,
+        Indicator,
+        Load,
+        Loading,
+        Pair,
+        Polynomial,
+        Quadratic,
+        Spring,
+        Tabulated,
+        Viscous,
+        Window,
+    )
     from tmmcalc.linkage.model import Assembly, Grid, Input, Joint, Link, Mechanism, Output
     from tmmcalc.linkage.plane import Guide, Point
+    from tmmcalc.linkage.reduction.results import Reduction
     from tmmcalc.linkage.results import Kinematics, Method
     from tmmcalc.linkage.structure import Structure
+    from tmmcalc.machine.cycle import Cycle
     from tmmcalc.spec import Spec, load_spec, parse_spec
 
 __all__ = [
@@ -45,39 +75,82 @@ __all__ = [
     "AccuracyError",
     "Assembly",
     "AssemblyError",
+    "Body",
+    "Constant",
+    "Coupling",
+    "Cycle",
     "DyadMotion",
+    "Forces",
+    "GearDrive",
     "Grid",
     "Guide",
+    "Indicator",
     "Input",
     "Joint",
     "Kinematics",
     "LimitError",
     "Link",
+    "Load",
+    "Loading",
     "Mechanism",
     "Method",
     "NoSolutionError",
     "Output",
+    "Pair",
     "Point",
+    "Polynomial",
+    "Quadratic",
+    "Reduction",
     "SingularityError",
     "Spec",
     "SpecError",
+    "Spring",
     "Structure",
     "StructureError",
+    "Tabulated",
     "TmmError",
     "UsageError",
+    "Viscous",
+    "Window",
     "__version__",
     "load_spec",
     "parse_spec",
     "run",
+    "solve_balance",
     "solve_dyad",
+    "solve_flywheel",
+    "solve_forces",
     "solve_kinematics",
+    "solve_motion",
+    "solve_power",
+    "solve_reduction",
     "solve_structure",
+    "solve_transients",
 ]
 
 _HOMES = {
-    "tmmcalc.api": ("run", "solve_kinematics", "solve_structure"),
+    "tmmcalc.api": ("run", *(name for name in __all__ if name.startswith("solve_") and name != "solve_dyad")),
     "tmmcalc.linkage.dyad": ("DyadMotion", "solve_dyad"),
     "tmmcalc.linkage.dyads": ("PRP", "RPP", "RPR", "RRP", "RRR"),
+    "tmmcalc.linkage.forces.results": ("Forces",),
+    "tmmcalc.linkage.loading": (
+        "Body",
+        "Constant",
+        "Coupling",
+        "GearDrive",
+        "Indicator",
+        "Load",
+        "Loading",
+        "Pair",
+        "Polynomial",
+        "Quadratic",
+        "Spring",
+        "Tabulated",
+        "Viscous",
+        "Window",
+    ),
+    "tmmcalc.linkage.reduction.results": ("Reduction",),
+    "tmmcalc.machine.cycle": ("Cycle",),
     "tmmcalc.linkage.model": ("Assembly", "Grid", "Input", "Joint", "Link", "Mechanism", "Output"),
     "tmmcalc.linkage.plane": ("Guide", "Point"),
     "tmmcalc.linkage.results": ("Kinematics", "Method"),

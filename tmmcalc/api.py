@@ -13,8 +13,16 @@ from tmmcalc.linkage.structure import Structure
 from tmmcalc.linkage.structure import solve_structure as _structure
 
 if TYPE_CHECKING:
+    from tmmcalc.linkage.forces.results import Forces
+    from tmmcalc.linkage.loading import Loading
+    from tmmcalc.linkage.reduction.results import Reduction
+    from tmmcalc.machine.flywheel.task import Flywheel
+    from tmmcalc.machine.motion import Motion
+    from tmmcalc.machine.power import Power
+    from tmmcalc.machine.transient.timed import TimedMotions
     from tmmcalc.pipeline.outcome import Event, RunResult
     from tmmcalc.spec import Spec
+    from tmmcalc.stages.balance import Balances
 
 
 def solve_structure(scene: Spec | Mechanism) -> Structure:
@@ -31,6 +39,55 @@ def solve_kinematics(scene: Spec | Mechanism, method: Method | None = None) -> K
     Raises `StructureError`, `AssemblyError`, `SingularityError` or `NoSolutionError`.
     """
     return _kinematics(_mechanism(scene), method=method)
+
+
+def solve_forces(scene: Spec | Mechanism, loading: Loading | None = None) -> Forces:
+    """Reactions in all pairs and the drive; a plain `Mechanism` needs its ``loading`` beside it.
+
+    Raises what `solve_kinematics` does, and `NoSolutionError` for self-locking.
+    """
+    from tmmcalc.linkage.forces.forces import solve_forces as _forces
+
+    mechanism, given = _loaded(scene, loading)
+    return _forces(mechanism, given, _kinematics(mechanism))
+
+
+def solve_reduction(scene: Spec | Mechanism, loading: Loading | None = None) -> Reduction:
+    """Reduced moments and inertia over the cycle, and the work of every load; of a spec also of its torque diagram.
+
+    Raises what `solve_forces` does. ``result.cycle`` is what the functions of the machine room take.
+    """
+    if not isinstance(scene, Mechanism):
+        return _solved(scene, "reduction")
+    from tmmcalc.linkage.reduction.reduce import solve_reduction as _reduction
+
+    mechanism, given = _loaded(scene, loading)
+    return _reduction(mechanism, given, _kinematics(mechanism))
+
+
+def solve_power(spec: Spec) -> Power:
+    """Work per cycle, efficiency, power, and the motor of a spec, given or chosen."""
+    return _solved(spec, "power")
+
+
+def solve_flywheel(spec: Spec) -> Flywheel:
+    """The flywheel that keeps the unevenness of the spec, by all methods; raises `NoSolutionError` if none does."""
+    return _solved(spec, "flywheel")
+
+
+def solve_motion(spec: Spec) -> Motion:
+    """Steady motion of the machine of a spec; raises `NoSolutionError` where it stalls or runs away."""
+    return _solved(spec, "motion")
+
+
+def solve_transients(spec: Spec) -> TimedMotions:
+    """The motions in time that a spec asks for; raises `AccuracyError` where a method does not keep its tolerance."""
+    return _solved(spec, "transient")
+
+
+def solve_balance(spec: Spec) -> Balances:
+    """Shaking forces of the linkage, the engine and the rotor of a spec, and what balancing leaves of them."""
+    return _solved(spec, "balance")
 
 
 def run(
@@ -62,6 +119,21 @@ def run(
         settings=settings,
         on_event=on_event,
     )
+
+
+def _solved(spec: Spec, stage: str) -> Any:
+    """The result of one stage; raises `UsageError` if the scene leaves it out."""
+    return run(spec, target=stage).results[stage]
+
+
+def _loaded(scene: Spec | Mechanism, loading: Loading | None) -> tuple[Mechanism, Loading]:
+    from tmmcalc.linkage.loading import Loading
+
+    if isinstance(scene, Mechanism):
+        return scene, loading or Loading()
+    from tmmcalc.spec.loading import to_loading
+
+    return _mechanism(scene), loading or to_loading(scene)
 
 
 def _mechanism(scene: Spec | Mechanism) -> Mechanism:

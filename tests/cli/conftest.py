@@ -29,8 +29,8 @@ Cli = Callable[..., Answer]
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty working folder with the shaper as ``my.toml``."""
-    shutil.copy(CONFIGS / "shaper.toml", tmp_path / "my.toml")
+    """An empty working folder with the linkage of the shaper as ``my.toml``."""
+    shutil.copy(ROOT / "tests" / "shaper.toml", tmp_path / "my.toml")
     monkeypatch.chdir(tmp_path)
     return tmp_path
 

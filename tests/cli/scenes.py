@@ -1,4 +1,4 @@
-"""Specs that the ready ones do not show: a group of class III, a mechanism near a dead point."""
+"""Specs that the ready ones do not show: a group of class III, a mechanism near a dead point, no mechanism at all."""
 
 from __future__ import annotations
 
@@ -88,4 +88,34 @@ links = [3, 0]
 
 [mechanism.assembly.sketch]
 A = [0, "90 mm"]
+"""
+
+TORQUE = """
+[torque]
+speed = "180 rpm"
+formula = "500*sin(theta)^2"
+"""
+
+ENGINE = """
+[engine]
+speed = "3000 rpm"
+arrangement = "in-line"
+cylinders = 4
+spacing = "90 mm"
+crank_radius = "50 mm"
+rod_length = "150 mm"
+reciprocating_mass = "0.6 kg"
+"""
+
+ROTOR = """
+[rotor]
+mass = "50 kg"
+center = "200 mm"
+bearings = [0, "500 mm"]
+speed = "3000 rpm"
+planes = ["50 mm", "350 mm"]
+
+[[rotor.unbalances]]
+moment = "12 g*mm"
+position = "120 mm"
 """

@@ -40,7 +40,9 @@ def test_second_run_loads_and_touches_nothing(cli: Cli) -> None:
 def test_a_change_that_a_stage_does_not_read_leaves_it_valid(cli: Cli) -> None:
     cli("run", "my.toml", "-q")
     _, _, err = cli("run", "my.toml", "--set", "mechanism.links[id=3].mass=60")
-    assert err.count("loaded in") == 2
+    assert "structure: loaded" in err
+    assert "kinematics: loaded" in err
+    assert "forces: computed" in err
     _, _, err = cli("run", "my.toml", "--set", "mechanism.grid.positions=12")
     assert "structure: loaded" in err
     assert "kinematics: computed" in err
@@ -102,6 +104,32 @@ def test_output_folder_that_cannot_be_made(cli: Cli) -> None:
     code, out, err = cli("run", "my.toml", "-o", "my.toml/x", "-q")
     assert (code, out) == (2, "")
     assert "my.toml" in err
+
+
+LOAD = '\n[[loads]]\nlink = 5\npoint = "D"\n[loads.table]\nfile = "q.csv"\n'
+
+
+def test_the_depfile_names_the_spec_and_its_files(cli: Cli) -> None:
+    home = Path("variants")
+    home.mkdir()
+    (home / "q.csv").write_text("phi[deg],Q[N]\n0,0\n180,1500\n")
+    (home / "motors.csv").write_text("name,power_kW,synchronous_rpm,speed_rpm\nM1,7.5,1500,1455\n")
+    motor = '[motor]\nname = "choose"\ncatalogue = "motors.csv"\n'
+    (home / "loaded.toml").write_text(Path("my.toml").read_text() + LOAD + motor)
+    assert cli("structure", "variants/loaded.toml", "-q", "--depfile", "d.mk").code == 0
+    rule, *phony = Path("d.mk").read_text().split("\n\n")
+    assert rule == "loaded.out/structure.toml: variants/loaded.toml variants/q.csv variants/motors.csv"
+    assert phony == ["variants/loaded.toml:", "variants/q.csv:", "variants/motors.csv:\n"]
+
+
+def test_a_changed_table_computes_the_stages_that_read_it(cli: Cli) -> None:
+    Path("q.csv").write_text("phi[deg],Q[N]\n0,0\n180,1500\n")
+    Path("loaded.toml").write_text(Path("my.toml").read_text() + LOAD)
+    assert cli("forces", "loaded.toml", "-q").code == 0
+    Path("q.csv").write_text("phi[deg],Q[N]\n0,0\n180,1501\n")
+    _, _, err = cli("forces", "loaded.toml")
+    assert "kinematics: loaded" in err
+    assert "forces: computed" in err
 
 
 @pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here")

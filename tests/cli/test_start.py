@@ -10,8 +10,10 @@ from pathlib import Path
 import pytest
 
 from tmmcalc.cli.commands import COMMANDS
+from tmmcalc.pipeline.stages import STAGES
 
 from .conftest import CONFIGS, Cli
+from .scenes import ENGINE, ROTOR, TORQUE
 
 READY = sorted(file.stem for file in CONFIGS.glob("*.toml"))
 
@@ -64,7 +66,7 @@ def test_wrong_usage(cli: Cli, args: tuple[str, ...]) -> None:
         ("tmmcalc kin", 1, ["kinematics"]),
         ("tmmcalc kinematics --me", 2, ["--method"]),
         ("tmmcalc kinematics my.toml --method ", 4, ["closed", "projection", "differences"]),
-        ("tmmcalc run my.toml --to ", 4, ["structure", "kinematics"]),
+        ("tmmcalc run my.toml --to ", 4, list(STAGES)),
         ("tmmcalc init slot", 2, ["slotted-link", "slotter"]),
         ("tmmcalc bogus ", 2, list(COMMANDS)),
     ],
@@ -147,6 +149,21 @@ def test_check_reports_every_file(cli: Cli) -> None:
     assert ". is a directory" in err
 
 
+@pytest.mark.parametrize(
+    ("text", "held"),
+    [
+        (TORQUE, "a torque diagram"),
+        (ROTOR, "a rotor with 1 unbalance"),
+        (ENGINE + ROTOR, "an engine of 4 cylinders; a rotor with 1 unbalance"),
+        (ENGINE.replace("4", "1"), "an engine of 1 cylinder"),
+        ((CONFIGS / "four-bar.toml").read_text() + ROTOR, "3 moving links, 4 joints; a rotor with 1 unbalance"),
+    ],
+)
+def test_check_says_what_a_spec_holds(cli: Cli, text: str, held: str) -> None:
+    Path("held.toml").write_text(text)
+    assert cli("check", "held.toml") == (0, f"held.toml: ok ({held})\n", "")
+
+
 def test_check_quiet_is_silent_where_all_is_well(cli: Cli) -> None:
     assert cli("check", "my.toml", "-q") == (0, "", "")
 
@@ -164,13 +181,38 @@ def test_plan_says_what_runs_and_why(cli: Cli) -> None:
     code, out, err = cli("plan", "my.toml", "structure", "--format", "json")
     assert (code, err) == (0, "")
     columns = json.loads(out)["columns"]
-    assert columns["stage"] == ["structure", "kinematics"]
-    assert columns["runs"] == ["yes", "no"]
-    assert columns["why"] == ["asked for", "not needed by structure"]
-    assert tomllib.loads(cli("plan", "my.toml", "-f", "toml").out)["columns"]["runs"] == ["yes", "yes"]
+    assert columns["stage"] == list(STAGES)
+    assert columns["runs"] == ["yes", *["no"] * (len(STAGES) - 1)]
+    assert columns["why"] == ["asked for", *["not needed by structure"] * (len(STAGES) - 1)]
+    whole = tomllib.loads(cli("plan", "my.toml", "-f", "toml").out)["columns"]
+    runs, why = (dict(zip(whole["stage"], whole[column], strict=True)) for column in ("runs", "why"))
+    assert {runs[stage] for stage in ("structure", "kinematics", "forces", "reduction", "power")} == {"yes"}
+    assert {runs[stage] for stage in ("flywheel", "motion")} == {"no"}
+    assert why["flywheel"] == "no [flywheel]: no unevenness to keep"
+    assert why["motion"] == "no [motor]: the speed is constant"
     table = cli("plan", "my.toml").out
     assert max(map(len, table.splitlines())) <= 80
     assert list(Path().iterdir()) == [Path("my.toml")]
+
+
+def test_plan_of_a_spec_without_mechanism(cli: Cli) -> None:
+    Path("rotor.toml").write_text(ROTOR)
+    columns = json.loads(cli("plan", "rotor.toml", "-f", "json").out)["columns"]
+    why = dict(zip(columns["stage"], columns["why"], strict=True))
+    of_a_linkage = ("structure", "kinematics", "forces", "reduction", "power")
+    assert {why[stage] for stage in of_a_linkage} == {"no [mechanism]"}
+    assert why["flywheel"] == "no [flywheel]: no unevenness to keep"
+
+
+@pytest.mark.parametrize(
+    "command",
+    [("structure",), ("kinematics",), ("kinematics", "--study"), ("forces",), ("plot",), ("run", "--to", "forces")],
+)
+def test_stages_of_a_linkage_refuse_a_spec_without_mechanism(cli: Cli, command: tuple[str, ...]) -> None:
+    Path("rotor.toml").write_text(ROTOR)
+    code, out, err = cli(command[0], "rotor.toml", *command[1:])
+    assert (code, out) == (2, "")
+    assert "no [mechanism]" in err
 
 
 def test_plan_refuses_an_unknown_stage(cli: Cli) -> None:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from tmmcalc.errors import UsageError
 from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.spec import parse_spec
 
 from . import toy
 
@@ -41,6 +44,12 @@ def test_scene_leaves_a_stage_out_and_all_that_need_it():
     }
 
 
+def test_the_reason_of_the_scene_itself_comes_before_that_of_the_chain():
+    spare = replace(toy.STAGES["spare"], wanted=f"{toy.__name__}:energy_wanted")
+    found = reasons(toy.Spec(speed=None), None, {**toy.STAGES, "spare": spare})
+    assert found["spare"] == (False, "no [motor]: speed is constant")
+
+
 def test_target_that_the_scene_leaves_out_runs_nothing():
     scene = plan(toy.Spec(speed=None), "energy", toy.STAGES)
     assert scene.running == ()
@@ -67,3 +76,38 @@ def test_registry_names_each_stage_after_the_ones_it_needs():
         assert "\n" not in stage.title
         seen.add(name)
     assert list(STAGES)[:2] == ["structure", "kinematics"]
+
+
+TORQUE = '[torque]\nspeed = "180 rpm"\nformula = "sin(theta)"\n'
+ROTOR = """
+[rotor]
+mass = 40
+center = 0.2
+bearings = [0, 0.4]
+speed = 300
+planes = [0.1, 0.3]
+unbalances = [{ moment = 0.001, position = 0 }]
+"""
+STEADY = '[[transients]]\nduration = "5 s"\nmotor = "off"\nfrom = "steady"\n'
+
+
+@pytest.mark.parametrize(
+    ("text", "stage", "reason"),
+    [
+        (ROTOR, "structure", "no [mechanism]"),
+        (ROTOR, "kinematics", "no [mechanism]"),
+        (ROTOR, "forces", "no [mechanism]"),
+        (ROTOR, "reduction", "no [mechanism]"),
+        (TORQUE, "forces", "no [mechanism]"),
+        (TORQUE, "motion", "no [motor]: the speed is constant"),
+        (TORQUE + "[motion]\n", "motion", "no masses and no constant inertia: nothing stores kinetic energy"),
+    ],
+)
+def test_what_a_spec_without_mechanism_leaves_out(text: str, stage: str, reason: str):
+    step = plan(parse_spec(text)).step(stage)
+    assert (step.runs, step.reason) == (False, reason)
+
+
+@pytest.mark.parametrize("more", ["inertia = 3\n[motion]\n", f"inertia = 3\n{STEADY}", "[motion]\ninertia = 3\n"])
+def test_a_torque_diagram_moves_what_has_inertia(more: str):
+    assert plan(parse_spec(TORQUE + more)).step("motion").runs

@@ -62,6 +62,16 @@ def test_plain_parts_stand_under_their_titles() -> None:
     assert text[-1] != ""
 
 
+def test_plain_texts_side_by_side_stay_on_the_page() -> None:
+    reason, gift = "needed by all that follows " * 3, "a long list of many things " * 3
+    view = View(["i", "why", "gives"], [["0", "1"], [reason, "asked for"], [gift, gift]])
+    text = list(lines(Document("t", table=view)))
+    assert max(map(len, text)) <= 80
+    rows = text[text.index("") + 3 :]
+    assert " ".join(row[3:58].strip() for row in rows).split() == [*reason.split(), "asked", "for"]
+    assert rows[0].startswith("0  needed by")
+
+
 def test_plain_text_says_what_was_cut() -> None:
     view = View(["i", *(f"x_{k}[m]" for k in range(30))], [["0"], *([0.123456] for _ in range(30))])
     text = list(lines(Document("t", table=view, wide=True, more="see the file")))

@@ -8,7 +8,7 @@ import pytest
 from tmmcalc.errors import Fault, SpecError
 from tmmcalc.spec import parse_spec
 
-SHAPER = Path(__file__).parents[2] / "configs" / "shaper.toml"
+SHAPER = Path(__file__).parents[1] / "shaper.toml"
 
 
 @pytest.fixture

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from tmmcalc.errors import Fault
+from tmmcalc.errors import Fault, SpecError
+from tmmcalc.spec import parse_spec
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 
@@ -210,3 +211,13 @@ def check_only_fault(text: str, faults: list[Fault], path: str, message: str, re
         assert any(key in line for key in keys)
     else:
         assert keys[-1] in line
+
+
+def check_lines(text: str) -> None:
+    """A spec is read, or refused with faults that all have their lines."""
+    faults: list[Fault] = []
+    try:
+        parse_spec(text)
+    except SpecError as error:
+        faults = error.faults
+    assert all(fault.line for fault in faults), text

@@ -10,10 +10,13 @@ import pytest
 
 from tmmcalc.errors import Fault, SpecError
 from tmmcalc.linkage.loading import Tabulated
+from tmmcalc.machine.model import TorquePoints
 from tmmcalc.pipeline.hashing import content_hash
 from tmmcalc.spec import load_spec, parse_spec
-from tmmcalc.spec.files import LARGEST_FILE
+from tmmcalc.spec.files import LARGEST_FILE, named_files
 from tmmcalc.spec.loading import to_loading
+from tmmcalc.spec.machine import to_torque
+from tmmcalc.spec.units import parse
 
 HEAD = '\n[[loads]]\nlink = 5\npoint = "D"\n[loads.table]\nfile = "q.csv"\n'
 Written = Callable[..., Path]
@@ -275,3 +278,89 @@ def test_an_override_names_another_file(written: Written, tmp_path: Path) -> Non
     assert spec.loads[0].table.force == [3.0, 4.0]
     with pytest.raises(SpecError, match="set by an override"):
         load_spec(file, ['loads[0].table.file="s.csv"'])
+
+
+TORQUE = '[torque]\nspeed = "180 rpm"\nperiod = "720 deg"\ntable = { file = "m.csv" }\n'
+
+
+@pytest.fixture
+def diagram(tmp_path: Path) -> Written:
+    """Write a torque diagram with its file; return the spec's place."""
+
+    def write(content: str, more: str = "") -> Path:
+        (tmp_path / "m.csv").write_text(content)
+        (tmp_path / "torque.toml").write_text(TORQUE.replace(" }", f"{more} }}"))
+        return tmp_path / "torque.toml"
+
+    return write
+
+
+def test_a_torque_diagram_of_a_file(diagram: Written) -> None:
+    """Angles beyond a turn too: the period is that of a four-stroke engine."""
+    task = to_torque(load_spec(diagram("theta[deg];M[kN*m]\n0;0\n180;1.5\n700;-2\n")))
+    assert task is not None
+    assert task.law == TorquePoints((0.0, math.pi, parse("700 deg", "angle")), (0.0, 1500.0, -2000.0))
+
+
+@pytest.mark.parametrize(
+    ("content", "more", "message", "remedy"),
+    [
+        (
+            "theta,M[N*m]\n0,1\n1,2\n",
+            "",
+            "m.csv, line 1: 'theta' is not a column of angles with its unit",
+            "write a header such as theta[deg],M[N*m]",
+        ),
+        (
+            "s[mm],M[N*m]\n0,1\n1,2\n",
+            "",
+            "m.csv, line 1: 's[mm]' is not a column of angles with its unit",
+            "write a header such as theta[deg],M[N*m]",
+        ),
+        (
+            "theta[deg],F[N]\n0,1\n1,2\n",
+            "",
+            "m.csv, line 1: 'F[N]' is not a column of moments with its unit",
+            "write a header such as theta[deg],M[N*m]",
+        ),
+        (
+            "theta[deg],M[N*m],x\n0,1,2\n",
+            "",
+            "m.csv, line 1: 3 columns; a table of a torque diagram has two, theta and the values",
+            "write a header such as theta[deg],M[N*m]",
+        ),
+        (
+            "theta[rad],M[N*m]\n0,1\n\n2,2\n1,5\n",
+            "",
+            "m.csv, line 5: '1.0 rad' does not come after '2.0 rad'; the angles ascend",
+            "put the points in order",
+        ),
+        (
+            "theta[rad],M[N*m]\n0,1\n15,2\n",
+            "",
+            "m.csv, line 3: '15.0 rad' lies outside the period, 0 to 720 deg",
+            "count from the beginning of the cycle, or give its period",
+        ),
+        (
+            "theta[deg],M[N*m]\n0,1\n90,3\n720,2\n",
+            ', interpolation = "pchip"',
+            "m.csv, line 4: the curve ends with 2.0 and begins with 1.0 at the same position of the shaft",
+            'make the two equal; a jump needs interpolation = "linear"',
+        ),
+    ],
+)
+def test_a_fault_of_a_torque_diagram_names_its_line(
+    diagram: Written, content: str, more: str, message: str, remedy: str
+) -> None:
+    (fault,) = faults(diagram(content, more))
+    assert (fault.path, fault.line, fault.message, fault.remedy) == ("torque.table.file", 4, message, remedy)
+
+
+def test_the_files_of_a_spec(written: Written, diagram: Written, tmp_path: Path, shaper: str) -> None:
+    (tmp_path / "motors.csv").write_text("name\n")
+    motor = '[motor]\nname = "choose"\ncatalogue = "motors.csv"\n'
+    spec = load_spec(written("phi[deg],Q[N]\n0,1\n90,2\n", HEAD + HEAD + motor))
+    assert named_files(spec, tmp_path) == [tmp_path / "q.csv", tmp_path / "motors.csv"]
+    torque = load_spec(diagram("theta[deg],M[N*m]\n0,1\n90,3\n"))
+    assert named_files(torque, tmp_path) == [tmp_path / "m.csv"]
+    assert named_files(parse_spec(shaper), tmp_path) == []

@@ -18,7 +18,7 @@ from tmmcalc.spec.motor import MotorTable
 from tmmcalc.spec.reduction import ReductionTable
 from tmmcalc.spec.transmission import TransmissionTable
 
-from .scenes import MACHINE
+from .scenes import ENGINE, MACHINE, ROTOR, TORQUE
 
 
 def test_every_ready_spec_loads() -> None:
@@ -120,34 +120,39 @@ def _tables() -> list[tuple[str, type[Spec]]]:
     return found
 
 
-LATE = ("loads", "springs", "drive", "motor", "transmission", "reduction", "motion", "flywheel")
+LISTS = ("loads", "springs", "shafts", "transients")
+SINGLE = ("torque", "drive", "motor", "transmission", "reduction", "motion", "flywheel", "balance", "engine", "rotor")
+LATE = (*LISTS, *SINGLE)
 
 
 def loaded_by(spec: str) -> set[str]:
-    """Modules in memory after the shaper with this addition was read by a process of its own."""
+    """Modules in memory after this spec was read by a process of its own."""
     code = (
         "import sys, tmmcalc.spec; late = set(sys.modules)\n"
         "assert 'pydantic' not in late\n"
-        "from tmmcalc.spec import parse_spec, templates\n"
-        f"parse_spec(templates.text('shaper') + {spec!r})\n"
+        "from tmmcalc.spec import parse_spec\n"
+        f"parse_spec({spec!r})\n"
         "print(*sys.modules)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=Path.cwd())
     return set(done.stdout.split())
 
 
-def test_a_good_spec_loads_nothing_that_only_faults_need() -> None:
+def test_a_good_spec_loads_nothing_that_only_faults_need(shaper: str) -> None:
     unneeded = {"difflib", "numpy", "scipy", "tmmcalc.spec.wording", "tmmcalc.spec.examples", "tmmcalc.spec.source"}
-    assert not unneeded & loaded_by("")
-    assert not unneeded & loaded_by(MACHINE)
+    assert not unneeded & loaded_by(shaper)
+    assert not unneeded & loaded_by(shaper + MACHINE + ENGINE + ROTOR)
 
 
-def test_tables_are_built_only_when_a_spec_has_them() -> None:
-    names = {f"tmmcalc.spec.{table}" for table in (*LATE, "files", "loading", "linkage")}
-    names |= {f"tmmcalc.spec.checks.{module}" for module in ("loads", "springs", "gear", "motor", "motion", "flywheel")}
-    assert not names & loaded_by("")
-    assert names & loaded_by("\n[reduction]\n") == {"tmmcalc.spec.reduction"}
-    assert {f"tmmcalc.spec.{table}" for table in LATE} <= loaded_by(MACHINE)
+def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
+    names = {f"tmmcalc.spec.{table}" for table in (*LATE, "files", "loading", "linkage", "machine", "balancing")}
+    names |= {f"tmmcalc.spec.checks.{table}" for table in (*LATE, "gear") if table != "drive"}
+    assert not names & loaded_by(shaper)
+    assert names & loaded_by(f"{shaper}\n[reduction]\n") == {"tmmcalc.spec.reduction"}
+    of_a_machine = {f"tmmcalc.spec.{table}" for table in LATE if table != "torque"}
+    assert of_a_machine <= loaded_by(shaper + MACHINE + ENGINE + ROTOR)
+    alone = {f"tmmcalc.spec.{part}torque" for part in ("", "checks.")}
+    assert names & loaded_by(TORQUE) >= alone
 
 
 def test_late_tables_are_those_of_the_root() -> None:
@@ -176,5 +181,6 @@ def test_values_of_the_machine(shaper: str) -> None:
 
 def test_tables_that_a_spec_has_not(shaper: str) -> None:
     spec = parse_spec(shaper)
-    assert spec.loads == spec.springs == []
-    assert [getattr(spec, name) for name in LATE[2:]] == [None] * 6
+    assert [getattr(spec, name) for name in LISTS] == [[]] * len(LISTS)
+    assert [getattr(spec, name) for name in SINGLE] == [None] * len(SINGLE)
+    assert parse_spec(TORQUE).mechanism is None

@@ -9,7 +9,7 @@ from typing import Any
 
 from tmmcalc.spec.schema import json_schema, schema_text
 
-from .scenes import MACHINE
+from .scenes import ENGINE, MACHINE, ROTOR, TORQUE
 
 
 def nodes(node: Any) -> Iterator[dict[str, Any]]:
@@ -124,3 +124,52 @@ def test_a_machine_is_accepted(shaper: str) -> None:
     ]:
         assert text.count(old) >= 1, old
         assert not accepts(schema, tomllib.loads(text.replace(old, new)), schema), new
+
+
+def test_shafts_motions_and_balancing_are_accepted(shaper: str) -> None:
+    schema = json_schema()
+    text = shaper + MACHINE + ENGINE + ROTOR
+    assert accepts(schema, tomllib.loads(text), schema)
+    for old, new in [
+        ('stiffness = "5000 N*m/rad"', 'stiffness = "5000 N*m"'),
+        ("behind_gear = true", 'behind_gear = "yes"'),
+        ('from = "steady"', 'from = "rest"'),
+        ('from = "steady"', 'begin = "steady"'),
+        ('motor_on = [["0 s", "2 s"]]', 'motor_on = ["0 s", "2 s"]'),
+        ("quiet = true", "quiet = 1"),
+        ('to = "8 s"', 'until = "8 s"'),
+        ('method = "merson"', 'method = "euler"'),
+        ('"lanchester 2"', '"lanchester 3"'),
+        ("link = 1, radius", "link = 0, radius"),
+        ("order = -1", "order = 1.5"),
+        ("cylinders = 4", 'cylinders = "four"'),
+        ("cylinders = 4", "cylinders = [4]"),
+        ("firing_order = [1, 3, 4, 2]", "firing_order = []"),
+        ('grade = "G6.3"', 'grade = "6.3 G"'),
+        ('moment = "12 g*mm"', 'moment = "12 g"'),
+        ("planes = [", "plains = ["),
+    ]:
+        assert text.count(old) >= 1, old
+        assert not accepts(schema, tomllib.loads(text.replace(old, new)), schema), new
+    listed = "[engine]\nspeed = 300\n[[engine.cylinders]]\ncrank_angle = 0\nposition = 0\n"
+    assert accepts(schema, tomllib.loads(listed), schema)
+
+
+def test_a_torque_diagram_is_accepted() -> None:
+    schema = json_schema()
+    head = '[torque]\nspeed = "180 rpm"\n'
+    for law in (
+        'harmonics = { terms = [{ order = "1/2", cos = 5 }] }',
+        'pieces = [["0 deg", "5 N*m"], [1, 2]]',
+        'table = { theta = [0, "90 deg"], moment = [1, "2 N*m"], interpolation = "pchip" }',
+    ):
+        assert accepts(schema, tomllib.loads(head + law), schema), law
+    assert accepts(schema, tomllib.loads(TORQUE), schema)
+    for law in (
+        "formula = 5",
+        "pieces = [[0, 1]]",
+        "pieces = [[0], [1]]",
+        'delays = ["5 s"]',
+        "constants = { M0 = [] }",
+    ):
+        assert not accepts(schema, tomllib.loads(head + law), schema), law

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 
-from tmmcalc.errors import Fault, SpecError, UsageError
-from tmmcalc.spec import load_spec, parse_spec
+from tmmcalc.errors import Fault, UsageError
+from tmmcalc.spec import parse_spec
 
-from .scenes import ENGINE, HOSTILE, ROTOR, TORQUE, check_only_fault
+from .scenes import ENGINE, HOSTILE, ROTOR, TORQUE, check_lines, check_only_fault
 
 Faults = Callable[[str], list[Fault]]
 
@@ -333,9 +332,7 @@ FAULTS = [
 
 
 @pytest.mark.parametrize(("text", "path", "message", "remedy"), FAULTS)
-def test_one_slip_is_one_fault_at_its_line(
-    faults_of: Faults, text: str, path: str, message: str, remedy: str
-) -> None:
+def test_one_slip_is_one_fault_at_its_line(faults_of: Faults, text: str, path: str, message: str, remedy: str) -> None:
     check_only_fault(text, faults_of(text), path, message, remedy)
 
 
@@ -456,17 +453,11 @@ KEYS = {
 
 
 @pytest.mark.parametrize(("table", "key"), [(table, key) for table, keys in KEYS.items() for key in keys.split()])
-@pytest.mark.parametrize("value", [*HOSTILE, "[[0, {}], [1, 2]]", '[["x", 1], [nan, 2]]', '"1 deg"'])
-def test_no_value_breaks_the_checks(tmp_path: Path, table: str, key: str, value: str) -> None:
-    faults: list[Fault] = []
-    (tmp_path / "x.toml").write_text(f"[{table}]\n{key} = {value}\n")
-    try:
-        load_spec(tmp_path / "x.toml")
-    except SpecError as error:
-        faults = error.faults
-    assert all(fault.line for fault in faults)
+def test_no_value_breaks_the_checks(table: str, key: str) -> None:
+    for value in (*HOSTILE, "[[0, {}], [1, 2]]", '[["x", 1], [nan, 2]]', '"1 deg"'):
+        check_lines(f"[{table}]\n{key} = {value}\n")
 
 
-@pytest.mark.parametrize("value", HOSTILE)
-def test_no_table_of_another_type_breaks_the_checks(faults_of: Faults, value: str) -> None:
-    assert faults_of(f"torque = {value}\n")
+def test_no_table_of_another_type_breaks_the_checks(faults_of: Faults) -> None:
+    for value in HOSTILE:
+        assert faults_of(f"torque = {value}\n")

@@ -7,12 +7,12 @@ from typing import get_args
 
 import pytest
 
-from tmmcalc.errors import Fault, SpecError
+from tmmcalc.errors import Fault
 from tmmcalc.machine.transient.methods import METHODS
 from tmmcalc.spec import parse_spec
 from tmmcalc.spec.transients import TransientTable
 
-from .scenes import CONFIGS, HOSTILE, TORQUE, check_only_fault
+from .scenes import CONFIGS, HOSTILE, TORQUE, check_lines, check_only_fault
 
 Faults = Callable[[str], list[Fault]]
 
@@ -82,7 +82,7 @@ FAULTS = [
     (
         ROTOR + 2 * (FIRST + 'name = "a"\n'),
         "shafts[1].name",
-        "'a' is already the name of another shaft (line 116)",
+        "'a' is already the name of another shaft (line 115)",
         "give each shaft a name of its own",
     ),
     (
@@ -185,7 +185,7 @@ FAULTS = [
     (
         START + 'motor = "half"\n',
         "transients[0].motor",
-        "'half' is not allowed here; the value is \"on\" or \"off\"",
+        '\'half\' is not allowed here; the value is "on" or "off"',
         'write "on" or "off"',
     ),
     (
@@ -341,7 +341,7 @@ FAULTS = [
     (
         START + 'standstill = "hold"\n',
         "transients[0].standstill",
-        "'hold' is not allowed here; the value is \"stop\" or \"pass\"",
+        '\'hold\' is not allowed here; the value is "stop" or "pass"',
         'write "stop" or "pass"',
     ),
     (
@@ -371,14 +371,14 @@ FAULTS = [
     (
         START + 'name = "run"\n[[transients]]\nname = "run"\nduration = 5\n',
         "transients[1].name",
-        "'run' is already the name of another transient motion (line 112)",
+        "'run' is already the name of another transient motion (line 113)",
         "give each transient motion a name of its own",
     ),
     (
-        START + 'name = "run-down"\n',
+        START + 'name = "run -down"\n',
         "transients[0].name",
-        "'run-down' cannot name a transient motion",
-        "a name is a Latin letter, then letters, digits, _ or '",
+        "'run -down' cannot name a transient motion",
+        "a name is words of Latin letters, digits, _ or ', with single spaces or hyphens between them",
     ),
 ]
 
@@ -437,19 +437,14 @@ KEYS = {
 
 
 @pytest.mark.parametrize(("table", "key"), [(table, key) for table, keys in KEYS.items() for key in keys.split()])
-@pytest.mark.parametrize("value", [*HOSTILE, '[["x", 1], [2]]', "[{ time = 1 }, 5]", "-0.0"])
-def test_no_value_breaks_the_checks(shaper: str, table: str, key: str, value: str) -> None:
+def test_no_value_breaks_the_checks(shaper: str, table: str, key: str) -> None:
     head = "[transients.brake]" if table.endswith("brake") else f"[[{table}]]"
     above = "[[transients]]\nduration = 5\n" if "." in table else ""
-    faults: list[Fault] = []
-    try:
-        parse_spec(f"{shaper}\n{ROTOR}{above}{head}\n{key} = {value}\n")
-    except SpecError as error:
-        faults = error.faults
-    assert all(fault.line for fault in faults)
+    for value in (*HOSTILE, '[["x", 1], [2]]', "[{ time = 1 }, 5]", "-0.0"):
+        check_lines(f"{shaper}\n{ROTOR}{above}{head}\n{key} = {value}\n")
 
 
 @pytest.mark.parametrize("table", ["shafts", "transients"])
-@pytest.mark.parametrize("value", [*HOSTILE, "[[], 5, {}]"])
-def test_no_table_of_another_type_breaks_the_checks(faults_of: Faults, table: str, value: str) -> None:
-    assert faults_of(f"{table} = {value}\nmotor = {value}\nmechanism = {value}\n")
+def test_no_table_of_another_type_breaks_the_checks(faults_of: Faults, table: str) -> None:
+    for value in (*HOSTILE, "[[], 5, {}]"):
+        assert faults_of(f"{table} = {value}\nmotor = {value}\nmechanism = {value}\n")

@@ -11,10 +11,12 @@ def rows_of(positions: str | None, labels: Sequence[str], flag: str = "--positio
     """Indices of the positions that ``'0,6,18'`` or ``'0:24:2'`` name; None for None.
 
     A range includes both ends, and the extra positions between them unless it has a step: then it counts the
-    numbered ones. Raises UsageError for a label that is not there and a range without positions.
+    numbered ones. Raises UsageError for a label that is not there, a range without positions, and no positions at all.
     """
     if positions is None:
         return None
+    if not labels:
+        raise UsageError("there are no positions to choose from", where=flag, remedy="leave it out")
     rows: list[int] = []
     for part in (p.strip() for p in positions.split(",")):
         rows += _range(part, labels, flag) if ":" in part else [_row(part, part, labels, flag)]

@@ -22,6 +22,7 @@ from tmmcalc.numerics.roots import Indices, bracketed
 Rates = Callable[[Configuration], list[Real]]
 
 STILL = 1e-11  # a rate below this part of its scale is rest
+NEAR = 0.02  # a turning point nearer to zero than this part of the largest value is always looked at
 SETTLED = 1e-4  # change of an interpolated root, against its bracket, from which on its digits more than double
 POINTS = 4  # samples that a root is interpolated from
 
@@ -62,17 +63,17 @@ def crossings(chain: Chain, rates: Rates, scales: list[float], dense: Survey) ->
 
 def _brackets(f: Callable[[Real, Indices], Real], k: int, values: Real, dense: Survey) -> _Brackets:
     """The cells of function k, short ones between two samples included."""
-    period = TURN if dense.full else None
-    largest = float(np.max(np.abs(values)))
+    x, largest = dense.x, float(np.max(np.abs(values)))
     values = np.append(values[:-1], values[0]) if dense.full else values
-    x, values = with_turning_points(
-        lambda at, _: f(at, np.full(at.size, k)),
-        dense.x,
-        values,
-        near=0.02 * largest,
-        period=period,
-        touch=1e-13 * largest,
-    )
+    if _nears(values, largest, dense.full):
+        x, values = with_turning_points(
+            lambda at, _: f(at, np.full(at.size, k)),
+            x,
+            values,
+            near=NEAR * largest,
+            period=TURN if dense.full else None,
+            touch=1e-13 * largest,
+        )
     cell = np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))
     low, high = x[cell], x[cell + 1]
     if dense.full:
@@ -81,6 +82,15 @@ def _brackets(f: Callable[[Real, Indices], Real], k: int, values: Real, dense: S
         cell = cell + 1
     around = np.clip(cell - POINTS // 2 + 1, 0, max(len(x) - POINTS, 0))[:, None] + np.arange(min(POINTS, len(x)))
     return _Brackets(np.full(cell.size, k), x[around], values[around], low, high)
+
+
+def _nears(values: Real, largest: float, full: bool) -> bool:
+    """Whether a function may touch zero between two samples: it turns back near to it without changing its sign."""
+    v = np.concatenate((values[-2:-1], values, values[1:2])) if full else np.pad(values, 1, mode="edge")
+    size, step = np.abs(v), np.abs(np.diff(v))
+    crosses = np.signbit(v[1:]) != np.signbit(v[:-1])
+    turns = (size[1:-1] <= size[:-2]) & (size[1:-1] <= size[2:]) & ~(crosses[1:] | crosses[:-1])
+    return bool(np.any(turns & (size[1:-1] < np.maximum(NEAR * largest, np.maximum(step[1:], step[:-1])))))
 
 
 def _roots(f: Callable[[Real, Indices], Real], cells: _Brackets) -> Real:

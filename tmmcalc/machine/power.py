@@ -7,14 +7,16 @@ and its efficiency is (A_d + A_F)/A_d. Weights and springs give back over a cycl
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.machine.motors.choice import Choice
 from tmmcalc.machine.motors.model import Motor
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.motors.choice import Choice
 
 LOSSES = ("friction", "damper")
 STORES = ("weight", "spring")
@@ -76,8 +78,8 @@ def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float =
     """Work, efficiency and power of a cycle at its mean speed; ``transmission`` is the efficiency of the gears."""
     scale = max((abs(part.work) for part in parts), default=0.0)
     loads = [part.work for part in parts if part.kind == "load" and abs(part.work) > NOTHING * scale]
-    driving, resisting = sum(w for w in loads if w > 0), sum(w for w in loads if w < 0)
-    losses = sum(part.work for part in parts if part.kind in LOSSES)
+    driving, resisting = sum((w for w in loads if w > 0), 0.0), sum((w for w in loads if w < 0), 0.0)
+    losses = sum((part.work for part in parts if part.kind in LOSSES), 0.0)
     machine: Literal["working", "engine", "idle"] = "idle"
     if loads:
         machine = "engine" if driving + losses + resisting > 0 else "working"
@@ -92,7 +94,7 @@ def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float =
         driving=driving,
         resisting=resisting,
         losses=losses,
-        stored=sum(part.work for part in parts if part.kind in STORES),
+        stored=sum((part.work for part in parts if part.kind in STORES), 0.0),
         efficiency=_efficiency(machine, driving, resisting, losses),
         cycle_time=time,
         mean_power=mean_power,

@@ -171,7 +171,8 @@ def _legend_fact(result: Flywheel) -> Fact:
         lines += ["delta reached with it", "error of J_F against the exact one"]
     else:
         lines += ["delta reached under forces of position", "delta_motor reached under the motor"]
-        lines.append("error of J_F against the one that the motor needs")
+        needed = "the one that the motor needs" if result.required.needed else "what is at hand, which is enough"
+        lines.append(f"error of J_F against {needed}")
     return Fact("in the table", "\n".join(lines))
 
 

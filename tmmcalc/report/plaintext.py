@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import zip_longest
 from textwrap import wrap
 
 from tmmcalc.report.document import Document, Fact
@@ -46,20 +47,32 @@ def _wrapped(text: str, width: int, indent: str = "") -> list[str]:
 
 
 def _table(columns: list[Cells]) -> Iterator[str]:
-    """Names, units, a rule, the rows; a last column of long texts is wrapped."""
+    """Names, units, a rule, the rows; long texts are wrapped."""
     if not columns:
         return
-    before = sum(c.width + GAP for c in columns[:-1])
-    room = max(WIDTH - before, NARROWEST) if columns[-1].text else columns[-1].width
-    widths = [*(c.width for c in columns[:-1]), min(columns[-1].width, room)]
+    widths = _widths(columns)
     heads = [[c.name for c in columns], [c.unit for c in columns], ["-" * width for width in widths]]
     if not any(heads[1]):
         del heads[1]
-    for *row, last in [*heads, *zip(*(c.cells for c in columns), strict=True)]:
-        for k, piece in enumerate(_wrapped(last, room) if columns[-1].text else [last]):
-            cells = [*(row if k == 0 else [""] * len(row)), piece]
+    for row in [*heads, *zip(*(c.cells for c in columns), strict=True)]:
+        wrapped = [
+            _wrapped(cell, width) if c.text else [cell] for cell, c, width in zip(row, columns, widths, strict=True)
+        ]
+        for cells in zip_longest(*wrapped, fillvalue=""):
             parts = (_cell(cell, c.text, width) for cell, c, width in zip(cells, columns, widths, strict=True))
             yield (" " * GAP).join(parts).rstrip()
+
+
+def _widths(columns: list[Cells]) -> list[int]:
+    """Widths that fit the page: a last column of texts gives way first, then the widest text before it."""
+    widths = [c.width for c in columns]
+    if not columns[-1].text:
+        return widths
+    last, *others = (k for k in reversed(range(len(columns))) if columns[k].text)
+    for k in (last, *sorted(others, key=lambda k: -widths[k])):
+        over = sum(widths) + GAP * (len(widths) - 1) - WIDTH
+        widths[k] = min(widths[k], max(widths[k] - over, NARROWEST))
+    return widths
 
 
 def _cell(text: str, left: bool, width: int) -> str:

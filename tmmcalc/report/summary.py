@@ -20,6 +20,8 @@ SUMMARIES = {
     "power": "tmmcalc.report.power:power_summary",
     "flywheel": "tmmcalc.report.flywheel:flywheel_summary",
     "motion": "tmmcalc.report.motion:motion_summary",
+    "transient": "tmmcalc.report.transient:transient_summary",
+    "balance": "tmmcalc.report.balance:balance_summary",
 }
 
 

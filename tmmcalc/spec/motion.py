@@ -20,5 +20,6 @@ class MotionTable(Table):
         description="Further constant moment of inertia on the crank, beside rotor, gears and flywheel.",
     )
     speed: AngularSpeed | None = Field(
-        default=None, description="Mean speed of the crank without a motor (default: that of the input)."
+        default=None,
+        description="Mean speed of the crank without a motor (default: that of the input or torque diagram).",
     )

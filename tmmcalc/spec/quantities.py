@@ -205,6 +205,25 @@ class Name(_Reader):
         return {"type": "string", "pattern": NAME_PATTERN, "description": f"Name of a {self.noun}."}
 
 
+class Words(Name):
+    """A name of something that is named in tables and messages alone: words of Latin letters and digits."""
+
+    PATTERN = "[A-Za-z][A-Za-z0-9_']*([ -][A-Za-z0-9_']+)*"
+
+    def read(self, value: object) -> str:
+        """Return the name; raise UnitError with the character that does not belong there."""
+        if isinstance(value, str) and re.fullmatch(self.PATTERN, value):
+            return value
+        if not isinstance(value, str):
+            return super().read(value)
+        remedy = "a name is words of Latin letters, digits, _ or ', with single spaces or hyphens between them"
+        raise UnitError(f"{show(value)} cannot name a {self.noun}{_stranger(value)}", remedy)
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema of a name."""
+        return {"type": "string", "pattern": f"^{self.PATTERN}$", "description": f"Name of a {self.noun}."}
+
+
 class Label(_Reader):
     """A position of the grid: its number, or its label, such as ``"6'"`` for the first one added after 6."""
 

@@ -4,10 +4,10 @@ from typing import Annotated
 
 from pydantic import Field
 
-from .quantities import Inertia, Name, Quantity, Ratio
+from .quantities import Inertia, Quantity, Ratio, Words
 from .table import Table
 
-ShaftName = Annotated[str, Name("shaft")]
+ShaftName = Annotated[str, Words("shaft")]
 Stiffness = Annotated[float, Quantity("torsional stiffness", at_least_zero=True)]
 Damping = Annotated[float, Quantity("torsional damping", at_least_zero=True)]
 

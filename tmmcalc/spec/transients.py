@@ -4,10 +4,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from .quantities import Name, Number, Quantity
+from .quantities import Number, Quantity, Words
 from .table import Table
 
-TransientName = Annotated[str, Name("transient motion")]
+TransientName = Annotated[str, Words("transient motion")]
 Time = Annotated[float, Quantity("time", at_least_zero=True)]
 Duration = Annotated[float, Quantity("time", at_least_zero=True, nonzero=True)]
 Interval = Annotated[list[Time], Field(min_length=2, max_length=2)]

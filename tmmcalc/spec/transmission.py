@@ -15,7 +15,8 @@ class TransmissionTable(Table):
 
     ratio: Ratio | None = Field(
         default=None,
-        description="Speed of the motor over that of the crank (default: rated speed over the input's mean speed).",
+        description="Speed of the motor over that of the crank (default: the product of the ratios of shafts, or rated "
+        "speed over the input's mean speed).",
     )
     efficiency: Efficiency = Field(default=1.0, description="Efficiency of the gears.")
     inertia: Inertia = Field(default=0.0, description="Moment of inertia of the gears, reduced to the crank.")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
+from functools import cache
 from types import UnionType
 from typing import Any, Union, get_args, get_origin, get_type_hints
 
@@ -60,7 +61,7 @@ def restore(kind: Any, data: Any, arrays: Mapping[str, np.ndarray] | None = None
         return tuple(arrays[path].tolist()) if path.rpartition(".")[2] == LABELS else arrays[path]
     origin, args = get_origin(kind), get_args(kind)
     if is_dataclass(kind) and isinstance(kind, type):
-        hints, start = get_type_hints(kind), f"{path}." if path else ""
+        hints, start = _hints(kind), f"{path}." if path else ""
         return kind(**{name: restore(hint, data.get(name), arrays, f"{start}{name}") for name, hint in hints.items()})
     if origin in (Union, UnionType):
         inner = next(a for a in args if a is not type(None))
@@ -71,3 +72,9 @@ def restore(kind: Any, data: Any, arrays: Mapping[str, np.ndarray] | None = None
     if origin is dict:
         return {k: restore(args[1], v, arrays, f"{path}.{k}") for k, v in data.items()}
     return complex(*data) if kind is complex else data
+
+
+@cache
+def _hints(kind: type) -> dict[str, Any]:
+    """Type hints of a record class; resolving them takes a millisecond, and a result holds many of one class."""
+    return get_type_hints(kind)

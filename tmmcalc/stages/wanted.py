@@ -54,11 +54,13 @@ def flywheel(spec: Spec) -> str | None:
 
 def motion(spec: Spec) -> str | None:
     """The speed varies where kinetic energy is stored and something acts; without a drive it is that of the input."""
-    if spec.motor is None and spec.motion is None and spec.flywheel is None:
+    begun = any(transient.begin == "steady" for transient in spec.transients)
+    if spec.motor is None and spec.motion is None and spec.flywheel is None and not begun:
         return "no [motor]: the speed is constant"
+    shaft = spec.torque is not None and spec.torque.inertia
     wheel = spec.flywheel is not None and (spec.flywheel.inertia or spec.flywheel.delta)
     further = spec.motion is not None and spec.motion.inertia
-    if not (_masses(spec) or wheel or further or spec.motor is not None):
+    if not (_masses(spec) or shaft or wheel or further or spec.motor is not None):
         return "no masses and no constant inertia: nothing stores kinetic energy"
     return power(spec)
 

@@ -141,8 +141,8 @@ class Balance(NamedTuple):
             return self.by_a.times(self.a.of_friction)
         if k == 2:
             return self.by_b.times(self.b.of_friction)
-        pivot = isinstance(self.dyad.inner, Pivot)
-        own = Wrench(NOTHING.force, np.ones(())) if pivot else Wrench(self.dyad.inner.e, _NONE)
+        inner = self.dyad.inner
+        own = Wrench(NOTHING.force, np.ones(())) if isinstance(inner, Pivot) else Wrench(inner.e, _NONE)
         return own.plus(self.by_a.times(-self.a.of(own))).plus(self.by_b.times(-self.b.of(own)))
 
     def outer(self, load_a: Wrench, load_b: Wrench, inner: Wrench, friction: Friction = FRICTIONLESS) -> Reactions:

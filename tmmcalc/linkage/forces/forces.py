@@ -6,13 +6,14 @@ from collections.abc import Iterable
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.forces.friction import Solution
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
-from tmmcalc.linkage.forces.kinks import kinked
+from tmmcalc.linkage.forces.kinks import cut, kinks
 from tmmcalc.linkage.forces.locking import further_solutions, refuse_locked
-from tmmcalc.linkage.forces.maxima import maxima, pairs_of
+from tmmcalc.linkage.forces.maxima import Held, held, maxima, pairs_of, unresolved
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.loading import GearDrive, Loading
@@ -22,7 +23,12 @@ from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.numerics.panels import Panels, panels
 
-PARTS = 24  # of a turn, or of the range: no panel on which maxima are sought is wider
+Flags = NDArray[np.bool_]
+
+NEAR = 1e-6  # [rad or m] a position farther from every edge is no dead point
+PARTS = 16  # of a turn, or of the range: no panel on which maxima are sought is wider
+QUARTERS = np.array([0.25, 0.5, 0.75])
+ROUNDS = 3  # of cutting them finer
 
 
 def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics) -> Forces:
@@ -32,19 +38,14 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
     """
     scene = compile_scene(mechanism, loading, kinematics)
     statics = compile_statics(scene)
-    theta, side, labels = _rows(statics, kinematics)
     edges = scene.edges(reversals(statics))
+    theta, side, labels = _rows(statics, kinematics, edges)
     dense = _panels(scene, edges)
     rows, over, solutions = _solved(statics, theta, side, labels, dense)
-    places = kinked(
-        dense, over.faces, lambda on: _over(statics, on).faces, lambda more: _panels(scene, [*edges, *more])
-    )
-    if places:
-        dense = _panels(scene, [*edges, *places])
-        over = _over(statics, dense)
-    found = maxima(statics, dense, over)
-    drive_scale = max(float(np.max(np.abs(over.drive))), float(np.max(np.abs(rows.drive)))) or 1.0
-    virtual = (rows.virtual - rows.drive) / drive_scale
+    dense, functions = _resolved(statics, dense, over)
+    found = maxima(statics, dense, functions)
+    largest = max(_largest(over.drive), _largest(rows.drive)) or 1.0
+    virtual = (rows.virtual - rows.drive) / largest
     return Forces(
         labels=labels,
         phi=scene.travel.phi(theta),
@@ -89,23 +90,11 @@ def _panels(scene: Scene, edges: Iterable[float]) -> Panels:
     return panels(0.0, scene.travel.period, edges, whole / PARTS)
 
 
-def _faces(statics: Statics, dense: Panels) -> Real:
-    return _over(statics, dense).faces
-
-
-def _over(statics: Statics, dense: Panels) -> Stack:
-    """Reactions at the points of panels."""
-    theta = dense.x.ravel()
-    over, solutions = stacked(statics, theta, np.ones(len(theta)))
-    refuse_locked(statics, solutions, lambda at: statics.scene.travel.named(theta[at]))
-    return over
-
-
 def _solved(
-    statics: Statics, theta: Real, side: Real, labels: tuple[str, ...], dense: Panels
+    statics: Statics, theta: Real, side: Real, labels: tuple[str, ...], on: Panels
 ) -> tuple[Stack, Stack, dict[str, Solution]]:
     """Reactions at the rows and on the panels, in one run; how friction came out at the rows."""
-    n, between = len(theta), dense.x.ravel()
+    n, between = len(theta), on.x.ravel()
     everything, solutions = stacked(
         statics, np.concatenate((theta, between)), np.concatenate((side, np.ones(len(between))))
     )
@@ -117,25 +106,59 @@ def _solved(
     return everything.columns(slice(n)), everything.columns(slice(n, None)), at_rows
 
 
-def _rows(statics: Statics, kinematics: Kinematics) -> tuple[Real, Real, tuple[str, ...]]:
-    """theta (n,) of all rows, the side from which each is taken, and the labels; jumps of friction give two rows."""
+def _resolved(statics: Statics, on: Panels, over: Stack) -> tuple[Panels, Held]:
+    """Cut those panels finer that do not resolve the maximum that they may hold: in quarters, and at kinks of friction."""
+    functions = held(statics, on, over)
+    for _ in range(ROUNDS):
+        rough = unresolved(on, functions.values)
+        if not rough.any():
+            break
+        quarters = on.edges[:-1][rough, None] + on.width[rough, None] * QUARTERS
+        finer = cut(on, [*quarters.ravel().tolist(), *kinks(on, over.faces, rough)])
+        if not finer.fresh.any():
+            break
+        on, over = finer.panels, over.with_cut(finer, _over(statics, finer.theta))
+        functions = held(statics, on, over)
+    return on, functions
+
+
+def _over(statics: Statics, theta: Real) -> Stack:
+    """Reactions at theta (n,) between the positions."""
+    over, solutions = stacked(statics, theta, np.ones(len(theta)), checked=False)
+    refuse_locked(statics, solutions, lambda at: statics.scene.travel.named(theta[at]))
+    return over
+
+
+def _rows(statics: Statics, kinematics: Kinematics, edges: list[float]) -> tuple[Real, Real, tuple[str, ...]]:
+    """theta (n,) of all rows, the side from which each is taken, and the labels; jumps of friction give two rows.
+
+    Friction jumps at some of the ``edges`` only.
+    """
     travel = statics.scene.travel
     theta, labels = travel.rows(kinematics)
-    jump = _resting(statics, theta)
-    jump[[0, -1]] = False
+    jump = _jumps(statics, theta, np.array(edges))
     if not jump.any():
         return theta, travel.sides(theta), labels
     twice = np.repeat(np.arange(len(theta)), np.where(jump, 2, 1))
     before = np.append(twice[1:] == twice[:-1], False)
-    side = np.where(before, -1.0, travel.sides(theta[twice]))
-    return theta[twice], side, tuple(labels[i] + ("-" if b else "") for i, b in zip(twice, before, strict=True))
+    names = list(labels)
+    for i in reversed(np.flatnonzero(jump).tolist()):
+        names.insert(i, f"{names[i]}-")
+    return theta[twice], np.where(before, -1.0, travel.sides(theta[twice])), tuple(names)
 
 
-def _resting(statics: Statics, theta: Real) -> np.ndarray:
-    """Where a rubbing pair changes the sense of its sliding."""
+def _jumps(statics: Statics, theta: Real, edges: Real) -> Flags:
+    """At which rows (n,) inside the motion a rubbing pair changes the sense of its sliding."""
     jump = np.zeros(len(theta), bool)
-    if statics.scales:
-        configuration = statics.scene.place(theta).configuration
+    if not statics.scales or not edges.size:
+        return jump
+    after = np.searchsorted(edges, theta)
+    near = np.minimum(np.abs(edges[after - 1] - theta), np.abs(edges[np.minimum(after, edges.size - 1)] - theta)) < NEAR
+    near[[0, -1]] = False
+    rows = np.flatnonzero(near)
+    if rows.size:
+        configuration = statics.scene.place(theta[rows]).configuration
         for joint in statics.rubbing:
-            jump |= statics.sense(joint, configuration, 1.0) != statics.sense(joint, configuration, -1.0)
+            one, other = (statics.sense(joint, configuration, side) for side in (1.0, -1.0))
+            jump[rows] |= one != other
     return jump

@@ -23,7 +23,7 @@ from tmmcalc.linkage.forces.wrench import Seat, Slideway, Wrench
 from tmmcalc.linkage.plane import Real
 
 SAFE = 0.9  # loop gain below which the solution is unique and Newton needs no guidance
-EXACT = 1e-9  # step of Newton, against the values, after which nothing is left: digits double
+EXACT = 1e-8  # step of Newton, against the values, after which nothing is left: digits double
 NEWTON = 40
 TOGETHER = 5  # passes over all positions; the few that need more go on alone
 FIRST_STEP, LEAST_STEP = 0.25, 1e-9  # of the path from no friction (0) to the full friction (1)
@@ -64,14 +64,15 @@ class Solution(NamedTuple):
 def solve(pairs: Sequence[Rubbing], n: int) -> Solution:
     """Solve n positions at once; values of locked positions are those of no friction."""
     problem = _problem(pairs, n)
-    values, done, passes = problem.newton(problem.first(), np.ones(n))
-    wild = ~done | (problem.gain() >= SAFE)
-    locked, ambiguous, limit = np.zeros(n, bool), np.zeros(n, bool), np.ones(n)
-    if wild.any():
-        hard = problem.at(np.flatnonzero(wild))
-        found, reached = hard.followed()
-        values[:, wild], limit[wild], locked[wild] = found, reached, reached < 1
-        ambiguous[wild] = hard.others(found) & (reached == 1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        values, done, passes = problem.newton(problem.first(), np.ones(n))
+        wild = ~done | (problem.gain() >= SAFE)
+        locked, ambiguous, limit = np.zeros(n, bool), np.zeros(n, bool), np.ones(n)
+        if wild.any():
+            hard = problem.at(np.flatnonzero(wild))
+            found, reached = hard.followed()
+            values[:, wild], limit[wild], locked[wild] = found, reached, reached < 1
+            ambiguous[wild] = hard.others(found) & (reached == 1)
     return Solution(values, locked, limit, ambiguous, passes)
 
 
@@ -105,26 +106,27 @@ class _Problem(NamedTuple):
         return _Problem(self.base[..., rows], self.response[..., rows], self.tipping, self.c[:, rows])
 
     def sizes(self, z: Real) -> Real:
-        """m_j (k, n) of the vectors z (2, m, n)."""
+        """m_j (k, ...) of the vectors z (2, m, ...)."""
         length = np.sqrt(z[0] * z[0] + z[1] * z[1])
         for j, row in self.tipping:
             np.maximum(length[j], length[row], out=length[j])
         return length[: len(self.c)]
 
     def first(self) -> Real:
-        """Friction under the reactions without friction."""
-        return -self.c * self.sizes(self.base)
+        """Two passes of the plain iteration from no friction: a start for Newton."""
+        q = -self.c * self.sizes(self.base)
+        return -self.c * self.sizes(self.base + np.add.reduce(self.response * q, axis=2))
 
     def gain(self) -> Real:
         """Largest loop gain (n,): the bound of how much one pass changes the reactions that it started from."""
-        gains = sum(np.abs(c) * self.sizes(self.response[:, :, k]) for k, c in enumerate(self.c))
-        return np.max(gains, axis=0)
+        gains = self.sizes(self.response)
+        return np.maximum.reduce(np.add.reduce(gains * np.abs(self.c), axis=1), axis=0)
 
     def residual(self, q: Real, part: Real) -> tuple[Real, Real]:
         """Left sides (k, n) with the friction multiplied by ``part`` (n,), and their Jacobian (k, k, n)."""
         k = len(q)
         work = self.response * q  # large: the second use of it saves fetching fresh memory
-        z = work.sum(axis=2)
+        z = np.add.reduce(work, axis=2)
         z += self.base
         length = np.sqrt(z[0] * z[0] + z[1] * z[1])
         z /= np.maximum(length, TINY)
@@ -141,23 +143,22 @@ class _Problem(NamedTuple):
 
     def newton(self, q: Real, part: Real, most: int = NEWTON) -> tuple[Real, Flags, int]:
         """Newton from q (k, n): values, which positions converged, passes."""
-        q, done = self._passes(q, part, min(most, TOGETHER))
-        if done.all() or most <= TOGETHER:
-            return q, done, min(most, TOGETHER)
-        rest = np.flatnonzero(~done)
-        q[:, rest], done[rest] = self.at(rest)._passes(q[:, rest], part[rest], most - TOGETHER)
-        return q, done, most
+        q, done, passes = self._passes(q, part, min(most, TOGETHER))
+        if passes < most and not done.all():
+            rest = np.flatnonzero(~done)
+            q[:, rest], done[rest], more = self.at(rest)._passes(q[:, rest], part[rest], most - passes)
+            passes += more
+        return q, done, passes
 
-    def _passes(self, q: Real, part: Real, most: int) -> tuple[Real, Flags]:
-        done = np.zeros(q.shape[1], bool)
-        for _ in range(most):
+    def _passes(self, q: Real, part: Real, most: int) -> tuple[Real, Flags, int]:
+        for count in range(most):
             left, jacobian = self.residual(q, part)
             step, _ = _cramer(jacobian, left)
             q = q - step
-            done = np.max(np.abs(step), axis=0) <= EXACT * np.max(np.abs(q), axis=0)
+            done = np.maximum.reduce(np.abs(step)) <= EXACT * np.maximum.reduce(np.abs(q))
             if done.all():
-                break
-        return q, done
+                return q, done, count + 1
+        return q, done, most
 
     def followed(self) -> tuple[Real, Real]:
         """The solution on the path from no friction (k, n), and how far the path goes (n,): 1 if to the end."""
@@ -190,7 +191,7 @@ class _Problem(NamedTuple):
         k, n = q.shape
         found = np.zeros(n, bool)
         scale = np.max(np.abs(q), axis=0)
-        bare = np.abs(self.first())
+        bare = np.abs(self.c) * self.sizes(self.base)
         for signs in product((-1.0, 1.0), repeat=k):
             for size in (10.0, 1000.0):
                 start = np.array(signs)[:, None] * (bare + scale) * size
@@ -212,7 +213,9 @@ def _problem(pairs: Sequence[Rubbing], n: int) -> _Problem:
         base[0, row] = pairs[j].base.moment / half
         for i, wrench in enumerate(pairs[j].responses):
             response[0, row, i] = wrench.moment / half
-    c = np.array([np.broadcast_to(pair.c, n) for pair in pairs])
+    c = np.empty((k, n))
+    for j, pair in enumerate(pairs):
+        c[j] = pair.c
     return _Problem(base, response, tuple((j, row) for row, (j, _) in enumerate(tipping, k)), c)
 
 
@@ -232,23 +235,21 @@ def size_of(seat: Seat, wrench: Wrench, half: float | None) -> Real:
     return normal if half is None else np.maximum(normal, np.abs(wrench.moment) / half)
 
 
-_NEXT, _LAST = np.array([1, 2, 0]), np.array([2, 0, 1])
-
-
 def _cramer(matrix: Real, right: Real) -> tuple[Real, Real]:
     """Solve the k x k systems (k, k, n), k <= 3, of right sides (k, n); and the determinants (n,).
 
     A library call a position would cost ten times these few products.
     """
-    k = len(right)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        if k == 1:
-            return right / matrix[0], matrix[0, 0]
-        if k == 2:
-            (a, b), (c, d) = matrix
-            det = a * d - b * c
-            return np.array([d * right[0] - b * right[1], a * right[1] - c * right[0]]) / det, det
-        one, other = matrix[:, _NEXT], matrix[:, _LAST]
-        crossed = one[_NEXT] * other[_LAST] - other[_NEXT] * one[_LAST]  # row i: the other two rows, crossed
-        det = (matrix[0] * crossed[0]).sum(axis=0)
-        return (right[:, None] * crossed).sum(axis=0) / det, det
+    k, n = right.shape
+    if k == 1:
+        return right / matrix[0], matrix[0, 0]
+    if k == 2:
+        (a, b), (c, d) = matrix
+        det = a * d - b * c
+        return np.array([d * right[0] - b * right[1], a * right[1] - c * right[0]]) / det, det
+    again = np.empty((5, 5, n))  # the matrix over and over, so that minors are slices
+    again[:3, :3], again[3:, :3] = matrix, matrix[:2]
+    again[:, 3:] = again[:, :2]
+    crossed = again[1:4, 1:4] * again[2:, 2:] - again[2:, 1:4] * again[1:4, 2:]
+    det = np.add.reduce(matrix[0] * crossed[0])
+    return np.add.reduce(right[:, None] * crossed) / det, det

@@ -26,6 +26,9 @@ from tmmcalc.linkage.loads.values import Knot
 from tmmcalc.linkage.model import FRAME, Joint
 from tmmcalc.linkage.plane import Plane, Real, cross
 
+# A piece of memory (16 MB) larger than all temporaries: once the allocator has had it back it keeps their pages, whose
+# fetching anew in every step would cost a third of the time.
+PIECE = 1 << 21
 REST = 1e-9  # a relative velocity below this part of the largest is rest
 
 
@@ -37,6 +40,13 @@ class Reaction(NamedTuple):
     seat: Seat
 
 
+class Given(NamedTuple):
+    """The given loads: every action with the factor of its order in the speed, their sums by link about the pole."""
+
+    actions: list[tuple[Action, float]]
+    loads: dict[int, Wrench]
+
+
 class State(NamedTuple):
     """All reactions at n positions."""
 
@@ -44,7 +54,7 @@ class State(NamedTuple):
     drive: Real
     mesh: Plane | None
     solutions: dict[str, Solution]  # of the friction, by the name of the group or the input joint
-    loads: dict[int, Wrench]  # given loads of every link about the pole, reactions left out
+    given: Given
     pole: complex
 
 
@@ -71,8 +81,8 @@ class Statics(NamedTuple):
     def solve(self, place: Place, side: Real | float = 1.0) -> State:
         """Reactions at a place; ``side`` (n,) or one number is +1 or -1."""
         pole = self.pole(place)
-        given = self.loads(place, pole)
-        carried = dict(given)
+        given = self.given(place, pole)
+        carried = dict(given.loads)
         reactions: dict[str, Reaction] = {}
         solutions: dict[str, Solution] = {}
         for plan in self.plans:
@@ -88,15 +98,17 @@ class Statics(NamedTuple):
         """The point that moments are taken about: the input joint's, where it stands first."""
         return complex(seat_of(self.driver.joint, place.configuration).r.flat[0])
 
-    def loads(self, place: Place, pole: complex) -> dict[int, Wrench]:
-        """Sum of the given loads on every moving link, about the pole."""
+    def given(self, place: Place, pole: complex) -> Given:
+        """The given loads on every moving link."""
         total = {link.id: NOTHING for link in self.scene.chain.mechanism.links}
+        actions = []
         for source in self.sources:
             factor = source.factor(self.scene.travel.speed)
             for action in source.actions(place):
+                actions.append((action, factor))
                 wrench = _wrench(action, factor, pole)
                 total[action.link] = wrench if total[action.link] is NOTHING else total[action.link].plus(wrench)
-        return total
+        return Given(actions, total)
 
     def sense(self, joint: Joint, configuration: Configuration, side: Real | float) -> Real:
         """Sense (n,) of the sliding of the higher-numbered link in a joint: -1, 0, 1."""
@@ -125,7 +137,7 @@ class Statics(NamedTuple):
     def cut_out(self, name: str, place: Place, side: Real | float = 1.0) -> Cut:
         """The dyad of this name, with the reactions of the groups after it, their friction solved."""
         pole = self.pole(place)
-        carried, reactions = self.loads(place, pole), dict[str, Reaction]()
+        carried, reactions = self.given(place, pole).loads, dict[str, Reaction]()
         for plan in self.plans:
             if plan.group.name == name:
                 return self.cut(plan, place, side, pole, carried)
@@ -167,7 +179,8 @@ class Statics(NamedTuple):
         joint, n = self.driver.joint, len(place.theta)
         seat = seat_of(joint, place.configuration)
         load = carried[self.driver.receiver].about(seat.r - pole)
-        load = Wrench(np.broadcast_to(load.force, n), np.broadcast_to(load.moment, n))
+        if not load.force.ndim or not load.moment.ndim:
+            load = Wrench(np.broadcast_to(load.force, n), np.broadcast_to(load.moment, n))
         rubs = self.driver.coefficient > 0
         c = self.driver.coefficient * self.sense(joint, place.configuration, side) if rubs else np.zeros(())
         if isinstance(seat, Slideway):
@@ -189,6 +202,7 @@ def _wrench(action: Action, factor: float, pole: complex) -> Wrench:
 
 def compile_statics(scene: Scene, with_inertia: bool = True) -> Statics:
     """The force analysis of a scene; loads of inertia are left out of a static one."""
+    np.empty(PIECE)  # asked for and given back
     chain, travel, loading = scene.chain, scene.travel, scene.loading
     heavy = tuple(body for body in loading.bodies if body.mass > 0 or body.inertia > 0)
     dynamic = [inertia(heavy, travel.speed, travel.acceleration)] if with_inertia and heavy else []

@@ -1,30 +1,27 @@
 """Where friction has a kink without a reversal: a slider lifts off one face of its guide and lies on the other.
 
 Friction goes with |N|, of a slider with edges with |N'| + |N''|, so its kinks are the zeros of N, or of N' and N''. No
-position tells them beforehand: they are seen on panels, first roughly by interpolation across the kink, and then,
-with an edge put there, by the polynomial of the side that the kink is not on.
+position tells them beforehand: they are seen on panels, and located by the points on one side of the kink, where
+everything is smooth. Only panels with a kink are cut.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
 from tmmcalc.linkage.forces.wrench import Slideway
 from tmmcalc.linkage.plane import Real
-from tmmcalc.numerics.panels import Panels, rule
+from tmmcalc.numerics.panels import NARROWEST, Panels
 
+SIDE = 8  # points of the polynomial that locates a kink
+NEWTON = 6
 NOISE = 1e-9  # part of its largest value below which the sign of a force says nothing
 
-
-class Kink(NamedTuple):
-    """A zero of one of the forces on faces, and its number."""
-
-    force: int
-    theta: float
+Flags = NDArray[np.bool_]
 
 
 def faces(statics: Statics, state: State, n: int) -> Real:
@@ -43,49 +40,74 @@ def faces(statics: Statics, state: State, n: int) -> Real:
     return np.array([np.broadcast_to(force, n) for force in found]).reshape(len(found), n)
 
 
-def kinked(
-    first: Panels, values: Real, sample: Callable[[Panels], Real], build: Callable[[Iterable[float]], Panels]
-) -> list[float]:
-    """Places of all kinks; ``values`` (F, n) are the forces on faces at the points of ``first``.
+class Cut(NamedTuple):
+    """Panels with further edges: ``fresh`` (K,) tells the new ones, ``kept`` (K_0,) the old ones that are left."""
 
-    ``sample`` gives them on other panels, ``build`` makes panels with further edges.
+    panels: Panels
+    fresh: Flags
+    kept: Flags
+
+    @property
+    def theta(self) -> Real:
+        """Points (m,) of the fresh panels."""
+        return self.panels.x[self.fresh].ravel()
+
+    def merged(self, old: Any, new: Any) -> Any:
+        """Values (..., n) at the points of all panels, from those at the old ones and at the fresh ones."""
+        points = np.repeat(self.fresh, self.panels.order)
+        result = np.empty((*old.shape[:-1], len(points)), old.dtype)
+        result[..., points] = new
+        result[..., ~points] = old[..., np.repeat(self.kept, self.panels.order)]
+        return result
+
+
+def cut(panels: Panels, places: list[float]) -> Cut:
+    """The panels with an edge at every place, but for places at an edge."""
+    edges, inside = panels.edges, np.zeros(panels.count, dtype=np.intp)
+    least = NARROWEST * (edges[-1] - edges[0])
+    further: list[float] = []
+    for place in sorted(places):
+        k = int(np.searchsorted(panels.edges, place)) - 1
+        before = max(edges[k], further[-1]) if further else edges[k]
+        if place - before > least and edges[k + 1] - place > least:
+            further.append(place)
+            inside[k] += 1
+    finer = Panels(np.sort(np.append(edges, further)), panels.order)
+    return Cut(finer, np.repeat(inside > 0, inside + 1), inside == 0)
+
+
+def kinks(on: Panels, values: Real, where: Flags | bool = True) -> list[float]:
+    """Places of the kinks in the panels of ``where`` (K,), by default in all.
+
+    ``values`` (F, n) are the forces on faces at the points of the panels.
     """
-    rough = _rough(first, values)
-    if not rough:
+    if not len(values):
         return []
-    finer = build(kink.theta for kink in rough)
-    values = sample(finer).reshape(len(values), *finer.x.shape)
-    return [_settled(finer, values[kink.force], kink.theta) for kink in rough]
+    inside = values.reshape(-1, *on.x.shape)
+    low, high = on.ends(inside)
+    v = np.concatenate((low[..., None], inside, high[..., None]), axis=-1)
+    loud = (
+        np.maximum(np.abs(v[..., :-1]), np.abs(v[..., 1:])) > NOISE * np.max(np.abs(inside), axis=(1, 2))[:, None, None]
+    )
+    crosses = (np.signbit(v[..., :-1]) != np.signbit(v[..., 1:])) & loud
+    found = np.argwhere(crosses & np.reshape(where, (-1, 1)))
+    places = ((row, _zero(on.x[row], inside[force, row], int(cell))) for force, row, cell in found)
+    return [at for row, at in places if on.edges[row] < at < on.edges[row + 1]]
 
 
-def _rough(on: Panels, values: Real) -> list[Kink]:
-    """Sign changes within a panel, interpolated."""
-    found: list[Kink] = []
-    x = np.concatenate((on.edges[:-1, None], on.x, on.edges[1:, None]), axis=1)
-    for k, force in enumerate(values):
-        inside = force.reshape(on.x.shape)
-        low, high = on.ends(inside)
-        v = np.concatenate((low[:, None], inside, high[:, None]), axis=1)
-        a, b = v[:, :-1], v[:, 1:]
-        loud = np.maximum(np.abs(a), np.abs(b)) > NOISE * np.max(np.abs(inside))
-        rows, cells = np.nonzero((np.signbit(a) != np.signbit(b)) & loud)
-        for row, cell in zip(rows, cells, strict=True):
-            at, step = x[row, cell], x[row, cell + 1] - x[row, cell]
-            found.append(Kink(k, float(at + step * a[row, cell] / (a[row, cell] - b[row, cell]))))
-    return found
-
-
-def _settled(on: Panels, force: Real, theta: float) -> float:
-    """The zero near the edge at theta, by the polynomial of the panel beside it that keeps its sign."""
-    m = int(np.argmin(np.abs(on.edges[1:-1] - theta))) + 1
-    for k, end in ((m - 1, 1), (m, 0)):
-        inside = force[k]
-        if np.all(np.signbit(inside) == np.signbit(inside[0])):
-            r, width = rule(on.order), on.width[k]
-            slopes = inside @ r.slope.T / width
-            bends = slopes @ r.slope.T / width
-            v, first, second = (float(r.ends[end] @ row) for row in (inside, slopes, bends))
-            move = -v / (first - second * v / first / 2) if first else 0.0
-            if abs(move) < width / 2:
-                return float(on.edges[m]) + move
-    return theta
+def _zero(x: Real, force: Real, before: int) -> float:
+    """The zero of a force (N,) between its points ``before`` - 1 and ``before``, from the longer side of it."""
+    late = before > len(x) // 2
+    side = slice(before - SIDE, before) if late else slice(before, before + SIDE)
+    near = before - 1 if late else before
+    unit = float(x[-1] - x[0])
+    fit = np.linalg.solve(np.vander((x[side] - x[near]) / unit), force[side]).tolist()
+    at = 0.0
+    for _ in range(NEWTON):
+        value = slope = 0.0
+        for c in fit:
+            slope = slope * at + value
+            value = value * at + c
+        at -= value / (slope or 1.0)
+    place = float(x[near]) + at * unit
+    return float(np.clip(place, x[before - 1], x[before])) if 0 < before < len(x) else place

@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.linkage.forces.friction import Solution, joined
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
-from tmmcalc.linkage.forces.kinks import faces
+from tmmcalc.linkage.forces.kinks import Cut, faces
 from tmmcalc.linkage.forces.verification import residuals, virtual_drive
 from tmmcalc.linkage.forces.wrench import Slideway
 from tmmcalc.linkage.loads.sources import Place
@@ -34,14 +34,22 @@ class Stack(NamedTuple):
         parts: list[Any] = [None if part is None else part[..., which] for part in self]
         return Stack(*parts)
 
+    def with_cut(self, cut: Cut, fresh: Stack) -> Stack:
+        """The same on panels with further edges, with the values on the fresh ones."""
+        parts: list[Any] = [None if old is None else cut.merged(old, new) for old, new in zip(self, fresh, strict=True)]
+        return Stack(*parts)
 
-def stacked(statics: Statics, theta: Real, side: Real) -> tuple[Stack, dict[str, Solution]]:
-    """Reactions at theta (n,), each from its side; and how the friction of each group came out."""
+
+def stacked(statics: Statics, theta: Real, side: Real, *, checked: bool = True) -> tuple[Stack, dict[str, Solution]]:
+    """Reactions at theta (n,), each from its side; and how the friction of each group came out.
+
+    Unless ``checked`` the residuals are left at zero.
+    """
     parts, locks = [], []
     for at in range(0, len(theta), BLOCK):
         place = statics.scene.place(theta[at : at + BLOCK])
         state = statics.solve(place, side[at : at + BLOCK])
-        parts.append(_stack(statics, state, place))
+        parts.append(_stack(statics, state, place, checked))
         locks.append(state.solutions)
     return _joined(parts), {name: joined([part[name] for part in locks]) for name in locks[0]}
 
@@ -55,7 +63,7 @@ def _joined(parts: list[Stack]) -> Stack:
     return Stack(*columns)
 
 
-def _stack(statics: Statics, state: State, place: Place) -> Stack:
+def _stack(statics: Statics, state: State, place: Place, checked: bool = True) -> Stack:
     n, joints = len(place.theta), statics.joints
     reaction = np.empty((len(joints), n), complex)
     normal, couple, friction = (np.empty((len(joints), n)) for _ in range(3))
@@ -66,7 +74,7 @@ def _stack(statics: Statics, state: State, place: Place) -> Stack:
             normal[j] = (np.conj(1j * found.seat.e) * reaction[j]).real
         else:
             normal[j] = np.abs(reaction[j])
-    balance = np.maximum(*residuals(statics, state, place))
+    balance = np.maximum(*residuals(statics, state, place)) if checked else np.zeros(n)
     return Stack(
         reaction,
         normal,
@@ -75,6 +83,6 @@ def _stack(statics: Statics, state: State, place: Place) -> Stack:
         state.drive,
         state.mesh,
         balance,
-        virtual_drive(statics, state, place),
+        virtual_drive(statics, state, place) if checked else state.drive,
         faces(statics, state, n),
     )

@@ -15,7 +15,7 @@ from tmmcalc.linkage.plane import Real, cross, square
 def residuals(statics: Statics, state: State, place: Place) -> tuple[Real, Real]:
     """Largest residual of force and moment of a link (n,), each against the largest of its kind."""
     chain, n = statics.scene.chain, len(place.theta)
-    total = dict(state.loads)
+    total = dict(state.given.loads)
     forces, moments = np.zeros(n), np.zeros(n)
     for joint in statics.joints:
         low, high = sorted(joint.links)
@@ -52,10 +52,8 @@ def virtual_drive(statics: Statics, state: State, place: Place) -> Real:
     """The drive (n,) from virtual power alone, without any reaction but the friction (textbook 3.31)."""
     configuration = place.configuration
     total = np.zeros(len(place.theta))
-    for source in statics.sources:
-        factor = source.factor(statics.scene.travel.speed)
-        for action in source.actions(place):
-            total += factor * action.power(configuration)
+    for action, factor in state.given.actions:
+        total += factor * action.power(configuration)
     for joint in statics.rubbing:
         total += state.reactions[joint.name].friction * sliding(joint, configuration)[0]
     return -total

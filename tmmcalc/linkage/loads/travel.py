@@ -35,7 +35,13 @@ class Travel(NamedTuple):
     turns: bool  # a crank, and not a driven slider
     whole: bool  # the crank turns fully and the motion repeats
     period: float  # of all loads together: whole turns; of an open range its length
-    labels: dict[str, float]  # theta of every position
+    names: tuple[str, ...]  # labels of the positions
+    along: Real  # and their theta
+
+    @property
+    def labels(self) -> dict[str, float]:
+        """theta of every position by its label."""
+        return dict(zip(self.names, self.along.tolist(), strict=True))
 
     @property
     def sense(self) -> float:
@@ -79,7 +85,7 @@ class Travel(NamedTuple):
 
     def rows(self, kinematics: Kinematics) -> tuple[Real, tuple[str, ...]]:
         """theta (n,) of the positions in every turn of the period, and their labels, which go on counting."""
-        along = (kinematics.phi - self.first) * self.sense
+        along = self.along
         turns = round(self.period / TURN) if self.whole else 1
         theta = np.concatenate([along if k == 0 else along[1:] + TURN * k for k in range(turns)])
         labels = kinematics.labels
@@ -110,7 +116,8 @@ def travel_of(chain: Chain, kinematics: Kinematics, loads: Sequence[Load]) -> Tr
         turns=chain.turns,
         whole=whole,
         period=TURN * math.lcm(*(turns_of(load) for load in loads)) if whole else float(np.max(along)),
-        labels=dict(zip(kinematics.labels, along.tolist(), strict=True)),
+        names=kinematics.labels,
+        along=along,
     )
 
 

@@ -95,11 +95,12 @@ def _indicated(chain: Chain, travel: Travel, dense: Survey, load: Load, law: Ind
 
 def _positions(law: Tabulated, travel: Travel, where: str) -> tuple[float, ...]:
     """theta of the numbered positions that a table names."""
-    missing = next((x for x in law.x if f"{x:g}" not in travel.labels), None)
+    labels = travel.labels
+    missing = next((x for x in law.x if f"{x:g}" not in labels), None)
     if missing is not None:
         raise NoSolutionError(
-            f"there is no position {missing:g}; the grid has {len(travel.labels)} positions",
+            f"there is no position {missing:g}; the grid has {len(labels)} positions",
             where=where,
             remedy="give one value a position, or a table of the angle",
         )
-    return tuple(travel.labels[f"{x:g}"] for x in law.x)
+    return tuple(labels[f"{x:g}"] for x in law.x)

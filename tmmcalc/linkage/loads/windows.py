@@ -75,14 +75,15 @@ def _between(travel: Travel, low: float, high: float, own: float) -> Inside:
 
 
 def _angles(positions: tuple[str, str], travel: Travel, where: str) -> tuple[float, float]:
-    unknown = next((label for label in positions if label not in travel.labels), None)
+    labels = travel.labels
+    unknown = next((label for label in positions if label not in labels), None)
     if unknown is not None:
         raise NoSolutionError(
-            f"there is no position {unknown!r}; the positions are 0 to {list(travel.labels)[-1]}",
+            f"there is no position {unknown!r}; the positions are 0 to {travel.names[-1]}",
             where=f"{where}, positions",
             remedy="name positions of the grid, or give angles: between = [...]",
         )
-    return travel.labels[positions[0]], travel.labels[positions[1]]
+    return labels[positions[0]], labels[positions[1]]
 
 
 def _within(theta: Real, low: float, high: float) -> Flags:

@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.linkage.forces.kinetostatics import State, Statics, compile_statics
-from tmmcalc.linkage.forces.kinks import faces
+from tmmcalc.linkage.forces.kinks import Cut, faces
 from tmmcalc.linkage.forces.locking import refuse_locked
 from tmmcalc.linkage.forces.verification import friction_power
 from tmmcalc.linkage.loads.scene import Scene
 from tmmcalc.linkage.loads.sources import Place, Source
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.reduction.inertia import reduced_inertia
+from tmmcalc.linkage.trace import BLOCK
 from tmmcalc.numerics.roots import Indices
 
 
@@ -33,6 +34,17 @@ class Sample(NamedTuple):
     def rows(self) -> Real:
         """The functions that are held on panels (3 + S, n)."""
         return np.vstack((self.inertia, self.slope, self.idle, self.moments))
+
+    def columns(self, which: slice) -> Sample:
+        """The same at some of the angles."""
+        inertia, slope, moments, idle, on_faces = (part[..., which] for part in self[:-1])
+        return Sample(inertia, slope, moments, idle, on_faces, self.stuck)
+
+    def with_cut(self, cut: Cut, fresh: Sample) -> Sample:
+        """The same on panels with further edges, with the values on the fresh ones."""
+        parts = (cut.merged(old, new) for old, new in zip(self[:-1], fresh[:-1], strict=True))
+        inertia, slope, moments, idle, on_faces = parts
+        return Sample(inertia, slope, moments, idle, on_faces, self.stuck or fresh.stuck)
 
 
 class Causes(NamedTuple):
@@ -53,8 +65,28 @@ class Causes(NamedTuple):
         """Whether there is a technological load."""
         return any(kind == "load" for _, kind, _ in self.names)
 
-    def at(self, place: Place, side: Real | float, named: Callable[[NDArray[np.intp]], list[str]]) -> Sample:
-        """Moments and inertia at a place; ``side`` as in the statics, ``named`` tells rows that lock themselves."""
+    def sampled(self, theta: Real, side: Real, named: Callable[[NDArray[np.intp]], list[str]]) -> Sample:
+        """Everything at theta (n,), each from its side, in blocks that stay in cache; ``named`` tells locked rows."""
+
+        def named_from(first: int) -> Callable[[NDArray[np.intp]], list[str]]:
+            return lambda rows: named(rows + first)
+
+        parts = [
+            self._at(self.scene.place(theta[at : at + BLOCK]), side[at : at + BLOCK], named_from(at))
+            for at in range(0, len(theta), BLOCK)
+        ]
+        if len(parts) == 1:
+            return parts[0]
+        inertia, slope, moments, idle, on_faces = (
+            np.concatenate(column, axis=-1) for column in zip(*(part[:-1] for part in parts), strict=True)
+        )
+        return Sample(inertia, slope, moments, idle, on_faces, any(part.stuck for part in parts))
+
+    def along(self, theta: Real) -> Sample:
+        """The same at theta (n,) between the positions."""
+        return self.sampled(theta, np.ones(len(theta)), lambda rows: self.scene.travel.named(theta[rows]))
+
+    def _at(self, place: Place, side: Real, named: Callable[[NDArray[np.intp]], list[str]]) -> Sample:
         sense, n = self.scene.travel.sense, len(place.theta)
         inertia, slope = reduced_inertia(self.scene.loading.bodies, place.configuration, n)
         moments = np.zeros((len(self.names), n))
@@ -73,10 +105,6 @@ class Causes(NamedTuple):
         stuck = any(solution.locked.any() for solution in state.solutions.values())
         idle, more = self._lost(state, place), faces(self.quiet, state, n)
         return Sample(inertia, slope * sense, moments, idle, np.concatenate((on_faces, more)), stuck)
-
-    def along(self, theta: Real) -> Sample:
-        """The same at theta (n,) between the positions."""
-        return self.at(self.scene.place(theta), 1.0, lambda rows: self.scene.travel.named(theta[rows]))
 
     def _lost(self, state: State, place: Place) -> Real:
         """Moment of friction along the motion (n,)."""

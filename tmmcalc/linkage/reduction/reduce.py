@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.forces.kinetostatics import reversals
-from tmmcalc.linkage.forces.kinks import kinked
+from tmmcalc.linkage.forces.kinks import cut, kinks
+from tmmcalc.linkage.forces.maxima import peaks
 from tmmcalc.linkage.loading import Load, Loading
 from tmmcalc.linkage.loads.scene import Scene, compile_scene
 from tmmcalc.linkage.model import Mechanism
@@ -28,8 +29,8 @@ from tmmcalc.linkage.results import Extreme, Grade, Kinematics
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.numerics.panels import Panels, panels, resolved
 
-TOLERANCE = 1e-13  # of the panels: last coefficients against the largest value
-PARTS = 12  # of a turn, or of the range: no first panel is wider
+TOLERANCE = 1e-11  # of the panels: last coefficients against the largest value
+PARTS = 24  # of a turn, or of the range: no first panel is wider
 NOTHING = 1e-9  # part of what a load moves to and fro below which its work has no sign
 
 
@@ -43,15 +44,14 @@ def solve_reduction(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
     taken = replace(loading, bodies=static) if rods == "lumped" else loading
     scene = compile_scene(mechanism, taken, kinematics)
     causes = causes_of(scene)
-    dense, values, tail, stuck = _resolved(causes)
-    cycle, parts, idle = _cycles(causes, dense, values, max(tail, kinematics.error.velocity))
     theta, labels = scene.travel.rows(kinematics)
-    place = scene.place(theta)
-    nodes = causes.at(place, scene.travel.sides(theta), lambda at: [f"position {labels[i]}" for i in at])
+    nodes, first, sample = _first(causes, theta, labels)
+    dense, values, tail, stuck = _resolved(causes, first, sample)
+    cycle, parts, idle = _cycles(causes, dense, values, max(tail, kinematics.error.velocity))
     moment = scene.travel.sense * nodes.moments * _powers(causes)[:, None]
     inertia_range, ranges = _ranges(scene, cycle, parts)
     works = dense.total(parts) if len(parts) else np.empty(0)
-    other = reduced_inertia(static, place.configuration, len(theta))[0] if links else None
+    other = reduced_inertia(static, scene.place(theta).configuration, len(theta))[0] if links else None
     return Reduction(
         labels=labels,
         phi=scene.travel.phi(theta),
@@ -90,22 +90,27 @@ def _role(loads: tuple[Load, ...], name: str) -> Any:
     return next(load.role for load in loads if load.name == name)
 
 
-def _resolved(causes: Causes) -> tuple[Panels, Real, float, bool]:
+def _first(causes: Causes, theta: Real, labels: tuple[str, ...]) -> tuple[Sample, Panels, Sample]:
+    """Everything at the positions and on the first panels, in one run."""
+    scene, n = causes.scene, len(theta)
+    on = _panels(scene, scene.edges(reversals(causes.statics)))
+    between = on.x.ravel()
+
+    def named(rows: NDArray[np.intp]) -> list[str]:
+        at_rows, beyond = rows[rows < n], rows[rows >= n] - n
+        return [f"position {labels[i]}" for i in at_rows] or scene.travel.named(between[beyond])
+
+    side = np.concatenate((scene.travel.sides(theta), np.ones(len(between))))
+    everything = causes.sampled(np.concatenate((theta, between)), side, named)
+    return everything.columns(slice(n)), on, everything.columns(slice(n, None))
+
+
+def _resolved(causes: Causes, on: Panels, sample: Sample) -> tuple[Panels, Real, float, bool]:
     """Panels that resolve J, dJ and all moments, their values (3 + S, K, N), the largest tail; whether idle sticks."""
-    scene = causes.scene
-    edges = scene.edges(reversals(causes.statics))
-    first = _panels(scene, edges)
-    samples = [causes.along(first.x.ravel())]
-    places = kinked(
-        first,
-        samples[0].faces,
-        lambda on: causes.along(on.x.ravel()).faces,
-        lambda further: _panels(scene, [*edges, *further]),
-    )
-    if places:
-        first = _panels(scene, [*edges, *places])
-        samples = [causes.along(first.x.ravel())]
-    waiting = samples[:]  # the first panels are sampled already
+    finer = cut(on, kinks(on, sample.faces))
+    if finer.fresh.any():
+        on, sample = finer.panels, sample.with_cut(finer, causes.along(finer.theta))
+    samples, waiting = [sample], [sample]  # the first panels are sampled already
 
     def rows(theta: Real) -> Real:
         if waiting:
@@ -113,7 +118,7 @@ def _resolved(causes: Causes) -> tuple[Panels, Real, float, bool]:
         samples.append(causes.along(theta))
         return samples[-1].rows
 
-    return *resolved(rows, first, TOLERANCE, _scales(samples[0])), any(sample.stuck for sample in samples)
+    return *resolved(rows, on, TOLERANCE, _scales(sample)), any(sample.stuck for sample in samples)
 
 
 def _panels(scene: Scene, edges: Iterable[float]) -> Panels:
@@ -151,7 +156,7 @@ def _cycles(causes: Causes, dense: Panels, values: Real, error: float) -> tuple[
 def _ranges(scene: Scene, cycle: Cycle, parts: Real) -> tuple[tuple[Extreme, Extreme], list[tuple[Extreme, Extreme]]]:
     """Least and largest of the inertia, and of every algebraic moment."""
     rows = np.concatenate((cycle.inertia[None], scene.travel.sense * parts))
-    found, at = cycle.panels.largest(np.concatenate((-rows, rows)))
+    found, at = peaks(cycle.panels, np.concatenate((-rows, rows)))
     low, high = np.split(np.arange(2 * len(rows)), 2)
     pairs = [
         (Extreme(-float(found[a]), float(at[a])), Extreme(float(found[b]), float(at[b])))

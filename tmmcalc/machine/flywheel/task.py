@@ -24,6 +24,9 @@ from tmmcalc.machine.verdicts import Verdict
 from tmmcalc.records import record
 
 
+THICK = 0.4  # thickness over mean diameter above which a rim is hardly one
+
+
 @record
 class Flywheel:
     """Result of the flywheel stage; inertias are reduced to the input shaft [kg*m^2] unless said otherwise."""
@@ -126,6 +129,9 @@ def _rim(task: FlywheelTask, own: float, fast: float) -> tuple[Rim | None, list[
             rim = rim_of_proportions(own, fast, material)
     except NoSolutionError as fault:
         return None, [Verdict("warning", f"no such rim: {fault.message}; {fault.remedy}")]
+    if rim.thickness > THICK * rim.diameter:
+        text = f"the rim is {rim.thickness / rim.diameter:.2g} of its mean diameter thick, more disk than rim"
+        return rim, [Verdict("warning", f"{text}: a larger diameter, a wider rim or a faster shaft")]
     if rim.allowed:
         return rim, []
     text = f"the rim runs at {rim.speed:.4g} m/s, above {material.rim_speed:.4g} m/s, the limit for {material.name}"
@@ -134,7 +140,7 @@ def _rim(task: FlywheelTask, own: float, fast: float) -> tuple[Rim | None, list[
 
 def _verdicts(addition: float, existing: float, required: RequiredInertia | None) -> list[Verdict]:
     said = [Verdict("note", remark) for remark in required.remarks] if required is not None else []
-    if addition <= 0:
+    if addition <= 0 and required is None:
         said.append(Verdict("note", "no flywheel is needed: the inertia at hand keeps the speed even enough"))
     elif existing and existing < addition * (1 - 1e-12):
         text = (

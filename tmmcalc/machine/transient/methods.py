@@ -49,7 +49,7 @@ class Method:
     name: MethodName = "auto"
     step: float | None = None
     tolerance: float | None = None  # None: that of the method
-    budget: int = 200_000  # evaluations of the equations after which the run is given up
+    budget: int = 1_000_000  # evaluations of the equations after which the run is given up
 
     def __post_init__(self) -> None:
         """Refuse what is not a method."""

@@ -138,8 +138,9 @@ class Run:
             return None
         self._row(regime, None)
         end: End = "stall" if regime.motor else "standstill"
-        reason = "the motor cannot move the crank" if regime.motor else "nothing moves the crank any more"
-        self.note(end, reason, self.t, self.y)
+        if not (self.events and self.events[-1].kind == end):
+            reason = "the motor cannot move the crank" if regime.motor else "nothing moves the crank"
+            self.note(end, reason, self.t, self.y)
         return end
 
     def _piece(self, regime: Regime) -> End | None:

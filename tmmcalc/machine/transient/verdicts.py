@@ -30,7 +30,7 @@ def verdicts(
     for kind in ("overload", "pull-out"):
         first = next((event for event in events if event.kind == kind), None)
         if first:
-            found.append(_slow(first, curves))
+            found.append(_slow(first, scenario, curves))
     if imbalance > UNBALANCED:
         text = f"energy and work differ by {imbalance:.2g} of the energy turned over"
         found.append(Verdict("warning", f"{text}: take smaller steps, or step control"))
@@ -74,11 +74,12 @@ def _stall(scenario: Scenario, system: System, curves: Curves) -> Verdict:
     )
 
 
-def _slow(event: Event, curves: Curves) -> Verdict:
-    after = curves.t >= event.time
-    least = float(np.min(curves.omega[0, after]))
+def _slow(event: Event, scenario: Scenario, curves: Curves) -> Verdict:
+    driven = [event.time <= t and scenario.motor_on(t) for t in curves.t.tolist()]
+    speeds = curves.omega[0, driven]
+    lowest = f"; its lowest speed afterwards is {float(np.min(speeds)):.6g} rad/s" if len(speeds) else ""
     return Verdict(
         "warning" if event.kind == "pull-out" else "note",
         f"{event.kind} at t = {event.time:.5g} s, crank angle {math.degrees(event.angle) % 360:.4g} deg: "
-        f"{event.message}; its lowest speed afterwards is {least:.6g} rad/s",
+        f"{event.message}{lowest}",
     )

@@ -29,7 +29,7 @@ LEFT, RIGHT = 0.16, 0.1  # of the largest inertia, beside the axis and the curve
 def draw_energy_mass(axes: Axes, picture: EnergyMass) -> None:
     """Curve, tangents and the axis of energies."""
     factor, unit = scale(picture)
-    widest = float(np.max(picture.links))
+    widest = float(np.max(picture.links)) or abs(picture.inertia) or 1.0
     x = np.array([-LEFT * widest, (1 + RIGHT) * widest])
     for slope, intercept, style in zip(picture.slopes, picture.intercepts, (FAST, SLOW), strict=True):
         axes.plot(x, (intercept + slope * x) * factor, **style)

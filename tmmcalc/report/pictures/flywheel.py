@@ -41,6 +41,7 @@ CORRECTED: dict[str, Any] = {
     "zorder": 7,
 }
 METHODS: dict[str, Any] = {"color": "#cc79a7", "linestyle": "", "marker": "x", "markersize": 5, "zorder": 7}
+HEADROOM = 1.12
 BAR = "#a9cbe2"
 
 
@@ -131,9 +132,10 @@ def _draw_search(axes: Axes, result: Flywheel, required: RequiredInertia) -> Non
     methods = [Trial(row.positional.inertia, row.delta) for row in result.rows if row.positional.addition > 0]
     together = sorted((*required.trials, *result.history, *methods), key=lambda trial: trial.inertia)
     axes.plot(*_points(together), color="#0072b2", linewidth=0.9, zorder=4)
+    corrected = result.history if len(result.history) > 1 else ()
     drawn = [
         ("motions computed", required.trials, TRIED),
-        ("correction (3.60)", result.history, CORRECTED),
+        ("correction (3.60)", corrected, CORRECTED),
         ("methods above", methods, METHODS),
     ]
     handles = []
@@ -149,7 +151,7 @@ def _draw_search(axes: Axes, result: Flywheel, required: RequiredInertia) -> Non
         axes.axvline(result.at_hand.total + result.existing, **AT_HAND)
         handles.append(Line2D([], [], label="with the one there", **AT_HAND))
     axes.set_xlim(left=0.0)
-    axes.set_ylim(bottom=0.0)
+    axes.set_ylim(0.0, HEADROOM * max(result.delta, *_points(together)[1]))
     axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(7))

@@ -107,12 +107,16 @@ def _number(board: Board, result: Forces, j: int, turning: bool, course: Course,
 
 
 def _axes(axes: Axes, peak: float, turning: bool) -> None:
-    factor, unit = suited(peak, "N")
-    names = ("R_\\parallel", "R_\\perp") if turning else ("R_x", "R_y")
+    name_axes(axes, ("R_\\parallel", "R_\\perp") if turning else ("R_x", "R_y"), peak, "N")
+
+
+def name_axes(axes: Axes, names: tuple[str, str], peak: float, unit: str) -> None:
+    """Names, grid and ticks of a hodograph of values as large as ``peak``, which is drawn in SI."""
+    factor, shown = suited(peak, unit)
     for axis, name in zip((axes.xaxis, axes.yaxis), names, strict=True):
         axis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
         axis.set_major_formatter(FuncFormatter(lambda v, _: signed(round(v * factor, 9), 6)))
-        axis.set_label_text(f"${name}$, {unit}")
+        axis.set_label_text(f"${name}$, {shown}")
     axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
     axes.tick_params(length=2.5)
 

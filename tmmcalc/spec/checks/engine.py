@@ -12,6 +12,7 @@ from .values import amount, check_bare_speed
 
 _OF_ARRANGEMENT = ("arrangement", "angle", "spacing", "throws", "split", "stagger")
 _OF_VEE = ("angle", "split", "stagger")
+_MOST = 100  # cylinders; more is a fault of its own
 _NEEDED = {
     "crank_radius": ("a crank", '"40 mm"'),
     "rod_length": ("a connecting rod", '"140 mm"'),
@@ -81,7 +82,7 @@ def check_firing(outline: Outline) -> Iterator[Finding]:
     engine = subtable(outline.document, "engine")
     order, cylinders = engine.get("firing_order"), engine.get("cylinders")
     count = len(cylinders) if isinstance(cylinders, list) else cylinders
-    if not isinstance(order, list) or not all(map(is_integer, order)) or not is_integer(count):
+    if not isinstance(order, list) or not all(map(is_integer, order)) or not is_integer(count) or count > _MOST:
         return
     if sorted(order) != list(range(1, count + 1)):
         rule = f"{show(order)} does not name every cylinder from 1 to {count} once"

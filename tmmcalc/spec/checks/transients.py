@@ -99,7 +99,7 @@ def check_brake(outline: Outline) -> Iterator[Finding]:
         times = amounts([brake.get("from", 0), brake.get("to")], "time")
         if times is not None and not times[0] < times[1]:
             yield Finding(
-                (*at, "to"), f"{show(brake['to'])} is not after the time from which it acts", "write it later"
+                (*at, "to"), f"{show(brake['to'])} is not after the time from which it acts", "write a later time"
             )
         mass = brake.get("mass")
         if is_integer(mass) and mass > last:

@@ -1,0 +1,182 @@
+"""Ready specs through all stages: one number each that is known from elsewhere, and what a scene leaves out."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import tmmcalc
+from tmmcalc.pipeline.plan import plan
+from tmmcalc.pipeline.runner import run
+from tmmcalc.pipeline.stage import resolve
+from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.spec import templates
+
+CONFIGS = Path(templates.folder())
+CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases" / "dynamics.json").read_text())}
+PROJECTS = ["shaper", "press", "four-stroke-engine", "piston-compressor", "piston-pump", "elastic-drive"]
+
+
+@pytest.fixture(scope="module")
+def done() -> dict[str, object]:
+    return {name: run(tmmcalc.load_spec(CONFIGS / f"{name}.toml")) for name in PROJECTS}
+
+
+@pytest.mark.parametrize("name", templates.names())
+def test_every_ready_spec_runs(name: str) -> None:
+    result = run(tmmcalc.load_spec(CONFIGS / f"{name}.toml"))
+    assert "kinematics" in result.outcomes or "reduction" in result.outcomes or "balance" in result.outcomes
+
+
+@pytest.mark.parametrize("name", PROJECTS)
+def test_all_numbers_are_finite(done: dict, name: str) -> None:
+    for stage in done[name].outcomes:
+        for key, array in done[name].record(stage).arrays.items():
+            assert array.dtype.kind in "US" or np.isfinite(array).all(), f"{stage}.{key}"
+        table = done[name].table(stage)
+        for column in table.columns if table is not None else ():
+            assert column.dtype.kind in "US" or np.isfinite(column).all()
+
+
+def test_shaper_work_of_the_cutting_force(done: dict) -> None:
+    """The textbook's appendix: 7500 N over positions 2 to 12."""
+    reduction = done["shaper"].results["reduction"]
+    (cutting,) = (c for c in reduction.contributions if c.name == "Q5")
+    assert cutting.work == pytest.approx(CASES["dyn-shaper-reduced"]["expected"]["A_Q_exact_J"], rel=1e-4)
+    expected = CASES["dyn-shaper-reduced"]["expected"]["M_Q_Nm"]
+    assert reduction.moment[1] == pytest.approx(np.array(expected), abs=0.02)
+
+
+def test_shaper_motor_by_its_parabola(done: dict) -> None:
+    expected = CASES["dyn-shaper-motion-idle"]["expected"]
+    textbook = done["shaper"].results["motion"].textbook
+    assert textbook.a == pytest.approx(expected["A"], rel=1e-6)
+    assert textbook.b == pytest.approx(expected["B"], rel=1e-6)
+
+
+def test_press_forces_and_efficiency(done: dict) -> None:
+    expected = CASES["dyn-press-friction"]["expected"]
+    forces = done["press"].results["forces"]
+    rows = [forces.labels.index(str(i)) for i in range(13)]
+    assert forces.drive[rows][:9] == pytest.approx(np.array(expected["M_bal"][:9]), rel=1e-5)
+    power = done["press"].results["power"]
+    assert power.efficiency == pytest.approx(CASES["dyn-press-reduced"]["expected"]["eta_fine"], abs=1e-4)
+
+
+def test_flywheel_keeps_what_it_was_made_for(done: dict) -> None:
+    for name in ("press", "four-stroke-engine", "piston-compressor", "piston-pump"):
+        flywheel, motion = (done[name].results[stage] for stage in ("flywheel", "motion"))
+        assert motion.regime.delta == pytest.approx(flywheel.delta, rel=1e-7)
+
+
+def test_four_stroke_work_is_the_area_of_the_indicator_diagram(done: dict) -> None:
+    """The work of the gas is the integral of p dV, taken here from the tables of the spec alone."""
+    spec = tmmcalc.load_spec(CONFIGS / "four-stroke-engine.toml")
+    indicator = spec.loads[0].indicator
+    stroke, area = 2 * 0.055, math.pi / 4 * 0.095**2
+    work = sum(float(np.trapezoid(np.array(s.p), np.array(s.x))) for s in indicator.strokes) * stroke * area
+    contributions = done["four-stroke-engine"].results["reduction"].contributions
+    (gas,) = (c.work for c in contributions if c.name == "gas")
+    assert gas == pytest.approx(work, rel=1e-12)
+    assert done["four-stroke-engine"].results["reduction"].cycle.period == pytest.approx(4 * math.pi)
+
+
+def test_pump_work_is_force_times_stroke(done: dict) -> None:
+    work = {c.name: c.work for c in done["piston-pump"].results["reduction"].contributions}
+    assert work["delivery"] == pytest.approx(-8000 * 0.15, rel=1e-12)
+    assert work["suction"] == pytest.approx(-600 * 0.15, rel=1e-12)
+
+
+def test_elastic_drive_starts_and_stops(done: dict) -> None:
+    motions = done["elastic-drive"].results["transient"].motions
+    ends = {motion.name: motion.end for motion in motions}
+    assert ends["start-up"] == "time"
+    assert ends["emergency stop"] == "standstill"
+    assert max(motion.imbalance for motion in motions) < 1e-6
+
+
+def test_torque_diagram_without_a_mechanism() -> None:
+    """Excess M sin(theta): J_F = 2 M / (delta omega^2)."""
+    case = CASES["dyn-flywheel-sine"]
+    text = '[torque]\nspeed = "20 rad/s"\nformula = "100*sin(theta)"\n[flywheel]\ndelta = 0.02\n'
+    result = run(tmmcalc.parse_spec(text))
+    assert result.results["flywheel"].addition == pytest.approx(case["expected"]["J_F"], rel=1e-12)
+    assert "kinematics" not in result.outcomes
+
+
+@pytest.mark.parametrize("name", PROJECTS)
+def test_stored_and_computed_results_are_the_same(name: str, tmp_path: Path) -> None:
+    spec = tmmcalc.load_spec(CONFIGS / f"{name}.toml")
+    first = run(spec, out=tmp_path)
+    second = run(spec, out=tmp_path)
+    assert {event.kind for event in second.events} <= {"loaded", "left out"}
+    for stage in first.outcomes:
+        one, other = first.record(stage), second.record(stage)
+        assert one.scalars == other.scalars
+        assert all(np.array_equal(one.arrays[key], other.arrays[key]) for key in one.arrays)
+
+
+def test_change_of_a_load_leaves_kinematics_and_balance_alone(tmp_path: Path) -> None:
+    file = CONFIGS / "press.toml"
+    run(tmmcalc.load_spec(file), out=tmp_path)
+    changed = tmmcalc.load_spec(file, ["loads[name=Q3].factor=0.5"])
+    kinds = {event.stage: event.kind for event in run(changed, out=tmp_path).events}
+    assert kinds["kinematics"] == kinds["balance"] == "loaded"
+    assert kinds["forces"] == kinds["reduction"] == kinds["flywheel"] == "computed"
+
+
+def test_plan_says_why_stages_are_left_out() -> None:
+    reasons = {step.stage: step.reason for step in plan(tmmcalc.load_spec(CONFIGS / "crank-slider.toml")).steps}
+    assert "no loads, masses or springs" in reasons["forces"]
+    assert "[flywheel]" in reasons["flywheel"]
+    assert "[[transients]]" in reasons["transient"]
+
+
+LEAVE_OUT = """
+import sys, tmmcalc
+from tmmcalc.pipeline.runner import run
+spec = tmmcalc.load_spec({file!r}, {overrides!r})
+run(spec, target={target!r})
+print(" ".join(sorted(name for name in sys.modules if name.startswith(("tmmcalc.", "scipy")))))
+"""
+
+
+def imported(file: str, target: str | None, overrides: tuple[str, ...] = ()) -> set[str]:
+    code = LEAVE_OUT.format(file=str(CONFIGS / file), target=target, overrides=overrides)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return set(done.stdout.split())
+
+
+def test_kinematics_imports_no_forces_and_no_machine() -> None:
+    names = imported("shaper.toml", "kinematics")
+    assert not any(
+        name.startswith(("tmmcalc.linkage.forces", "tmmcalc.linkage.loads", "tmmcalc.machine")) for name in names
+    )
+
+
+def test_forces_import_no_machine() -> None:
+    names = imported("shaper.toml", "forces")
+    assert not any(name.startswith(("tmmcalc.machine.", "tmmcalc.linkage.balance")) for name in names)
+
+
+def test_the_ordinary_project_runs_without_scipy() -> None:
+    assert not any(name.startswith("scipy") for name in imported("shaper.toml", None))
+
+
+def test_a_scene_without_a_motor_imports_no_catalogue_search_and_no_transients() -> None:
+    names = imported("press.toml", None)
+    assert "tmmcalc.machine.motors.choice" not in names
+    assert not any(name.startswith("tmmcalc.machine.transient.simulate") for name in names)
+
+
+def test_every_stage_resolves() -> None:
+    for stage in STAGES.values():
+        for reference in (stage.inputs, stage.solve, stage.dump, stage.load, stage.table, stage.wanted):
+            if reference:
+                assert callable(resolve(reference))

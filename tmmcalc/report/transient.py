@@ -1,0 +1,335 @@
+"""The documents of the transient stage: of every motion how it ended, its events, moments, energy, and its course.
+
+Angles and speeds are those of the crank, moments of the motor and of the shafts those on their own shafts. Between the
+rows of the table, which are the steps of the method, nothing is interpolated.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from tmmcalc.columns import Column, select
+from tmmcalc.machine.transient.columns import timed_columns
+from tmmcalc.machine.transient.results import End, Event
+from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
+from tmmcalc.numerics.panels import Values
+from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.numbers import number
+from tmmcalc.report.places import choose
+
+TURN = 2 * math.pi
+SHOWN = 24  # equal steps of time, at whose rows a motion is shown
+NOTHING = 1e-9  # of the largest moment or energy: less is none
+ENDS: dict[End, str] = {
+    "time": "its time is up",
+    "speed": "it has reached the speed asked for",
+    "angle": "it has turned by the angle asked for",
+    "standstill": "it stands still, and nothing moves it any more",
+    "stall": "the motor stalls",
+}
+
+
+def transient_summary(result: TimedMotions, title: str) -> Document:
+    """Facts, notes and events of every motion; of several motions each is a part."""
+    parts = tuple(_motion_document(motion) for motion in result.motions)
+    return replace(parts[0], title=title) if len(parts) == 1 else Document(title, parts=parts)
+
+
+def transient_document(
+    result: TimedMotions,
+    title: str,
+    *,
+    patterns: Sequence[str] = (),
+    everything: bool = False,
+    where: str = "",
+) -> Document:
+    """The summary, and of every motion a short table of its course.
+
+    ``patterns`` choose columns by name, header or wildcard. ``everything`` (for csv, json, toml) gives all rows of all
+    motions in one table instead, with the motion as its first column. ``where`` is the file that has them all.
+    """
+    if everything:
+        return replace(transient_summary(result, title), table=_whole_table(result, patterns))
+    parts = tuple(
+        replace(_motion_document(motion), parts=(_course(motion, patterns, where),)) for motion in result.motions
+    )
+    return replace(parts[0], title=title) if len(parts) == 1 else Document(title, parts=parts)
+
+
+def _motion_document(motion: TimedMotion) -> Document:
+    """Facts, verdicts and the table of events of one motion."""
+    facts = (
+        _method_fact(motion),
+        _end_fact(motion),
+        *_target_facts(motion),
+        _speed_fact(motion),
+        *_swing_facts(motion),
+        *_motor_facts(motion),
+        *(_shaft_fact(motion, k) for k in range(len(motion.masses) - 1)),
+        *_energy_facts(motion),
+        Fact("error in time (est.)", f"{motion.error:.0e} (relative)", {"error": {"speed": motion.error}}),
+        *_event_facts(motion.events),
+    )
+    return Document(motion.name, facts, tuple(map(str, motion.verdicts)), _events_view(motion.events))
+
+
+def _method_fact(motion: TimedMotion) -> Fact:
+    """The method that ran, why, and what it took."""
+    count = motion.counters
+    text = f"{motion.method}: {motion.reason}"
+    text += f"\n{count['steps']} steps, {count['rejected']} rejected, {count['evaluations']} evaluations"
+    return Fact("integrated by", text, {"method": motion.method, "method_reason": motion.reason, "counters": count})
+
+
+def _turned(motion: TimedMotion) -> float:
+    """Angle that the crank has turned by [rad]."""
+    return float(motion.theta[-1, -1] - motion.theta[-1, 0])
+
+
+def _end_fact(motion: TimedMotion) -> Fact:
+    """What ended the motion, when, where, and how fast the crank still was."""
+    time, speed, turns = float(motion.t[-1]), float(motion.omega[-1, -1]), _turned(motion) / TURN
+    lines = (
+        f"at t = {number(time)} s: {ENDS[motion.end]}",
+        f"after {number(turns, 5)} turns, at {_rpm(speed)}",
+        f"crank at {number(_within(float(motion.theta[-1, -1])), 5)} deg",
+    )
+    values = {
+        "end": motion.end,
+        "end_time[s]": time,
+        "end_angle[deg]": math.degrees(float(motion.theta[-1, -1])),
+        "end_omega[rad/s]": speed,
+        "turns": turns,
+    }
+    return Fact("ends", "\n".join(lines), values)
+
+
+def _within(radians: float) -> float:
+    """An angle within the turn [deg]; what rounding leaves below a whole turn is none."""
+    degrees = math.degrees(radians) % 360.0
+    return degrees if degrees < 360.0 * (1 - NOTHING) else 0.0
+
+
+def _rpm(speed: float) -> str:
+    return f"{number(speed, 6)} rad/s ({number(speed * 30 / math.pi, 5)} rpm)" if speed else "0 rad/s"
+
+
+def _target_facts(motion: TimedMotion) -> list[Fact]:
+    """How long the speeds that were asked for took."""
+    found = sorted((event.speed, event) for event in motion.events if event.kind == "target")
+    if not found:
+        return []
+    began = float(motion.theta[-1, 0])
+    lines = [
+        f"{_rpm(speed)} after {number(event.time)} s, {number((event.angle - began) / TURN, 4)} turns"
+        for speed, event in found
+    ]
+    reached = [
+        {"omega[rad/s]": speed, "t[s]": event.time, "turns": (event.angle - began) / TURN} for speed, event in found
+    ]
+    return [Fact("reaches", "\n".join(lines), {"reached": reached})]
+
+
+def _speed_fact(motion: TimedMotion) -> Fact:
+    """Speed of the crank at the beginning, and its largest one."""
+    first = float(motion.omega[-1, 0])
+    speeds = np.concatenate((motion.omega[-1], motion.turning[2]))
+    times = np.concatenate((motion.t, motion.turning[0]))
+    k = int(np.argmax(speeds))
+    largest, at = float(speeds[k]), float(times[k])
+    text = f"at first {_rpm(first)}"
+    if at > motion.t[0]:
+        text += f"\nlargest {_rpm(largest)} at t = {number(at, 5)} s"
+    values = {"omega_begin[rad/s]": first, "omega_largest[rad/s]": largest, "omega_largest_at_t[s]": at}
+    return Fact("speed of the crank", text, values)
+
+
+def _swing_facts(motion: TimedMotion) -> list[Fact]:
+    """The last two local extremes of the speed under the motor, and their unevenness."""
+    if motion.turning.shape[1] < 2 or not motion.motor_moment[-1]:
+        return []
+    (early, late), (one, other) = motion.turning[0, -2:].tolist(), motion.turning[2, -2:].tolist()
+    low, high = min(one, other), max(one, other)
+    delta = 2 * (high - low) / (high + low) if low > 0 else None
+    text = f"{number(low)} to {number(high)} rad/s, t = {number(early, 5)} to {number(late, 5)} s"
+    values: dict[str, Any] = {"swing_low[rad/s]": low, "swing_high[rad/s]": high}
+    if delta is not None:
+        text += f"\ndelta = {number(delta, 4)} of these two"
+        values["swing_delta"] = delta
+    return [Fact("last swing of speed", text, values)]
+
+
+def mean_of(t: Values, values: Values) -> float:
+    """Mean over the time by the trapezoid rule; of a motion that has not begun its value."""
+    time = float(t[-1] - t[0])
+    return float(((values[1:] + values[:-1]) / 2 * np.diff(t)).sum() / time) if time else float(values[0])
+
+
+def _largest(t: Values, values: Values) -> tuple[float, float]:
+    """The value of the largest size and its time."""
+    k = int(np.argmax(np.abs(values)))
+    return float(values[k]), float(t[k])
+
+
+def _motor_facts(motion: TimedMotion) -> list[Fact]:
+    """The motor's largest moment, and the root mean square that its heating goes with."""
+    moment = motion.motor_moment
+    largest, at = _largest(motion.t, moment)
+    if not largest:
+        return []
+    rms = math.sqrt(mean_of(motion.t, moment**2))
+    text = f"largest {number(largest)} N*m at t = {number(at, 5)} s"
+    text += f"\nrms over the time {number(rms, 4)} N*m, whose square heats it"
+    values = {"M_motor_largest[N*m]": largest, "M_motor_largest_at_t[s]": at, "M_motor_rms[N*m]": rms}
+    return [Fact("moment of the motor", text, values)]
+
+
+def _shaft_fact(motion: TimedMotion, k: int) -> Fact:
+    """The largest moment of a shaft, and how many times its mean that is."""
+    name, moment = f"M_{k + 1}_{k + 2}", motion.shaft_moment[k]
+    largest, at = _largest(motion.t, moment)
+    mean = mean_of(motion.t, moment)
+    text = f"{motion.masses[k]} to {motion.masses[k + 1]}"
+    if k in motion.rigid:
+        text += ", taken as rigid"
+    text += f"\nlargest {number(largest)} N*m at t = {number(at, 5)} s"
+    text += f"\nmean over the time {number(mean, 4, abs(largest))} N*m"
+    values = {f"{name}_largest[N*m]": largest, f"{name}_largest_at_t[s]": at, f"{name}_mean[N*m]": mean}
+    if abs(mean) > NOTHING * abs(largest):
+        factor = abs(largest / mean)
+        text += f": the largest is {number(factor, 4)} times as much"
+        values[f"{name}_factor"] = factor
+    return Fact(f"shaft {name}", text, values)
+
+
+def _energy_facts(motion: TimedMotion) -> list[Fact]:
+    """Where the energy comes from and goes to, and what of it the balance lacks."""
+    causes = {
+        "motor": motion.motor_work,
+        "load": motion.load_work,
+        "brake": motion.brake_work,
+        "shafts": motion.shaft_loss,
+    }
+    works = {name: float(work[-1]) for name, work in causes.items()}
+    begin, end = (float(motion.kinetic[k] + motion.elastic[k]) for k in (0, -1))
+    peak = max(begin, end, *map(abs, works.values()))
+    parts = [f"{name} {number(work, 5)} J" for name, work in works.items() if abs(work) > NOTHING * peak]
+    lines = (
+        f"energy from {number(begin, 5, peak)} J to {number(end, 5, peak)} J",
+        f"work: {', '.join(parts) or 'none'}",
+        f"the balance is open by {motion.imbalance:.0e} of the largest" if motion.imbalance else "the balance is exact",
+    )
+    values = {
+        "energy_begin[J]": begin,
+        "energy_end[J]": end,
+        **{f"work_{name}[J]": work for name, work in works.items()},
+        "residual": {"energy": motion.imbalance},
+    }
+    return [Fact("energy and work", "\n".join(lines), values)]
+
+
+def _event_facts(events: Sequence[Event]) -> list[Fact]:
+    """All events for programs, how many there are for people."""
+    found = [
+        {
+            "kind": event.kind,
+            "t[s]": event.time,
+            "angle[deg]": math.degrees(event.angle),
+            "omega[rad/s]": event.speed,
+            "message": event.message,
+        }
+        for event in events
+    ]
+    if not found:
+        return [Fact("events", "none")]
+    text = "in the table, with the crank's turns and its angle"
+    return [Fact("events", text, {"events": found})]
+
+
+def _events_view(events: Sequence[Event]) -> View | None:
+    """One row an event: time, whole turns and angle within the turn, speed, what happened."""
+    if not events:
+        return None
+    angles = [event.angle for event in events]
+    columns: dict[str, list[Any]] = {
+        "t[s]": [event.time for event in events],
+        "turns": [math.floor(math.degrees(a) / 360.0 + NOTHING) for a in angles],
+        "angle[deg]": [_within(a) for a in angles],
+        "omega[rad/s]": [event.speed for event in events],
+        "event": [event.message for event in events],
+    }
+    return View(list(columns), list(columns.values()))
+
+
+def _course(motion: TimedMotion, patterns: Sequence[str], where: str) -> Document:
+    """The rows of a motion nearest to equal times."""
+    rows = _equal_times(motion.t)
+    available = timed_columns(motion)
+    chosen = select(available, [_bare(pattern) for pattern in patterns]) if patterns else _first(motion, available)
+    values = [column.make() for column in chosen]
+    view = View(
+        [column.header for column in chosen],
+        [v[rows].tolist() for v in values],
+        [float(np.abs(v).max()) for v in values],
+    )
+    facts = (Fact("rows", _shown(len(rows), len(motion.t), where)), *_legend_facts(motion))
+    more = choose("t,omega*,M_*", where)
+    return Document(f"course of {motion.name}", facts, table=view, wide=not patterns, more=more)
+
+
+def _shown(count: int, total: int, where: str) -> str:
+    """Which rows a short table has, and where the others are."""
+    if count == total:
+        return f"all {total}"
+    return f"{count} of {total}, near equal times; all: {where or '--format csv, or --csv for a file'}"
+
+
+def _legend_facts(motion: TimedMotion) -> Iterator[Fact]:
+    """What stands in the table."""
+    if len(motion.masses) > 1:
+        yield Fact("masses", ", ".join(f"{k} {name}" for k, name in enumerate(motion.masses, 1)))
+        yield Fact("moments", "M_load on the crank, others on their own shafts; positive ones drive")
+    else:
+        yield Fact("moments", "M_motor on the crank, as M_load; positive ones drive")
+
+
+def _equal_times(t: Values) -> list[int]:
+    """Indices of the rows nearest to equal times, each once; the first and the last are among them."""
+    wanted = np.linspace(t[0], t[-1], SHOWN + 1)
+    after = np.clip(np.searchsorted(t, wanted), 1, max(len(t) - 1, 1))
+    if len(t) == 1:
+        return [0]
+    near = np.where(wanted - t[after - 1] < t[after] - wanted, after - 1, after)
+    return sorted(set(near.tolist()))
+
+
+def _bare(pattern: str) -> str:
+    """A column by its name, also where it is given as a header."""
+    return pattern.partition("[")[0]
+
+
+def _first(motion: TimedMotion, available: list[Column]) -> list[Column]:
+    """Time, the crank, the moments; then what a reader looks at later."""
+    crank = len(motion.masses) if len(motion.masses) > 1 else ""
+    mark = f"_{crank}" if crank else ""
+    leading = ["t", f"theta{mark}", f"omega{mark}", "omega_1", "M_motor", "M_load"]
+    shafts = [f"M_{k + 1}_{k + 2}" for k in range(len(motion.masses) - 1)]
+    order = {name: k for k, name in enumerate([*leading[:4], *shafts, *leading[4:]])}
+    return sorted(available, key=lambda column: order.get(column.name, len(order)))
+
+
+def _whole_table(result: TimedMotions, patterns: Sequence[str]) -> View:
+    """All rows of all motions, one after the other; the masses of the drive are the same in all."""
+    chosen = [
+        select(timed_columns(motion), [_bare(p) for p in patterns]) if patterns else timed_columns(motion)
+        for motion in result.motions
+    ]
+    names = [motion.name for motion in result.motions for _ in range(len(motion.t))]
+    same = list(zip(*chosen, strict=True))
+    values = [np.concatenate([column.make() for column in each]).tolist() for each in same]
+    return View(["motion", *(each[0].header for each in same)], [names, *values])
