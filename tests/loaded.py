@@ -16,7 +16,7 @@ from tmmcalc.spec import load_spec
 from tmmcalc.spec.linkage import to_linkage
 
 CONFIGS = Path(__file__).parents[1] / "configs"
-READY = sorted(path.stem for path in CONFIGS.glob("*.toml"))
+READY = sorted(path.stem for path in CONFIGS.glob("*.toml") if load_spec(path).mechanism is not None)
 DEG = np.pi / 180
 
 PRESS_BODIES = (Body(2, 12, 0.055, 0.055 + 0j), Body(3, 24, 0, 0j))
@@ -26,7 +26,7 @@ PRESS_PAIRS = (Pair("A", 0.1, 0.025), Pair("B", 0.1, 0.015), Pair("B0", 0.1))
 
 
 def ready(name: str) -> Mechanism:
-    return to_linkage(load_spec(CONFIGS / f"{name}.toml").mechanism)
+    return to_linkage(load_spec(CONFIGS / f"{name}.toml").linkage)
 
 
 def press(friction: bool = True) -> tuple[Mechanism, Loading, Kinematics]:

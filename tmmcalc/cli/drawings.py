@@ -84,12 +84,26 @@ def _motion(order: Order) -> None:
     draw_motion(results["motion"], results["power"], results["reduction"], order.file)
 
 
+def _transient(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_transient
+
+    draw_transient(order.results["transient"], order.file)
+
+
+def _balance(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_balance
+
+    draw_balance(order.results["balance"], order.file)
+
+
 DRAWINGS = {
     "kinematics": Drawing(_kinematics, (POSITIONS, POLYGONS)),
     "forces": Drawing(_forces, (POLYGONS,)),
     "reduction": Drawing(_reduction),
     "flywheel": Drawing(_flywheel),
     "motion": Drawing(_motion),
+    "transient": Drawing(_transient),
+    "balance": Drawing(_balance),
 }
 
 

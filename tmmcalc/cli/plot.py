@@ -44,8 +44,9 @@ def command(
     kinematics: the scheme in its positions, paths of points, diagrams of the outputs; with --polygons velocities and
     accelerations. forces: reactions, hodographs, drive; with --polygons load diagrams and force polygons.
     reduction: reduced moments and inertia. flywheel: energy-mass curve with its tangents, work over the cycle, all
-    methods. motion: speed and moments over the cycle, the motor's characteristic. The stage is computed afresh; no
-    stage files are read or written.
+    methods. motion: speed and moments over the cycle, the motor's characteristic. transient: speeds and moments over
+    the time. balance: hodographs of the shaking force, what the schemes leave of it, an engine's force and couple. The
+    stage is computed afresh; no stage files are read or written.
 
     Example: tmmcalc plot my.toml kinematics -o my.svg --polygons 6
     """

@@ -86,7 +86,7 @@ class FreeBody:
 
 def free_bodies(statics: Statics, theta: float, side: float) -> tuple[FreeBody, ...]:
     """The input link and every group at theta; where friction jumps, ``side`` -1 is the limit before, +1 after."""
-    place = statics.scene.place(np.array([theta]))
+    place = statics.scene.place(np.array([theta]), side)
     cut = _Cut(statics, place, statics.solve(place, side))
     return cleared((cut.input_link(), *(cut.group(group) for group in statics.scene.chain.structure.groups)), NOTHING)
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 LOSSES = ("friction", "damper")
 STORES = ("weight", "spring")
-NOTHING = 1e-12  # work below this part of the largest is none
+NOTHING = 1e-12  # work below this part of the turnover is none
 
 
 @record
@@ -30,6 +30,7 @@ class WorkPart:
     name: str
     kind: str  # "load", "weight", "spring", "damper", "friction"
     work: float  # [J]
+    turnover: float = 0.0  # work of its magnitude, which tells work from rounding [J]; 0: not known
 
 
 @record
@@ -76,7 +77,7 @@ def moment_at(cycle: Cycle, speed: float) -> Values:
 
 def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float = 1.0) -> Power:
     """Work, efficiency and power of a cycle at its mean speed; ``transmission`` is the efficiency of the gears."""
-    scale = max((abs(part.work) for part in parts), default=0.0)
+    scale = max((max(part.turnover, abs(part.work)) for part in parts), default=0.0)
     loads = [part.work for part in parts if part.kind == "load" and abs(part.work) > NOTHING * scale]
     driving, resisting = sum((w for w in loads if w > 0), 0.0), sum((w for w in loads if w < 0), 0.0)
     losses = sum((part.work for part in parts if part.kind in LOSSES), 0.0)
@@ -87,6 +88,7 @@ def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float =
     (least, least_at), (largest, _) = cycle.panels.extremes(moment)
     time = cycle.period / cycle.speed
     total = driving + resisting + losses
+    total = total if abs(total) > NOTHING * scale else 0.0
     mean_power = abs(total) / time
     return Power(
         machine=machine,

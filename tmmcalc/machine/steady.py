@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
 
 WHERE = "steady motion"
+NOTHING = 1e-13  # moment of the load, against what the motor gives at standstill by its slope, that is none
 INDIFFERENT = 1e-13  # change of the moment over the speed itself, against the moment
 
 
@@ -51,12 +52,35 @@ def driven(
     check_inertia(cycle, constant_inertia)
     machine = OneMass(cycle, constant_inertia, characteristic, time_constant)
     _check_regulation(machine)
+    free = _free(machine)
+    if free is not None:
+        return free
     if balanced_speed(machine) is None:
         check_mean_load(machine)
     found = settled(machine, None if guess is None else _guess(cycle, guess))
     if isinstance(found, Halt):
         raise halted(machine, found)
     return _regime(machine, found)
+
+
+def _free(machine: OneMass) -> Regime | None:
+    """The regime where nothing acts on the shaft and its inertia is constant: the no-load speed; None elsewhere."""
+    cycle, motor = machine.cycle, machine.characteristic
+    w = motor.synchronous
+    if w is None:
+        return None
+    fall = -motor.slope(w)
+    load = np.abs(cycle.moment) + np.abs(cycle.viscous) * w + (np.abs(cycle.quadratic) + np.abs(cycle.slope)) * w * w
+    if fall <= 0 or np.max(load) > NOTHING * fall * w:
+        return None
+    inertia, still = machine.constant + float(np.mean(cycle.inertia)), np.zeros(cycle.panels.x.shape)
+    rates = np.array([-fall / (inertia * w)])
+    if machine.lag:
+        tau = machine.lag
+        rates = np.linalg.eigvals([[0.0, 1 / (inertia * w)], [-fall / (tau * w), -1 / (tau * w)]])
+    multiplier = tuple(complex(v) for v in sorted(np.exp(rates * cycle.period), key=abs, reverse=True))
+    counters = {"newton": 0, "meshes": 1}
+    return regime_of(cycle, machine.constant, still + w, still, multiplier, NOTHING, counters)
 
 
 def _guess(cycle: Cycle, regime: Regime) -> Guess:

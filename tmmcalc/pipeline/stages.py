@@ -83,7 +83,7 @@ STAGES: dict[str, Stage] = {
             "transient",
             "start-up, braking, run-down, load changes in time",
             needs=("reduction", "power"),
-            uses=("flywheel", "motion"),
+            uses=("flywheel",),
             wanted=True,
         ),
         _stage(

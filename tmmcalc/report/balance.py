@@ -18,7 +18,7 @@ from tmmcalc.linkage.balance.schemes import Balance, RotatingWeight
 from tmmcalc.linkage.balance.task import Balancing, Scheme
 from tmmcalc.machine.balancing.weights import Weight
 from tmmcalc.numerics.fourier import TURN, Magnitude
-from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import NOISE, angle, number
 from tmmcalc.report.places import choose
 from tmmcalc.report.positions import positions_view
@@ -79,12 +79,21 @@ def balance_document(
         return summary
     available = columns(result.linkage)
     usual = available if everything else _first(available)
+    view = positions_view(result.labels, available, usual=usual, patterns=patterns, rows=rows)
     return replace(
         summary,
-        table=positions_view(result.labels, available, usual=usual, patterns=patterns, rows=rows),
+        table=replace(view, peaks=_peaks(view, result.linkage.shaking.scale)),
         wide=not patterns,
         more=choose("phi,R,D_*", where),
     )
+
+
+def _peaks(view: View, scale: float) -> list[float]:
+    """What forces and moments are noise against: all inertia forces together, at an arm of a metre."""
+    return [
+        max(peak, scale) if header.endswith(("[N]", "[N*m]")) else peak
+        for header, peak in zip(view.headers, view.peaks, strict=True)
+    ]
 
 
 def _others(result: Balances) -> Iterator[Document]:

@@ -7,29 +7,25 @@ rows of the table, which are the steps of the method, nothing is interpolated.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
-from tmmcalc.columns import Column, select
-from tmmcalc.machine.transient.columns import timed_columns
 from tmmcalc.machine.transient.results import End, Event
 from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
 from tmmcalc.numerics.panels import Values
-from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import number
-from tmmcalc.report.places import choose
+from tmmcalc.report.timed import course, events_view, whole_table, within
 
 TURN = 2 * math.pi
-SHOWN = 24  # equal steps of time, at whose rows a motion is shown
 NOTHING = 1e-9  # of the largest moment or energy: less is none
 ENDS: dict[End, str] = {
     "time": "its time is up",
     "speed": "it has reached the speed asked for",
     "angle": "it has turned by the angle asked for",
-    "standstill": "it stands still, and nothing moves it any more",
+    "standstill": "it stands still for good",
     "stall": "the motor stalls",
 }
 
@@ -54,9 +50,9 @@ def transient_document(
     motions in one table instead, with the motion as its first column. ``where`` is the file that has them all.
     """
     if everything:
-        return replace(transient_summary(result, title), table=_whole_table(result, patterns))
+        return replace(transient_summary(result, title), table=whole_table(result, patterns))
     parts = tuple(
-        replace(_motion_document(motion), parts=(_course(motion, patterns, where),)) for motion in result.motions
+        replace(_motion_document(motion), parts=(course(motion, patterns, where),)) for motion in result.motions
     )
     return replace(parts[0], title=title) if len(parts) == 1 else Document(title, parts=parts)
 
@@ -75,7 +71,7 @@ def _motion_document(motion: TimedMotion) -> Document:
         Fact("error in time (est.)", f"{motion.error:.0e} (relative)", {"error": {"speed": motion.error}}),
         *_event_facts(motion.events),
     )
-    return Document(motion.name, facts, tuple(map(str, motion.verdicts)), _events_view(motion.events))
+    return Document(motion.name, facts, tuple(map(str, motion.verdicts)), events_view(motion.events))
 
 
 def _method_fact(motion: TimedMotion) -> Fact:
@@ -97,7 +93,7 @@ def _end_fact(motion: TimedMotion) -> Fact:
     lines = (
         f"at t = {number(time)} s: {ENDS[motion.end]}",
         f"after {number(turns, 5)} turns, at {_rpm(speed)}",
-        f"crank at {number(_within(float(motion.theta[-1, -1])), 5)} deg",
+        f"crank at {number(within(float(motion.theta[-1, -1])), 5)} deg",
     )
     values = {
         "end": motion.end,
@@ -107,12 +103,6 @@ def _end_fact(motion: TimedMotion) -> Fact:
         "turns": turns,
     }
     return Fact("ends", "\n".join(lines), values)
-
-
-def _within(radians: float) -> float:
-    """An angle within the turn [deg]; what rounding leaves below a whole turn is none."""
-    degrees = math.degrees(radians) % 360.0
-    return degrees if degrees < 360.0 * (1 - NOTHING) else 0.0
 
 
 def _rpm(speed: float) -> str:
@@ -150,18 +140,19 @@ def _speed_fact(motion: TimedMotion) -> Fact:
 
 
 def _swing_facts(motion: TimedMotion) -> list[Fact]:
-    """The last two local extremes of the speed under the motor, and their unevenness."""
-    if motion.turning.shape[1] < 2 or not motion.motor_moment[-1]:
+    """Between which extremes the speed swings in the last turn under the motor, and their unevenness."""
+    late = motion.turning[1] > motion.theta[-1, -1] - TURN
+    speeds = motion.turning[2, late]
+    if len(speeds) < 2 or not motion.motor_moment[-1]:
         return []
-    (early, late), (one, other) = motion.turning[0, -2:].tolist(), motion.turning[2, -2:].tolist()
-    low, high = min(one, other), max(one, other)
-    delta = 2 * (high - low) / (high + low) if low > 0 else None
-    text = f"{number(low)} to {number(high)} rad/s, t = {number(early, 5)} to {number(late, 5)} s"
-    values: dict[str, Any] = {"swing_low[rad/s]": low, "swing_high[rad/s]": high}
-    if delta is not None:
-        text += f"\ndelta = {number(delta, 4)} of these two"
+    low, high = float(speeds.min()), float(speeds.max())
+    text = f"between {number(low)} and {number(high)} rad/s"
+    values = {"swing_low[rad/s]": low, "swing_high[rad/s]": high}
+    if low > 0:
+        delta = 2 * (high - low) / (high + low)
+        text += f", delta = {number(delta, 4)}"
         values["swing_delta"] = delta
-    return [Fact("last swing of speed", text, values)]
+    return [Fact("in the last turn", text, values)]
 
 
 def mean_of(t: Values, values: Values) -> float:
@@ -249,87 +240,3 @@ def _event_facts(events: Sequence[Event]) -> list[Fact]:
         return [Fact("events", "none")]
     text = "in the table, with the crank's turns and its angle"
     return [Fact("events", text, {"events": found})]
-
-
-def _events_view(events: Sequence[Event]) -> View | None:
-    """One row an event: time, whole turns and angle within the turn, speed, what happened."""
-    if not events:
-        return None
-    angles = [event.angle for event in events]
-    columns: dict[str, list[Any]] = {
-        "t[s]": [event.time for event in events],
-        "turns": [math.floor(math.degrees(a) / 360.0 + NOTHING) for a in angles],
-        "angle[deg]": [_within(a) for a in angles],
-        "omega[rad/s]": [event.speed for event in events],
-        "event": [event.message for event in events],
-    }
-    return View(list(columns), list(columns.values()))
-
-
-def _course(motion: TimedMotion, patterns: Sequence[str], where: str) -> Document:
-    """The rows of a motion nearest to equal times."""
-    rows = _equal_times(motion.t)
-    available = timed_columns(motion)
-    chosen = select(available, [_bare(pattern) for pattern in patterns]) if patterns else _first(motion, available)
-    values = [column.make() for column in chosen]
-    view = View(
-        [column.header for column in chosen],
-        [v[rows].tolist() for v in values],
-        [float(np.abs(v).max()) for v in values],
-    )
-    facts = (Fact("rows", _shown(len(rows), len(motion.t), where)), *_legend_facts(motion))
-    more = choose("t,omega*,M_*", where)
-    return Document(f"course of {motion.name}", facts, table=view, wide=not patterns, more=more)
-
-
-def _shown(count: int, total: int, where: str) -> str:
-    """Which rows a short table has, and where the others are."""
-    if count == total:
-        return f"all {total}"
-    return f"{count} of {total}, near equal times; all: {where or '--format csv, or --csv for a file'}"
-
-
-def _legend_facts(motion: TimedMotion) -> Iterator[Fact]:
-    """What stands in the table."""
-    if len(motion.masses) > 1:
-        yield Fact("masses", ", ".join(f"{k} {name}" for k, name in enumerate(motion.masses, 1)))
-        yield Fact("moments", "M_load on the crank, others on their own shafts; positive ones drive")
-    else:
-        yield Fact("moments", "M_motor on the crank, as M_load; positive ones drive")
-
-
-def _equal_times(t: Values) -> list[int]:
-    """Indices of the rows nearest to equal times, each once; the first and the last are among them."""
-    wanted = np.linspace(t[0], t[-1], SHOWN + 1)
-    after = np.clip(np.searchsorted(t, wanted), 1, max(len(t) - 1, 1))
-    if len(t) == 1:
-        return [0]
-    near = np.where(wanted - t[after - 1] < t[after] - wanted, after - 1, after)
-    return sorted(set(near.tolist()))
-
-
-def _bare(pattern: str) -> str:
-    """A column by its name, also where it is given as a header."""
-    return pattern.partition("[")[0]
-
-
-def _first(motion: TimedMotion, available: list[Column]) -> list[Column]:
-    """Time, the crank, the moments; then what a reader looks at later."""
-    crank = len(motion.masses) if len(motion.masses) > 1 else ""
-    mark = f"_{crank}" if crank else ""
-    leading = ["t", f"theta{mark}", f"omega{mark}", "omega_1", "M_motor", "M_load"]
-    shafts = [f"M_{k + 1}_{k + 2}" for k in range(len(motion.masses) - 1)]
-    order = {name: k for k, name in enumerate([*leading[:4], *shafts, *leading[4:]])}
-    return sorted(available, key=lambda column: order.get(column.name, len(order)))
-
-
-def _whole_table(result: TimedMotions, patterns: Sequence[str]) -> View:
-    """All rows of all motions, one after the other; the masses of the drive are the same in all."""
-    chosen = [
-        select(timed_columns(motion), [_bare(p) for p in patterns]) if patterns else timed_columns(motion)
-        for motion in result.motions
-    ]
-    names = [motion.name for motion in result.motions for _ in range(len(motion.t))]
-    same = list(zip(*chosen, strict=True))
-    values = [np.concatenate([column.make() for column in each]).tolist() for each in same]
-    return View(["motion", *(each[0].header for each in same)], [names, *values])

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from tmmcalc.linkage.reduction.results import Reduction
 from tmmcalc.machine.model import Gears, MotorChoice
 from tmmcalc.machine.power import Power
@@ -29,7 +31,11 @@ def solve(given: tuple[MotorChoice | None, Gears], upstream: Mapping[str, Any], 
 
     wish, gears = given
     reduction: Reduction = upstream["reduction"]
-    parts = tuple(WorkPart(c.name, c.kind, c.work) for c in reduction.contributions)
+    turnover = reduction.cycle.panels.total(np.abs(reduction.parts))
+    parts = tuple(
+        WorkPart(c.name, c.kind, c.work, float(all_of_it))
+        for c, all_of_it in zip(reduction.contributions, turnover, strict=True)
+    )
     power = solve_power(reduction.cycle, parts, gears.efficiency)
     if wish is None:
         return power

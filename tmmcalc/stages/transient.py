@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +15,10 @@ from tmmcalc.pipeline.stage import Record, Table
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
+    from tmmcalc.linkage.reduction.results import Reduction
+    from tmmcalc.machine.cycle import Cycle
+    from tmmcalc.machine.motors.characteristics import Characteristic
+    from tmmcalc.machine.power import MotorDuty
     from tmmcalc.spec import Spec
 
 Given = tuple[
@@ -42,26 +47,53 @@ def inputs(spec: Spec) -> Given:
 
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> TimedMotions:
     """Put the drive together and run every scenario."""
-    from tmmcalc.machine.motors.model import characteristic
     from tmmcalc.machine.transient.task import Machine, solve_transients
-    from tmmcalc.stages.shaft import constant_inertia, driver, flywheel_inertia
+    from tmmcalc.stages.shaft import constant_inertia, driver, flywheel_inertia, mean_speed
 
     tasks, shafts, wish, gears, motion, wheel = given
     reduction, duty = upstream["reduction"], upstream["power"].duty
+    wish = _whole_curve(wish, duty)
     moved = driver(upstream, wish, gears, motion)
     machine = Machine(
         cycle=reduction.cycle,
-        idle=reduction.idle,
+        idle=_idle(reduction),
         inertia=constant_inertia(upstream, gears, motion, flywheel_inertia(upstream, wheel)),
-        motor=characteristic(duty.motor, wish.characteristic) if duty is not None and wish is not None else None,
+        motor=_on_motor_shaft(duty, wish, gears),
         reduced=moved.characteristic if moved is not None else None,
         time_constant=moved.time_constant if moved is not None else 0.0,
         ratio=duty.ratio if duty is not None else 1.0,
         shafts=shafts,
         wheel_at_motor=wheel is not None and wheel.shaft == "motor",
     )
-    steady = upstream.get("motion")
-    return solve_transients(machine, tasks, float(steady.omega[0]) if steady is not None else None)
+    return solve_transients(machine, tasks, mean_speed(upstream, motion))
+
+
+def _whole_curve(wish: MotorChoice | None, duty: MotorDuty | None) -> MotorChoice | None:
+    """The motor by its whole curve: parabola and line hold near the rated speed alone, a start needs more."""
+    if (
+        wish is None
+        or duty is None
+        or duty.motor.overload is None
+        or wish.characteristic not in ("parabolic", "linear")
+    ):
+        return wish
+    return replace(wish, characteristic="kloss") if duty.motor.kind == "induction" else wish
+
+
+def _idle(reduction: Reduction) -> Cycle | None:
+    """The cycle that a load factor of zero leaves: without technological loads there is nothing to switch off."""
+    loads = any(part.kind == "load" for part in reduction.contributions)
+    return reduction.idle if loads else reduction.cycle
+
+
+def _on_motor_shaft(duty: MotorDuty | None, wish: MotorChoice | None, gears: Gears) -> Characteristic | None:
+    """The motor on its own shaft, the losses of the gears taken from its moment."""
+    if duty is None or wish is None:
+        return None
+    from tmmcalc.machine.motors.gearing import reduced
+    from tmmcalc.machine.motors.model import characteristic
+
+    return reduced(characteristic(duty.motor, wish.characteristic), 1.0, gears.efficiency)
 
 
 def dump(result: TimedMotions) -> Record:

@@ -60,7 +60,7 @@ def motion(spec: Spec) -> str | None:
     shaft = spec.torque is not None and spec.torque.inertia
     wheel = spec.flywheel is not None and (spec.flywheel.inertia or spec.flywheel.delta)
     further = spec.motion is not None and spec.motion.inertia
-    if not (_masses(spec) or shaft or wheel or further or spec.motor is not None):
+    if not (_masses(spec) or shaft or wheel or further or _rotor(spec)):
         return "no masses and no constant inertia: nothing stores kinetic energy"
     return power(spec)
 
@@ -82,6 +82,12 @@ def balance(spec: Spec) -> str | None:
 def shakes(spec: Spec) -> bool:
     """Whether the spec has a linkage with masses whose crank turns fully."""
     return _masses(spec) and _acyclic(spec) is None
+
+
+def _rotor(spec: Spec) -> bool:
+    """Whether the rotor of the motor stores energy; of a motor that is still to be chosen nobody knows."""
+    motor = spec.motor
+    return motor is not None and bool(motor.inertia or motor.flywheel_moment or motor.name not in (None, "choose"))
 
 
 def _masses(spec: Spec) -> bool:

@@ -15,6 +15,7 @@ from linkage.forces.newton_euler import placements
 from linkage.forces.worked import CASES, press, press_loading
 from linkage.scenes import bar, crank_slider, four_bar, full_turn, part, pin, slide, slotted, with_input, yoke
 from tmmcalc import NoSolutionError, solve_kinematics
+from tmmcalc.linkage.forces.drive import crank, mesh_force
 from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.friction import Rubbing, Solution, size_of, solve
 from tmmcalc.linkage.forces.iteration import Iteration, textbook_iteration
@@ -467,11 +468,41 @@ class TestMainBearing:
         )
 
     def test_a_bearing_as_wide_as_the_gear_locks(self) -> None:
+        """The friction circle against the arm r cos alpha of the line of action."""
         mechanism, kinematics = press()
         loading = replace(press_loading(0.0), drive=GearDrive(0.05, 0.3, 0.0), pairs=(Pair("O", 0.9, 0.06),))
         with pytest.raises(NoSolutionError, match="self-locking") as raised:
             solve_forces(mechanism, loading, kinematics)
         assert raised.value.where == "forces, group O"
+        assert raised.value.limit == pytest.approx(0.05 * np.cos(0.3) / (0.9 * 0.06), rel=1e-12)
+
+    @pytest.mark.parametrize("internal", [False, True])
+    def test_the_moment_of_a_gear_under_any_load(self, internal: bool) -> None:
+        """M = M_0 + c |R(M)| on the path that grows out of no friction, up to where that path ends."""
+        rng = np.random.default_rng(5)
+        n = 2000
+        load = Wrench(rng.normal(size=n) + 1j * rng.normal(size=n), rng.normal(size=n))
+        c = rng.uniform(-1.5, 1.5, n)
+        gear = GearDrive(0.8, 0.4, 1.1, internal)
+        full = crank(load, gear, c).solution
+        assert 300 < full.locked.sum() < n - 300
+        np.testing.assert_array_equal(full.locked, full.limit < 1)
+        before = -load.moment
+        for t in np.linspace(0, 1, 101)[1:]:
+            part_of = t * np.minimum(full.limit, 1.0) * np.where(full.locked, 0.99, 1.0)
+            driven = crank(load, gear, part_of * c)
+            assert not driven.solution.locked.any()
+            left = driven.drive + load.moment - part_of * c * np.abs(load.force + mesh_force(gear, driven.drive))
+            assert np.max(np.abs(left) / (1 + np.abs(driven.drive))) < 1e-12
+            grown = (driven.drive - before) * np.sign(c)
+            assert np.all(grown >= -1e-12 * (1 + np.abs(before)))
+            flank = np.where(driven.drive >= 0, 1.0, -1.0)
+            force = load.force + mesh_force(gear, driven.drive)
+            slope = (np.conj(force) * flank * mesh_force(gear, flank)).real / np.abs(force)
+            assert np.all(part_of * c * slope < 1)  # the root that rises, of which each flank has one
+            before = driven.drive
+        beyond = crank(load, gear, c * np.where(full.locked, full.limit * (1 + 1e-9), 1.0))
+        np.testing.assert_array_equal(beyond.solution.locked, full.locked)
 
 
 def press_force(theta: Any) -> Any:

@@ -14,9 +14,7 @@ import numpy as np
 from tmmcalc.linkage.forces.friction import Rubbing, Solution, solve
 from tmmcalc.linkage.forces.wrench import NOTHING, Slideway, Wrench
 from tmmcalc.linkage.loading import Coupling, GearDrive
-from tmmcalc.linkage.plane import Plane, Real
-
-PASSES = 60
+from tmmcalc.linkage.plane import Plane, Real, cross, square
 
 
 class Driven(NamedTuple):
@@ -42,36 +40,35 @@ def crank(load: Wrench, drive: Coupling | GearDrive, c: Real) -> Driven:
         size = np.abs(load.force)
         friction = -c * size
         return Driven(-load.moment - friction, None, Wrench(-load.force, friction), friction, None)
-    moment = -load.moment
-    if np.any(c):
-        moment, stuck = _with_bearing(load, drive, c)
-    else:
-        stuck = np.zeros(np.shape(moment), bool)
+    moment, limit = _with_bearing(load, drive, c) if np.any(c) else (-load.moment, np.ones(np.shape(load.moment)))
     mesh = mesh_force(drive, moment)
     force = -(load.force + mesh)
     friction = -c * np.abs(force)
     n = np.size(moment)
-    none = np.zeros(n, bool)
-    limit = np.where(stuck, 0.0, 1.0)
-    solution = Solution(np.zeros((1, n)), np.broadcast_to(stuck, n), limit, none, 1)
+    solution = Solution(np.zeros((1, n)), limit < 1, limit, np.zeros(n, bool), 1)
     return Driven(moment, mesh, Wrench(force, friction), friction, solution)
 
 
-def _with_bearing(load: Wrench, gear: GearDrive, c: Real) -> tuple[Real, np.ndarray]:
-    """The moment that also overcomes the bearing under the mesh force: M = M_0 + c |R(M)|, and where there is none."""
-    ideal, slope = -load.moment, np.zeros(np.shape(load.moment))
-    moment = ideal
-    for _ in range(PASSES):
-        force = -(load.force + mesh_force(gear, moment))
-        size = np.abs(force)
-        sense = np.where(moment >= 0, 1.0, -1.0)
-        step = -sense * mesh_force(gear, sense)
-        slope = c * (np.conj(force) * step).real / np.where(size > 0, size, 1.0)
-        change = (ideal + c * size - moment) / (1 - slope)
-        moment = moment + change
-        if np.all(np.abs(change) <= 1e-14 * np.max(np.abs(moment), initial=1e-300)):
-            break
-    return moment, slope >= 1
+def _with_bearing(load: Wrench, gear: GearDrive, c: Real) -> tuple[Real, Real]:
+    """The moment M = M_0 + c |R(M)| that also overcomes the bearing, and the part of its friction that can be overcome.
+
+    Along the motion M grows from M_0 with the friction. On either flank of the teeth R = -(L + M u), so M is a root of
+    (M - M_0)^2 = c^2 |L + M u|^2; that path goes to infinity where the friction circle reaches the line of action, or
+    folds back.
+    """
+    sense, tau = np.where(c < 0, -1.0, 1.0), np.asarray(c**2)
+    ideal, own = -sense * load.moment, square(load.force)
+    braking = ideal + np.sqrt(tau * own) <= 0
+    u = np.where(braking, -mesh_force(gear, -sense), mesh_force(gear, sense))
+    along, across, bare = (np.conj(load.force) * u).real, cross(load.force, u) ** 2, square(load.force + ideal * u)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        end = np.where(ideal + along / square(u) > 0, 1 / square(u), bare / across)
+        end = np.where((ideal < 0) & (own + ideal * along <= 0), ideal**2 / own, end)
+        limit = np.where(braking | (tau < end), 1.0, np.sqrt(end / tau))
+        a, h, q = 1 - tau * square(u), ideal + tau * along, ideal**2 - tau * own
+        root = np.sqrt(np.maximum(tau * bare - tau**2 * across, 0.0))
+        moment = np.where(limit < 1, ideal, np.where(h < 0, q / (h - root), (h + root) / a))
+    return sense * moment, limit
 
 
 def slider(load: Wrench, seat: Slideway, sense: float, c: Real, half: float | None) -> Driven:

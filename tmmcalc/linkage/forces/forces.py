@@ -18,6 +18,7 @@ from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.loading import GearDrive, Loading
 from tmmcalc.linkage.loads.scene import Scene, compile_scene
+from tmmcalc.linkage.loads.travel import EDGE
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics
@@ -25,7 +26,6 @@ from tmmcalc.numerics.panels import Panels, panels
 
 Flags = NDArray[np.bool_]
 
-NEAR = 1e-6  # [rad or m] a position farther from every edge is no dead point
 PARTS = 16  # of a turn, or of the range: no panel on which maxima are sought is wider
 QUARTERS = np.array([0.25, 0.5, 0.75])
 ROUNDS = 3  # of cutting them finer
@@ -38,9 +38,9 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
     """
     scene = compile_scene(mechanism, loading, kinematics)
     statics = compile_statics(scene)
-    edges = scene.edges(reversals(statics))
-    theta, side, labels = _rows(statics, kinematics, edges)
-    dense = _panels(scene, edges)
+    breaks, turning = scene.breaks(reversals(statics))
+    theta, side, labels = _rows(scene, kinematics, np.sort(turning))
+    dense = _panels(scene, [*breaks, *turning])
     rows, over, solutions = _solved(statics, theta, side, labels, dense)
     dense, functions = _resolved(statics, dense, over)
     found = maxima(statics, dense, functions)
@@ -107,7 +107,7 @@ def _solved(
 
 
 def _resolved(statics: Statics, on: Panels, over: Stack) -> tuple[Panels, Held]:
-    """Cut those panels finer that do not resolve the maximum that they may hold: in quarters, and at kinks of friction."""
+    """Cut those panels that do not resolve the maximum that they may hold: in quarters, and at kinks of friction."""
     functions = held(statics, on, over)
     for _ in range(ROUNDS):
         rough = unresolved(on, functions.values)
@@ -129,36 +129,28 @@ def _over(statics: Statics, theta: Real) -> Stack:
     return over
 
 
-def _rows(statics: Statics, kinematics: Kinematics, edges: list[float]) -> tuple[Real, Real, tuple[str, ...]]:
-    """theta (n,) of all rows, the side from which each is taken, and the labels; jumps of friction give two rows.
+def _rows(scene: Scene, kinematics: Kinematics, turning: Real) -> tuple[Real, Real, tuple[str, ...]]:
+    """theta (n,) of all rows, the side from which each is taken, and the labels.
 
-    Friction jumps at some of the ``edges`` only.
+    Friction jumps where a rubbing pair turns back, at ``turning`` (m,): a position there gives two rows.
     """
-    travel = statics.scene.travel
-    theta, labels = travel.rows(kinematics)
-    jump = _jumps(statics, theta, np.array(edges))
+    theta, labels = scene.travel.rows(kinematics)
+    jump = _at(theta, turning)
+    jump[[0, -1]] = False
     if not jump.any():
-        return theta, travel.sides(theta), labels
+        return theta, scene.travel.sides(theta), labels
     twice = np.repeat(np.arange(len(theta)), np.where(jump, 2, 1))
     before = np.append(twice[1:] == twice[:-1], False)
     names = list(labels)
     for i in reversed(np.flatnonzero(jump).tolist()):
         names.insert(i, f"{names[i]}-")
-    return theta[twice], np.where(before, -1.0, travel.sides(theta[twice])), tuple(names)
+    return theta[twice], np.where(before, -1.0, scene.travel.sides(theta[twice])), tuple(names)
 
 
-def _jumps(statics: Statics, theta: Real, edges: Real) -> Flags:
-    """At which rows (n,) inside the motion a rubbing pair changes the sense of its sliding."""
-    jump = np.zeros(len(theta), bool)
-    if not statics.scales or not edges.size:
-        return jump
-    after = np.searchsorted(edges, theta)
-    near = np.minimum(np.abs(edges[after - 1] - theta), np.abs(edges[np.minimum(after, edges.size - 1)] - theta)) < NEAR
-    near[[0, -1]] = False
-    rows = np.flatnonzero(near)
-    if rows.size:
-        configuration = statics.scene.place(theta[rows]).configuration
-        for joint in statics.rubbing:
-            one, other = (statics.sense(joint, configuration, side) for side in (1.0, -1.0))
-            jump[rows] |= one != other
-    return jump
+def _at(theta: Real, places: Real) -> Flags:
+    """Which of theta (n,) stand at one of the ascending places (m,)."""
+    if not places.size:
+        return np.zeros(len(theta), bool)
+    after = np.searchsorted(places, theta)
+    to_last = np.abs(places[np.minimum(after, places.size - 1)] - theta)
+    return np.minimum(np.abs(places[after - 1] - theta), to_last) < EDGE

@@ -51,7 +51,7 @@ def textbook_iteration(
     It stops where no unknown changes by more than ``stop`` of its new value; ``side`` tells from which side a pair at
     rest is taken. Raises `UsageError` if there is no such group.
     """
-    cut = statics.cut_out(group, statics.scene.place(np.array([theta])), side)
+    cut = statics.cut_out(group, statics.scene.place(np.array([theta]), side), side)
     friction: list[Real] = [np.zeros(len(cut.c))]
     unknowns, change = list[Real](), list[float]()
     while len(unknowns) < most and not (change and change[-1] <= stop):

@@ -15,10 +15,11 @@ from numpy.typing import NDArray
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
 from tmmcalc.linkage.forces.wrench import Slideway
 from tmmcalc.linkage.plane import Real
-from tmmcalc.numerics.panels import NARROWEST, Panels
+from tmmcalc.numerics.panels import Panels
 
 SIDE = 8  # points of the polynomial that locates a kink
 NEWTON = 6
+SLIVER = 1e-6  # part of the range: a kink so near to an edge does not show, and may be what it was put for
 NOISE = 1e-9  # part of its largest value below which the sign of a force says nothing
 
 Flags = NDArray[np.bool_]
@@ -62,14 +63,14 @@ class Cut(NamedTuple):
 
 
 def cut(panels: Panels, places: list[float]) -> Cut:
-    """The panels with an edge at every place, but for places at an edge."""
+    """The panels with an edge at every place, but for places at an edge or at another place."""
     edges, inside = panels.edges, np.zeros(panels.count, dtype=np.intp)
-    least = NARROWEST * (edges[-1] - edges[0])
+    least = SLIVER * (edges[-1] - edges[0])
     further: list[float] = []
     for place in sorted(places):
         k = int(np.searchsorted(panels.edges, place)) - 1
         before = max(edges[k], further[-1]) if further else edges[k]
-        if place - before > least and edges[k + 1] - place > least:
+        if min(place - before, edges[k + 1] - place) > least:
             further.append(place)
             inside[k] += 1
     finer = Panels(np.sort(np.append(edges, further)), panels.order)

@@ -47,7 +47,7 @@ def stacked(statics: Statics, theta: Real, side: Real, *, checked: bool = True) 
     """
     parts, locks = [], []
     for at in range(0, len(theta), BLOCK):
-        place = statics.scene.place(theta[at : at + BLOCK])
+        place = statics.scene.place(theta[at : at + BLOCK], side[at : at + BLOCK])
         state = statics.solve(place, side[at : at + BLOCK])
         parts.append(_stack(statics, state, place, checked))
         locks.append(state.solutions)

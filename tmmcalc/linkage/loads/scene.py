@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,7 @@ from tmmcalc.linkage.loading import Load, Loading, Quadratic, Viscous
 from tmmcalc.linkage.loads.sources import Place, Source, resisting, springs, technological, weights
 from tmmcalc.linkage.loads.travel import Travel, surveyed, travel_of
 from tmmcalc.linkage.loads.values import Knot, value_of
-from tmmcalc.linkage.loads.windows import window_of
+from tmmcalc.linkage.loads.windows import Inside, handed_over, window_of
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics
@@ -32,19 +33,26 @@ class Scene(NamedTuple):
     angles: tuple[float, ...]  # theta where a load jumps or bends [rad or m]
     knots: tuple[Knot, ...]
 
-    def place(self, theta: Real) -> Place:
-        """The configuration at theta (n,)."""
-        return Place(theta, self.chain.evaluate(self.travel.x(theta)))
+    def place(self, theta: Real, side: Real | float = 1.0) -> Place:
+        """The configuration at theta (n,), seen from its ``side``."""
+        return Place(theta, self.chain.evaluate(self.travel.x(theta)), side)
 
     def edges(self, more: Iterable[Knot] = ()) -> list[float]:
         """Every theta within the period at which a load, or one of ``more``, is not smooth."""
+        own, zeros = self.breaks(list(more))
+        return sorted((*own, *zeros))
+
+    def breaks(self, more: list[Knot]) -> tuple[list[float], list[float]]:
+        """Every theta within the period at which a load is not smooth; and the zeros of ``more``."""
         knots = [*self.knots, *more]
         if not knots:
-            return sorted(self.angles)
+            return list(self.angles), []
         found = crossings(
             self.chain, lambda c: [knot.rate(c) for knot in knots], [knot.scale for knot in knots], self.survey
         )
-        return sorted((*self.angles, *self.travel.repeated(self.travel.theta(np.concatenate(found)).tolist())))
+        theta = [self.travel.repeated(self.travel.theta(x).tolist()) for x in found]
+        own = len(self.knots)
+        return [*self.angles, *chain.from_iterable(theta[:own])], list(chain.from_iterable(theta[own:]))
 
 
 class _Part(NamedTuple):
@@ -57,14 +65,16 @@ class _Part(NamedTuple):
 
 def compile_scene(mechanism: Mechanism, loading: Loading, kinematics: Kinematics) -> Scene:
     """The scene of a mechanism whose kinematics is solved; raises `NoSolutionError` for a load without a place."""
-    chain = compile_chain(mechanism, kinematics.structure, kinematics.variants)
-    travel = travel_of(chain, kinematics, loading.loads)
-    dense = surveyed(chain, travel)
-    parts = [_part(chain, kinematics, travel, dense, load) for load in loading.loads if load.factor]
+    compiled = compile_chain(mechanism, kinematics.structure, kinematics.variants)
+    travel = travel_of(compiled, kinematics, loading.loads)
+    dense = surveyed(compiled, travel)
+    acting = [load for load in loading.loads if load.factor]
+    windows = {load.name: window_of(compiled, kinematics, travel, load) for load in acting if _placed(load)}
+    parts = [_part(compiled, kinematics, travel, dense, load, windows, acting) for load in acting]
     sources = [*weights(loading), *(part.source for part in parts)]
     sources += [source for spring in loading.springs for source in springs(spring, dense)]
     return Scene(
-        chain,
+        compiled,
         loading,
         travel,
         dense,
@@ -74,14 +84,29 @@ def compile_scene(mechanism: Mechanism, loading: Loading, kinematics: Kinematics
     )
 
 
-def _part(chain: Chain, kinematics: Kinematics, travel: Travel, dense: Survey, load: Load) -> _Part:
-    if isinstance(load.law, Viscous | Quadratic):
+def _placed(load: Load) -> bool:
+    """Whether a load depends on the position, and may have a window."""
+    return not isinstance(load.law, Viscous | Quadratic)
+
+
+def _part(
+    chain: Chain,
+    kinematics: Kinematics,
+    travel: Travel,
+    dense: Survey,
+    load: Load,
+    windows: dict[str, Inside],
+    loads: list[Load],
+) -> _Part:
+    if not _placed(load):
         return _resisting(load, dense)
-    window = window_of(chain, kinematics, travel, load)
+    window = windows[load.name]
     value = value_of(chain, kinematics, travel, dense, load, window)
+    beside = [o for o in loads if o.name in windows and (o.link, o.kind) == (load.link, load.kind)]
+    inside = handed_over(travel, window, [windows[o.name] for o in beside if o is not load])
 
     def acting(place: Place) -> Real:
-        return np.where(window.inside(place), load.factor * value.at(place), 0.0)
+        return np.where(inside(place), load.factor * value.at(place), 0.0)
 
     return _Part(technological(load, acting), [*value.angles, *window.edges], value.knots)
 

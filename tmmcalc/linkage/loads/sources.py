@@ -25,10 +25,14 @@ FULL = 1e-3  # a swing that comes so near to a whole turn [rad] goes round
 
 
 class Place(NamedTuple):
-    """Some positions of the mechanism: theta along the motion (n,) and the configuration there."""
+    """Some positions of the mechanism: theta along the motion (n,) and the configuration there.
+
+    Where something jumps ``side`` (n,) tells which limit is meant: -1 that before, +1 that after.
+    """
 
     theta: Real
     configuration: Configuration
+    side: Real | float = 1.0
 
 
 class Action(NamedTuple):

@@ -7,7 +7,7 @@ first turn, or that belongs to a law with a longer period, comes back after that
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -32,6 +32,8 @@ class Inside(NamedTuple):
     inside: Callable[[Place], Any]
     since: Callable[[Real], Real]
     edges: list[float]
+    begins: tuple[float, ...] = ()  # theta at which the window begins, of a whole turn within one turn
+    ends: tuple[float, ...] = ()
 
 
 def window_of(chain: Chain, kinematics: Kinematics, travel: Travel, load: Load) -> Inside:
@@ -45,7 +47,7 @@ def window_of(chain: Chain, kinematics: Kinematics, travel: Travel, load: Load) 
         which = 0 if window.stroke == "working" else 1
         return _stroke(travel, strokes_of(chain, kinematics, travel, window.output, where), which)
     low, high = window.angles or _angles(window.positions or ("0", "0"), travel, where)
-    return _between(travel, low, high, own)
+    return _between(travel, low, high, own, where)
 
 
 def _stroke(travel: Travel, strokes: Strokes, which: int) -> Inside:
@@ -55,12 +57,21 @@ def _stroke(travel: Travel, strokes: Strokes, which: int) -> Inside:
             return np.min([travel.since(b, theta, TURN) for b in beginnings], axis=0)
         return np.min([np.where(theta < b - EDGE, travel.period, theta - b) for b in beginnings], axis=0)
 
-    return Inside(lambda place: strokes.on(place, which), since, travel.repeated(strokes.turning))
+    edges = travel.repeated(strokes.turning)
+    begins, ends = strokes.beginnings[which], strokes.beginnings[1 - which]
+    return Inside(lambda place: strokes.on(place, which), since, edges, begins, ends)
 
 
-def _between(travel: Travel, low: float, high: float, own: float) -> Inside:
+def _between(travel: Travel, low: float, high: float, own: float, where: str) -> Inside:
     if not travel.whole:
-        return Inside(lambda place: _within(place.theta, low, high), lambda t: travel.since(low, t, own), [low, high])
+        if low > high:
+            raise NoSolutionError(
+                f"the window ends at {travel.named(np.array([high]))[0]}, before it begins",
+                where=where,
+                remedy="name its ends in the order of the motion: a motion that is no cycle passes each place once",
+            )
+        own_range = (lambda place: _within(place.theta, low, high)), (lambda t: travel.since(low, t, own))
+        return Inside(*own_range, [low, high], (low,), (high,))
     period = own if max(low, high) <= own + EDGE else travel.period
     low, high = low % period, high % period or period
 
@@ -71,7 +82,8 @@ def _between(travel: Travel, low: float, high: float, own: float) -> Inside:
         before, after = _within(np.asarray(period), low, high), _within(reduced, low, high)
         return np.where(seam, before | (after & ~travel.ends(theta)), after)
 
-    return Inside(inside, lambda t: travel.since(low, t, period), travel.repeated([low, high], period))
+    edges = travel.repeated([low, high], period)
+    return Inside(inside, lambda t: travel.since(low, t, period), edges, (low,), (high,))
 
 
 def _angles(positions: tuple[str, str], travel: Travel, where: str) -> tuple[float, float]:
@@ -90,3 +102,34 @@ def _within(theta: Real, low: float, high: float) -> Flags:
     """Whether theta lies in the closed window; one that ends before it begins goes over position 0."""
     after, before = theta >= low - EDGE, theta <= high + EDGE
     return after & before if low < high else after | before
+
+
+def handed_over(travel: Travel, window: Inside, others: Sequence[Inside]) -> Callable[[Place], Any]:
+    """Where a load acts if ``others`` of its kind act on the same link: where one ends another may begin.
+
+    A position at which two windows meet would otherwise bear both loads, which no instant does: the limit before it
+    has the load that ends, the one after it the load that begins.
+    """
+    ends = _shared(travel, window.ends, [b for other in others for b in other.begins])
+    begins = _shared(travel, window.begins, [e for other in others for e in other.ends])
+    if not ends.size and not begins.size:
+        return window.inside
+
+    def inside(place: Place) -> Flags:
+        after = np.asarray(place.side) > 0
+        over, early = _near(travel, place.theta, ends) & after, _near(travel, place.theta, begins) & ~after
+        return np.logical_and(window.inside(place), ~(over | early))
+
+    return inside
+
+
+def _shared(travel: Travel, own: Sequence[float], others: Sequence[float]) -> Real:
+    return np.array([a for a in own if _near(travel, np.array(a), np.array(others))])
+
+
+def _near(travel: Travel, theta: Real, edges: Real) -> Flags:
+    """Whether theta (n,) lies at one of the edges, of a whole turn in any turn."""
+    gap = np.abs(np.asarray(theta)[..., None] - edges)
+    if travel.whole:
+        gap = np.minimum(np.mod(gap, TURN), TURN - np.mod(gap, TURN))
+    return np.any(gap <= EDGE, axis=-1)

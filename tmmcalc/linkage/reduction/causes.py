@@ -72,7 +72,9 @@ class Causes(NamedTuple):
             return lambda rows: named(rows + first)
 
         parts = [
-            self._at(self.scene.place(theta[at : at + BLOCK]), side[at : at + BLOCK], named_from(at))
+            self._at(
+                self.scene.place(theta[at : at + BLOCK], side[at : at + BLOCK]), side[at : at + BLOCK], named_from(at)
+            )
             for at in range(0, len(theta), BLOCK)
         ]
         if len(parts) == 1:

@@ -31,6 +31,7 @@ from tmmcalc.numerics.panels import Panels, panels, resolved
 
 TOLERANCE = 1e-11  # of the panels: last coefficients against the largest value
 PARTS = 24  # of a turn, or of the range: no first panel is wider
+KINKS = 4  # rounds of their search: two of them between the same points show one after the other
 NOTHING = 1e-9  # part of what a load moves to and fro below which its work has no sign
 
 
@@ -93,7 +94,8 @@ def _role(loads: tuple[Load, ...], name: str) -> Any:
 def _first(causes: Causes, theta: Real, labels: tuple[str, ...]) -> tuple[Sample, Panels, Sample]:
     """Everything at the positions and on the first panels, in one run."""
     scene, n = causes.scene, len(theta)
-    on = _panels(scene, scene.edges(reversals(causes.statics)))
+    breaks, turning = scene.breaks(reversals(causes.statics))
+    on = _panels(scene, [*breaks, *turning])
     between = on.x.ravel()
 
     def named(rows: NDArray[np.intp]) -> list[str]:
@@ -107,8 +109,10 @@ def _first(causes: Causes, theta: Real, labels: tuple[str, ...]) -> tuple[Sample
 
 def _resolved(causes: Causes, on: Panels, sample: Sample) -> tuple[Panels, Real, float, bool]:
     """Panels that resolve J, dJ and all moments, their values (3 + S, K, N), the largest tail; whether idle sticks."""
-    finer = cut(on, kinks(on, sample.faces))
-    if finer.fresh.any():
+    for _ in range(KINKS):
+        finer = cut(on, kinks(on, sample.faces))
+        if not finer.fresh.any():
+            break
         on, sample = finer.panels, sample.with_cut(finer, causes.along(finer.theta))
     samples, waiting = [sample], [sample]  # the first panels are sampled already
 

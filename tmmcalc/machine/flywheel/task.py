@@ -23,7 +23,6 @@ from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.verdicts import Verdict
 from tmmcalc.records import record
 
-
 THICK = 0.4  # thickness over mean diameter above which a rim is hardly one
 
 

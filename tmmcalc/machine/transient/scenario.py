@@ -68,6 +68,7 @@ class Scenario:
     speed: float = 0.0  # initial speed [rad/s]
     angle: float = 0.0  # initial angle [rad], counted as in the cycle
     settled: bool = False  # start with the static motor moment and with shafts twisted as by rigid motion
+    moment: float | None = None  # of the motor at the start, at the crank, if settled [N*m]; None: the static one
     motor: tuple[tuple[float, float], ...] = ((0.0, math.inf),)  # intervals of time when it is on [s]
     load: tuple[LoadStep, ...] = (LoadStep(1.0),)
     brake: Brake | None = None

@@ -127,6 +127,7 @@ def initial(system: System, scenario: Scenario, profile: Profile) -> list[float]
     inertia, slope, load = reader(stretches(profile, factor)[index], base)(scenario.angle, w)
     drive = system.moment(w) if system.moment and scenario.motor_on(0.0) else 0.0
     if layout.lag:
+        drive = drive if scenario.moment is None or not scenario.motor_on(0.0) else scenario.moment
         y[2 * n] = drive
     at_rest = w == 0 and drive + load <= 0 and scenario.standstill == "stop"
     rate = 0.0 if at_rest else (drive + load - slope * w * w / 2) / (sum(chain.inertia) + inertia)

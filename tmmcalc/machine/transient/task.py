@@ -6,11 +6,15 @@ from collections.abc import Sequence
 from dataclasses import fields, replace
 from typing import Any
 
-from tmmcalc.errors import UsageError
+import numpy as np
+
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia
 from tmmcalc.machine.model import DriveShaft, TransientTask
 from tmmcalc.machine.motors.characteristics import Characteristic
+from tmmcalc.machine.positional import positional
+from tmmcalc.machine.regime import Regime
+from tmmcalc.machine.steady import driven
 from tmmcalc.machine.transient.model import Drive, Mass, ratios
 from tmmcalc.machine.transient.results import Transient
 from tmmcalc.machine.transient.scenario import Scenario
@@ -34,15 +38,16 @@ class Machine:
     wheel_at_motor: bool = False  # the flywheel turns with the motor
 
 
-def solve_transients(machine: Machine, tasks: Sequence[TransientTask], steady_speed: float | None) -> TimedMotions:
-    """Run every scenario; ``steady_speed`` [rad/s] is the speed of the steady motion at theta = 0, if it is known.
+def solve_transients(machine: Machine, tasks: Sequence[TransientTask], speed: float) -> TimedMotions:
+    """Run every scenario; ``speed`` [rad/s] is the mean one of a steady motion without a motor.
 
-    Raises `UsageError` for a scenario that starts in a steady motion that the machine has not.
+    Raises `NoSolutionError` for a scenario that starts in a steady motion that the machine has not.
     """
     drive, names = drive_of(machine)
+    steady = _steady(machine, speed) if any(task.steady for task in tasks) else None
     motions = []
     for task in tasks:
-        found = simulate(drive, _started(task, steady_speed), task.method)
+        found = simulate(drive, _started(task, steady), task.method)
         motions.append(_motion(found, task.scenario.name, names))
     return TimedMotions(tuple(motions))
 
@@ -63,16 +68,20 @@ def drive_of(machine: Machine) -> tuple[Drive, tuple[str, ...]]:
     return drive, tuple(mass.name for mass in masses)
 
 
-def _started(task: TransientTask, steady_speed: float | None) -> Scenario:
-    if not task.steady:
+def _steady(machine: Machine, speed: float) -> Regime:
+    """The steady motion, the drive taken as rigid."""
+    if machine.reduced is None:
+        return positional(machine.cycle, machine.inertia.total, speed)
+    return driven(machine.cycle, machine.inertia.total, machine.reduced, time_constant=machine.time_constant)
+
+
+def _started(task: TransientTask, steady: Regime | None) -> Scenario:
+    """The scenario with the speed and the motor's moment of the steady motion at its beginning."""
+    if not task.steady or steady is None:
         return task.scenario
-    if steady_speed is None:
-        raise UsageError(
-            "begins in the steady motion, and there is none",
-            where=f"transient {task.scenario.name}",
-            remedy="give start_speed",
-        )
-    return replace(task.scenario, speed=steady_speed)
+    start = np.zeros(1)
+    moment = float(steady.panels.at(steady.driving, start)[0])
+    return replace(task.scenario, speed=float(steady.omega_at(start)[0]), moment=moment)
 
 
 def _motion(found: Transient, name: str, names: tuple[str, ...]) -> TimedMotion:

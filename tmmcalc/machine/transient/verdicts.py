@@ -31,6 +31,9 @@ def verdicts(
         first = next((event for event in events if event.kind == kind), None)
         if first:
             found.append(_slow(first, scenario, curves))
+    if np.min(curves.omega[-1]) < 0 and np.any(curves.load_moment):
+        text = "the crank turns backwards, where friction and quadratic resistances of the mechanism keep the sense"
+        found.append(Verdict("warning", f"{text} that they have forwards: with such the motion after it is not right"))
     if imbalance > UNBALANCED:
         text = f"energy and work differ by {imbalance:.2g} of the energy turned over"
         found.append(Verdict("warning", f"{text}: take smaller steps, or step control"))

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from tmmcalc.errors import UsageError
 from tmmcalc.linkage.forces.results import Forces
@@ -21,6 +22,10 @@ from tmmcalc.linkage.results import Kinematics
 from tmmcalc.machine.flywheel.task import Flywheel
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.power import Power
+from tmmcalc.machine.transient.timed import TimedMotions
+
+if TYPE_CHECKING:
+    from tmmcalc.stages.balance import Balances
 
 FORMATS = ("svg", "png", "pdf")
 
@@ -101,6 +106,29 @@ def draw_motion(result: Motion, power: Power, reduction: Reduction, file: Path) 
     from tmmcalc.report.pictures.page import write
 
     write(file, form, lambda: motion_figure(result, power, reduction.cycle))
+
+
+def draw_transient(result: TimedMotions, file: Path) -> None:
+    """Draw speeds and moments of every motion over the time, a sheet each, with its events."""
+    form = _form(file)
+    _check_matplotlib()
+    from tmmcalc.report.pictures.page import write
+    from tmmcalc.report.pictures.transient import transient_figure
+
+    write(file, form, lambda: transient_figure(result))
+
+
+def draw_balance(result: Balances, file: Path) -> None:
+    """Draw hodographs of the shaking force and what the schemes leave of it; of an engine, force and couple.
+
+    Raises `UsageError` for a rotor alone, which has no picture.
+    """
+    form = _form(file)
+    _check_matplotlib()
+    from tmmcalc.report.pictures.balance import balance_figure
+    from tmmcalc.report.pictures.page import write
+
+    write(file, form, lambda: balance_figure(result))
 
 
 def _form(file: Path) -> str:

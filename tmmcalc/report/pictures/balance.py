@@ -15,15 +15,15 @@ from matplotlib.figure import Figure, SubFigure
 
 from tmmcalc.errors import UsageError
 from tmmcalc.linkage.balance.task import Balancing, Scheme
-from tmmcalc.linkage.plane import Real
-from tmmcalc.numerics.fourier import TURN, Magnitude
+from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.numerics.fourier import TURN, Magnitude, Series
 from tmmcalc.report.balance import moved, phi_at
 from tmmcalc.report.numbers import NOISE
 from tmmcalc.report.pictures.curves import Diagram, Line
 from tmmcalc.report.pictures.labels import signed
 from tmmcalc.report.pictures.page import blank, settle
 from tmmcalc.report.pictures.shaking import Path, Polar, Ring, Sizes, Spot, shaking_sheet
-from tmmcalc.report.pictures.style import CURVES, INK
+from tmmcalc.report.pictures.style import CURVES
 
 if TYPE_CHECKING:
     from tmmcalc.stages.balance import Balances
@@ -109,19 +109,16 @@ def _turning(result: Balancing) -> Polar:
     _, crank = _angles(result)
     mean = found.series.coefficient(1)
     path = Path("$R$", found.series.at(crank) * np.exp(-1j * crank), found.turned, FORCE)
-    spots = [Spot("$O_1$", mean, {"color": INK})]
+    spots = [Spot("$O_1$", mean, WEIGHT, arrow=True)]
     rings = []
     for scheme in result.schemes:
-        weight = scheme.balance.series.coefficient(1) - mean
-        if scheme.name == "least squares":
-            spots.append(Spot("counterweight", weight, WEIGHT, arrow=True))
         if scheme.name == "minimax":
-            rings.append(Ring("smallest circle: minimax", -weight, scheme.balance.after.largest, CIRCLE))
-            spots.append(Spot("", -weight, CIRCLE))
+            weight = scheme.balance.series.coefficient(1) - mean
+            rings.append(Ring("smallest circle about $O_2$: minimax", -weight, scheme.balance.after.largest, CIRCLE))
+            spots.append(Spot("$O_2$", -weight, CIRCLE))
+    heading = "In the axes of the crank; the best counterweight takes $OO_1$ away"
     names = ("R_{x1}", "R_{y1}")
-    return Polar(
-        "In the axes of the crank, $x_1$ along it", names, "N", (path,), result.labels, tuple(rings), tuple(spots)
-    )
+    return Polar(heading, names, "N", (path,), result.labels, tuple(rings), tuple(spots))
 
 
 def _forces(result: Balancing) -> Sizes:

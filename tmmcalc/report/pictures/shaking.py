@@ -22,7 +22,6 @@ MARGIN = 8.0  # free border of a hodograph [mm]
 APART = 5.0  # positions nearer than this to a numbered one go without a number [mm]
 HEIGHTS = (1.5, 1.0)  # of the diagrams, one under another
 COLUMNS = 3  # of a legend
-FAR = 50.0  # times the largest size: beyond every axes
 RMS: dict[str, Any] = {"linewidth": 0.8, "linestyle": (0, (9, 4)), "zorder": 3}
 
 
@@ -76,7 +75,10 @@ class Polar:
     @property
     def _everything(self) -> Plane:
         """All that must lie on the board."""
-        return np.concatenate([*(path.values for path in self.paths), *(ring.points for ring in self.rings), [0j]])
+        tips = [spot.at for spot in self.spots]
+        return np.concatenate(
+            [*(path.values for path in self.paths), *(ring.points for ring in self.rings), tips, [0j]]
+        )
 
     @property
     def _peak(self) -> float:
@@ -97,9 +99,9 @@ class Polar:
         """Draw on an axes whose place is settled."""
         peak = self._peak
         board = Board(axes, self._everything, MARGIN)
-        far = FAR * peak
-        for ends in ((-far, far), (-1j * far, 1j * far)):
-            board.line(ends, linewidth=0.7, color="#333333", weight=0.2)
+        low, high = complex(axes.get_xlim()[0], axes.get_ylim()[0]), complex(axes.get_xlim()[1], axes.get_ylim()[1])
+        for ends in ((low.real, high.real), (1j * low.imag, 1j * high.imag)):
+            board.line(ends, linewidth=0.7, color="#333333", weight=0.3)
         for ring in self.rings:
             board.line(ring.points, weight=0.4, zorder=3, **ring.style)
         for path in self.paths:
@@ -107,6 +109,9 @@ class Polar:
         board.circle(0j, 0.8, zorder=9)
         for spot in self.spots:
             _mark(board, spot, peak)
+        for spot in self.spots:
+            gaps, color = (1.2, 2.0, 3.0, 4.4), spot.style["color"]
+            board.labels.put(spot.name, [spot.at], size=7.5, gaps=gaps, prefer=spot.at or 1, color=color)
         self._number(board)
         factor, unit = suited(peak, self.unit)
         axes.set_title(f"{self.heading}\n$\\mu$ = {number(board.mu * factor, 4)} {unit}/mm", pad=20)
@@ -126,15 +131,13 @@ class Polar:
 
 
 def _mark(board: Board, spot: Spot, peak: float) -> None:
-    """A named place, with its arrow."""
-    if spot.arrow and abs(spot.at) > NOISE * peak:
+    """A place as a cross, or an arrow to it."""
+    if not spot.arrow:
+        board.axes.plot(spot.at.real, spot.at.imag, "x", markersize=5, zorder=10, color=spot.style["color"])
+        board.labels.avoid([spot.at], 4.0)
+    elif abs(spot.at) > NOISE * peak:
         board.line((0j, spot.at), **{"linewidth": 1.3, "zorder": 7, **spot.style, "linestyle": "-"})
         board.arrowhead(spot.at, spot.at, facecolor=spot.style["color"])
-    elif not spot.arrow:
-        board.axes.plot(spot.at.real, spot.at.imag, "x", markersize=5, zorder=10, color=spot.style["color"])
-    if spot.name:
-        gaps = (1.2, 2.0, 3.0, 4.4)
-        board.labels.put(spot.name, [spot.at], size=7.5, gaps=gaps, prefer=spot.at or 1, color=spot.style["color"])
 
 
 @record

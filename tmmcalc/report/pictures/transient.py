@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
+from matplotlib.patheffects import withStroke
 
 from tmmcalc.machine.transient.results import Event
 from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
@@ -24,6 +25,8 @@ from tmmcalc.report.transient import ENDS
 LISTED = 8  # events whose names are written out
 TAIL = 0.5  # of the time at its end that is magnified
 SWING = 0.2  # of the range of the speed: a tail that swings by more needs no magnifying
+SMALL = 0.02  # of the height of a panel: a curve that goes no deeper below zero is cut there
+LATE = 0.95  # of the time: an event after it is numbered on its left
 ROOM = 0.15  # of the range of a magnified tail, below and above it
 EVENT: dict[str, Any] = {"color": MARK, "linewidth": 0.7, "linestyle": (0, (4, 3)), "zorder": 2}
 
@@ -58,6 +61,8 @@ class Panel:
         if self.tail:
             low, high = _range(self.curves[0].values[self.t >= (1 - TAIL) * self.t[-1]] * factor)
             axes.set_ylim(low - ROOM * (high - low), high + ROOM * (high - low))
+        elif min(float(np.min(curve.values)) for curve in self.curves) * factor >= -SMALL * axes.get_ylim()[1]:
+            axes.set_ylim(bottom=0.0)
         handles = [Line2D([], [], label=curve.label, linewidth=1.3, **curve.style) for curve in self.curves]
         place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": 4}
         axes.legend(handles=handles, handlelength=3, columnspacing=1.2, borderaxespad=0.3, **place)
@@ -119,13 +124,17 @@ def _events(events: Sequence[Event]) -> str:
 
 
 def _name_events(axes: Axes, events: Sequence[Event]) -> None:
-    """Numbers of the events above the uppermost panel; those of one instant stand together."""
+    """Numbers of the events in the uppermost panel; those of one instant stand together."""
     together: dict[float, list[str]] = {}
     for k, event in enumerate(events, 1):
         together.setdefault(event.time, []).append(str(k))
+    end = axes.get_xlim()[1]
     for time, numbers in together.items():
-        style = {"fontsize": 6.5, "ha": "center", "va": "bottom", "color": MARK}
-        axes.text(time, 1.01, ", ".join(numbers), transform=axes.get_xaxis_transform(), **style)
+        late = time > LATE * end
+        style: dict[str, Any] = {"fontsize": 6.5, "ha": "right" if late else "left", "va": "top", "color": MARK}
+        halo = [withStroke(linewidth=1.6, foreground="white")]
+        text = f"{', '.join(numbers)} " if late else f" {', '.join(numbers)}"
+        axes.text(time, 0.98, text, transform=axes.get_xaxis_transform(), path_effects=halo, zorder=20, **style)
 
 
 def _speeds(motion: TimedMotion) -> Panel:
