@@ -9,9 +9,11 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 .PHONY: demo test lint bench format schema clean
 
 demo: $(VENV)/.run
-	$(BIN)/tmmcalc structure configs/shaper.toml -o $(DEMO) --quiet
+	$(BIN)/tmmcalc run configs/shaper.toml -o $(DEMO) --quiet
 	@echo
-	$(BIN)/tmmcalc kinematics configs/shaper.toml -o $(DEMO)
+	$(BIN)/tmmcalc kinematics configs/shaper.toml -o $(DEMO) --quiet
+	@echo
+	$(BIN)/tmmcalc forces configs/shaper.toml -o $(DEMO)
 
 test: $(VENV)/.dev
 	$(BIN)/python -m pytest -n 2

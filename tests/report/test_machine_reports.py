@@ -96,9 +96,9 @@ class TestPower:
 
     def test_the_place_of_the_peak(self) -> None:
         document = power_summary(solve_power(sine(100.0), (WorkPart("Q", "load", -1.0),)), "t")
-        assert text(document, "peak moment") == "100 N*m, resisting at 270 deg from position 0"
+        assert text(document, "peak resisting moment") == "100 N*m, resisting at 270 deg from position 0"
         nothing = power_summary(solve_power(steps((5.0, 1.0)), (WorkPart("gas", "load", 6 * math.pi),)), "t")
-        assert text(nothing, "peak moment") == "0 N*m: nothing ever resists"
+        assert text(nothing, "peak resisting moment") == "0 N*m: nothing ever resists"
 
     def test_an_engine(self) -> None:
         parts = (WorkPart("gas", "load", 100.0), WorkPart("damper", "damper", -20.0))

@@ -128,7 +128,7 @@ def _power_facts(result: Power) -> list[Fact]:
         Fact("mean power", f"{number(result.mean_power, peak=peak)} W {whose}", {"P_mean[W]": result.mean_power}),
         Fact("mean moment", f"{number(abs(mean))} N*m", {"M_d_mean[N*m]": mean}),
         Fact(
-            "peak moment",
+            "peak resisting moment",
             f"{number(result.peak_moment)} N*m{where}",
             {"M_peak[N*m]": result.peak_moment, "M_peak_at_theta[deg]": math.degrees(result.peak_at)},
         ),
