@@ -64,7 +64,12 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.results import Kinematics, Method
     from tmmcalc.linkage.structure import Structure
     from tmmcalc.machine.cycle import Cycle
+    from tmmcalc.machine.flywheel.task import Flywheel
+    from tmmcalc.machine.motion import Motion
+    from tmmcalc.machine.power import Power
+    from tmmcalc.machine.transient.timed import TimedMotions
     from tmmcalc.spec import Spec, load_spec, parse_spec
+    from tmmcalc.stages.balance import Balances
 
 __all__ = [
     "PRP",
@@ -75,11 +80,13 @@ __all__ = [
     "AccuracyError",
     "Assembly",
     "AssemblyError",
+    "Balances",
     "Body",
     "Constant",
     "Coupling",
     "Cycle",
     "DyadMotion",
+    "Flywheel",
     "Forces",
     "GearDrive",
     "Grid",
@@ -94,11 +101,13 @@ __all__ = [
     "Loading",
     "Mechanism",
     "Method",
+    "Motion",
     "NoSolutionError",
     "Output",
     "Pair",
     "Point",
     "Polynomial",
+    "Power",
     "Quadratic",
     "Reduction",
     "SingularityError",
@@ -108,6 +117,7 @@ __all__ = [
     "Structure",
     "StructureError",
     "Tabulated",
+    "TimedMotions",
     "TmmError",
     "UsageError",
     "Viscous",
@@ -151,6 +161,11 @@ _HOMES = {
     ),
     "tmmcalc.linkage.reduction.results": ("Reduction",),
     "tmmcalc.machine.cycle": ("Cycle",),
+    "tmmcalc.stages.balance": ("Balances",),
+    "tmmcalc.machine.flywheel.task": ("Flywheel",),
+    "tmmcalc.machine.motion": ("Motion",),
+    "tmmcalc.machine.power": ("Power",),
+    "tmmcalc.machine.transient.timed": ("TimedMotions",),
     "tmmcalc.linkage.model": ("Assembly", "Grid", "Input", "Joint", "Link", "Mechanism", "Output"),
     "tmmcalc.linkage.plane": ("Guide", "Point"),
     "tmmcalc.linkage.results": ("Kinematics", "Method"),

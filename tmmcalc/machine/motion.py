@@ -11,6 +11,7 @@ from tmmcalc.machine import recurrence
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver
 from tmmcalc.machine.motors.characteristics import Parabolic
+from tmmcalc.machine.motors.gearing import Reduced
 from tmmcalc.machine.positional import positional
 from tmmcalc.machine.recurrence import NodalRegime, Turn
 from tmmcalc.machine.regime import Regime
@@ -113,14 +114,33 @@ def _textbook(
 ) -> Textbook | None:
     """The recurrence of the course, for a parabola on an equal grid."""
     n = len(theta) - 1
-    motor = driver.characteristic if driver is not None and not driver.time_constant else None
-    if not isinstance(motor, Parabolic) or np.ptp(np.diff(theta)) > 1e-9 * cycle.period / n:
+    parabola = _parabola(driver)
+    if parabola is None or np.ptp(np.diff(theta)) > 1e-9 * cycle.period / n:
         return None
+    a, b, rated = parabola
+    nodes = recurrence.on_nodes(cycle, inertia.total, a, b, n)
     try:
-        nodes = recurrence.on_nodes(cycle, inertia.total, motor.a, motor.b, n)
         regime = recurrence.periodic(nodes)
-        turns = recurrence.turns(nodes, motor.nominal)
     except (NoSolutionError, AccuracyError):
         return None
     error = float(np.max(np.abs(regime.omega - omega)) / np.mean(omega))
-    return Textbook(motor.a, motor.b, regime, turns, error)
+    return Textbook(a, b, regime, _turns(nodes, rated), error)
+
+
+def _turns(nodes: recurrence.Nodes, rated: float) -> tuple[Turn, ...]:
+    """The iteration turn by turn; none where it does not settle."""
+    try:
+        return recurrence.turns(nodes, rated)
+    except AccuracyError:
+        return ()
+
+
+def _parabola(driver: Driver | None) -> tuple[float, float, float] | None:
+    """A, B and the rated speed of a parabola on the input shaft; of gears with losses that of the driving motor."""
+    motor = driver.characteristic if driver is not None and not driver.time_constant else None
+    if isinstance(motor, Parabolic):
+        return motor.a, motor.b, motor.nominal
+    if isinstance(motor, Reduced) and isinstance(motor.base, Parabolic) and motor.nominal is not None:
+        factor = motor.mean + motor.half
+        return factor * motor.base.a, factor * motor.ratio**2 * motor.base.b, motor.nominal
+    return None

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal
 
+import numpy as np
+
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.motors.model import Motor
@@ -63,6 +65,7 @@ class Power:
     mean_moment: float  # driving moment that makes the work of the cycle zero [N*m]; of an engine its load
     peak_moment: float  # largest resisting reduced moment [N*m]
     peak_at: float  # theta there [rad]
+    start_moment: float  # resisting reduced moment in position 0, 0 if none resists there [N*m]
     transmission: float  # efficiency of the gears to the motor [-]
     motor_power: float | None  # required of the motor, P/eta [W]; None for an engine
     duty: MotorDuty | None  # None without a motor
@@ -104,6 +107,7 @@ def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float =
         mean_moment=-total / cycle.period,
         peak_moment=max(-least, 0.0),
         peak_at=least_at,
+        start_moment=max(-float(cycle.panels.at(moment, np.zeros(1))[0]), 0.0),
         transmission=transmission,
         motor_power=mean_power / transmission if machine != "engine" else None,
         duty=None,
@@ -137,9 +141,10 @@ def duty_of(power: Power, motor: Motor, ratio: float, reasons: tuple[str, ...], 
 def chosen_motor(
     power: Power, catalogue: tuple[Motor, ...], input_speed: float, ratio: float | None, synchronous: float | None
 ) -> Choice:
-    """The least motor of a catalogue that covers the required power; raises `NoSolutionError` if there is none.
+    """The least motor of a catalogue that covers the required power and starts the machine in position 0.
 
-    Peaks of the load are the flywheel's business; how far they exceed the rated moment stands in the duty.
+    Peaks of the load on the way are the flywheel's business; how far they exceed the rated moment stands in the duty.
+    Raises `NoSolutionError` if no motor does.
     """
     from tmmcalc.machine.motors.choice import choose
 
@@ -149,4 +154,12 @@ def chosen_motor(
             where="power",
             remedy="give the motor by its name or its data, or add the loads that it has to overcome",
         )
-    return choose(power.motor_power, catalogue, synchronous=synchronous, input_speed=input_speed, ratio=ratio)
+    start = power.start_moment / power.transmission
+    return choose(
+        power.motor_power,
+        catalogue,
+        synchronous=synchronous,
+        input_speed=input_speed,
+        ratio=ratio,
+        start_moment=start if start > NOTHING * power.peak_moment else None,
+    )

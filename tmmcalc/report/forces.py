@@ -129,11 +129,14 @@ def _couple(result: Forces, pair: PairForces, couple: Extreme) -> tuple[str, dic
     return f"max couple {number(couple.value)} N*m at {place(result, couple.x)}", values
 
 
+LEAST_ARM = 1e-13  # of a force that rounding alone moves off the slider's point [m]
+
+
 def _no_couple(result: Forces) -> float:
     """A couple that is noise against the largest moment [N*m]."""
     couples = [pair.couple.value for pair in result.pairs if pair.couple is not None]
     drive = _peak(result.drive_extremes) if result.turns else 0.0
-    return NOISE * max(*couples, drive, 0.0)
+    return max(NOISE * max(*couples, drive, 0.0), LEAST_ARM * max(pair.force.value for pair in result.pairs))
 
 
 def _arm(result: Forces, j: int) -> tuple[str, dict[str, Any]]:

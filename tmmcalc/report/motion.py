@@ -191,7 +191,10 @@ def _textbook_facts(result: Motion) -> list[Fact]:
 
 
 def _turns(book: Textbook) -> Iterator[str]:
-    """The iteration of the textbook from the rated speed."""
+    """The iteration of the textbook from the rated speed, where it settles."""
+    if not book.turns:
+        yield "turn by turn from the rated speed it does not settle"
+        return
     speeds = [number(speed) for speed in (book.turns[0].first, *(turn.last for turn in book.turns))]
     if len(speeds) > SHOWN:
         speeds = [*speeds[: SHOWN - 1], "...", speeds[-1]]

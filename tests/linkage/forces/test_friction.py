@@ -264,15 +264,19 @@ def test_the_solution_grows_out_of_no_friction(seed: int, k: int) -> None:
     np.testing.assert_allclose(full.values[:, both], q[:, both], rtol=1e-9, atol=1e-9)
 
 
-def test_a_locked_group_is_locked_by_the_fixed_point_too() -> None:
-    """One pair, R = R0 + S q: locked exactly where c |S| >= 1 turns the force against itself."""
+@pytest.mark.parametrize("tips", [False, True])
+def test_one_pair_in_closed_form(tips: bool) -> None:
+    """R = R0 + S q: locked exactly where c S turns the force against itself, or the couple of a slider on its edges."""
     rng = np.random.default_rng(1)
     n = 400
     base, response = rng.normal(size=n), rng.normal(size=n)
     c = rng.uniform(-2, 2, n)
     seat = Slideway(np.zeros(n, complex), np.ones(n, complex))
-    pairs = [Rubbing(seat, c, Wrench(1j * base, np.zeros(n)), (Wrench(1j * response, np.zeros(n)),), None)]
-    solution = solve(pairs, n)
+
+    def wrench(size: Any) -> Wrench:
+        return Wrench(1e-3j * size, 0.7 * size) if tips else Wrench(1j * size, np.zeros(n))
+
+    solution = solve([Rubbing(seat, c, wrench(base), (wrench(response),), 0.7 if tips else None)], n)
     denominator = 1 + c * response * np.sign(base)  # of |N| = |N0| - c S sgn(N0) |N|
     np.testing.assert_array_equal(solution.locked, denominator <= 0)
     free = denominator > 0
@@ -280,6 +284,51 @@ def test_a_locked_group_is_locked_by_the_fixed_point_too() -> None:
     np.testing.assert_allclose(solution.limit[~free], (1 / (1 - denominator))[~free], rtol=1e-6)
     other = 1 - c * response * np.sign(base) < 0  # the force turned round is a solution too
     np.testing.assert_array_equal(solution.ambiguous, other & free)
+
+
+@pytest.mark.parametrize("k", [2, 3])
+def test_strong_friction_against_a_path_of_small_steps(k: int) -> None:
+    """From no friction on in a thousand steps, a matrix a position; the path ends where its determinant vanishes."""
+    rng = np.random.default_rng(10 + k)
+    n, steps = 40, 800
+    pairs = system(rng, k, n, 1.2 if k == 2 else 1.0)
+    solution = solve(pairs, n)
+    q, alive, end = np.zeros((k, n)), np.ones(n, bool), np.ones(n)
+    for part_of in np.linspace(0, 1, steps + 1)[1:]:
+        tried = q.copy()
+        for _ in range(4):
+            left, jacobian = equations(pairs, tried, part_of)
+            tried = tried - np.linalg.solve(jacobian, left.T[..., None])[..., 0].T
+        left, jacobian = equations(pairs, tried, part_of)
+        jump = np.max(np.abs(tried - q), axis=0) > 0.05 + 0.5 * np.max(np.abs(q), axis=0)
+        good = alive & (np.linalg.det(jacobian) > 0) & ~jump & (np.max(np.abs(left), axis=0) < 1e-9)
+        end[alive & ~good] = part_of
+        q[:, good], alive = tried[:, good], good
+    assert 5 < alive.sum() < n - 5
+    doubtful = np.abs(end - solution.limit) > 0.01  # a fold or a kink may be passed in a step of either
+    assert doubtful.sum() <= 2
+    np.testing.assert_array_equal(solution.locked[~doubtful], ~alive[~doubtful])
+    both = alive & ~solution.locked & ~doubtful
+    np.testing.assert_allclose(solution.values[:, both], q[:, both], rtol=1e-8, atol=1e-8)
+
+
+def equations(pairs: list[Rubbing], q: Any, part_of: float) -> tuple[Any, Any]:
+    """Left sides (k, n) and Jacobians (n, k, k), these by differences of a tiny step."""
+
+    def left(values: Any) -> Any:
+        rows = []
+        for j, pair in enumerate(pairs):
+            force = pair.base.force + sum(r.force * v for r, v in zip(pair.responses, values, strict=True))
+            moment = pair.base.moment + sum(r.moment * v for r, v in zip(pair.responses, values, strict=True))
+            rows.append(values[j] + part_of * pair.c * size_of(pair.seat, Wrench(force, moment), pair.half))
+        return np.array(rows)
+
+    base, columns = left(q), []
+    for i in range(len(pairs)):
+        moved = q.copy()
+        moved[i] += 1e-7
+        columns.append((left(moved) - base) / 1e-7)
+    return base, np.moveaxis(np.array(columns), (0, 1, 2), (2, 1, 0))
 
 
 class TestRest:
