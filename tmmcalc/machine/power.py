@@ -155,11 +155,13 @@ def chosen_motor(
             remedy="give the motor by its name or its data, or add the loads that it has to overcome",
         )
     start = power.start_moment / power.transmission
+    # a catalogue that knows no starting moments cannot be asked for them
+    asked = start > NOTHING * power.peak_moment and any(motor.start is not None for motor in catalogue)
     return choose(
         power.motor_power,
         catalogue,
         synchronous=synchronous,
         input_speed=input_speed,
         ratio=ratio,
-        start_moment=start if start > NOTHING * power.peak_moment else None,
+        start_moment=start if asked else None,
     )

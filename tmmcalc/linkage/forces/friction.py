@@ -28,6 +28,7 @@ NEWTON = 40
 TOGETHER = 5  # passes over all positions; the few that need more go on alone
 FIRST_STEP, LEAST_STEP = 0.25, 1e-9  # of the path from no friction (0) to the full friction (1)
 GROWTH = 10.0  # of the values in one step of the path
+ASIDE = 0.1  # part of the values by which a step may miss what its tangent foretold
 STEPS = 400
 TINY = 1e-300  # a force without direction
 APART = 1e-6  # relative difference that makes another solution of a Newton end
@@ -170,21 +171,22 @@ class _Problem(NamedTuple):
                 break
             some = self.at(active)
             target = np.minimum(part[active] + step[active], 1.0)
-            tried, done, _ = some.newton(q[:, active], target, 12)
-            good = done & some._regular(tried, target) & some._near(tried, q[:, active])
+            expected = q[:, active] + some._direction(q[:, active], part[active]) * (target - part[active])
+            tried, done, _ = some.newton(expected, target, 12)
+            good = done & some._regular(tried, target) & _near(tried, expected, q[:, active])
             ok = active[good]
             q[:, ok], part[ok] = tried[:, good], target[good]
             step[active] = np.where(good, step[active] * 2, step[active] / 4)
         return np.where(part == 1, q, 0.0), part
 
+    def _direction(self, q: Real, part: Real) -> Real:
+        """Tangent dq/dpart (k, n) of the path."""
+        left, _ = self.residual(q, np.ones(len(part)))
+        return -_cramer(self.residual(q, part)[1], left - q)[0]
+
     def _regular(self, q: Real, part: Real) -> Flags:
         """Whether the determinant of the equations is still positive, as it is without friction."""
         return _cramer(self.residual(q, part)[1], q)[1] > 0
-
-    def _near(self, q: Real, before: Real) -> Flags:
-        """Whether a step stayed on its path: the values did not jump."""
-        change, size = np.max(np.abs(q - before), axis=0), np.max(np.abs(before), axis=0)
-        return (size == 0) | (change <= GROWTH * size)
 
     def others(self, q: Real) -> Flags:
         """Where Newton finds a further solution from the other senses of the reactions."""
@@ -225,6 +227,12 @@ def _write(seat: Seat, wrench: Wrench, z: Real) -> None:
         z[0] = (np.conj(1j * seat.e) * wrench.force).real
     else:
         z[0], z[1] = wrench.force.real, wrench.force.imag
+
+
+def _near(found: Real, expected: Real, before: Real) -> Flags:
+    """Whether a step stayed on its path: Newton moved it by little against its size, and it did not leap."""
+    size, old = np.max(np.abs(expected), axis=0), np.max(np.abs(before), axis=0)
+    return (np.max(np.abs(found - expected), axis=0) <= ASIDE * size) & ((old == 0) | (size <= GROWTH * old))
 
 
 def size_of(seat: Seat, wrench: Wrench, half: float | None) -> Real:
