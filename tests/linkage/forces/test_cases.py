@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -447,3 +448,15 @@ def test_oscillating_cylinder_of_twelve_positions() -> None:
     like(case, "M32_couple_about_A", couple)
     like(case, "h32", couple / normal)
     like(case, "M_bal", result.drive[:12])
+
+
+def test_no_case_of_forces_is_forgotten() -> None:
+    """Every verified case of the two files that speaks of forces is named in this file or beside it."""
+    here = Path(__file__).parent
+    beside = (here / "test_friction.py", here.parent / "reduction" / "test_cases.py")
+    told = "".join(file.read_text() for file in (Path(__file__), *beside))
+    forces = ("press-ideal", "press-friction", "press-friction-iterations", "press-reduced", "vengine-table31")
+    others = ("shaper-reduced", "fourbar-forces", "friction-extreme", "reduced-inertia-press", "gear-driven-crank")
+    wanted = [name for name in CASES if name.startswith("F-")] + [f"dyn-{name}" for name in (*forces, *others)]
+    assert len(wanted) == 16 + 10
+    assert [name for name in wanted if name not in told] == []

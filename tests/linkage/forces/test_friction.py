@@ -125,7 +125,8 @@ class TestSteepRod:
             assert raised.value.limit == pytest.approx(1 / (1 - gap), rel=1e-7)
             return
         result = pushed(3.0, friction, -1000.0)
-        assert result.normal[3, 1] == pytest.approx(-3000.0 / gap, rel=1e-14 / gap + 1e-14)
+        exact = -3.0 * 1000.0 / (1 - 3.0 * friction)
+        assert abs(result.normal[3, 1] / exact - 1) < result.error < 1e-12 / gap
         assert np.all(np.isfinite(result.reaction))
 
     @pytest.mark.parametrize("sense", [1.0, -1.0])
@@ -286,30 +287,29 @@ def test_one_pair_in_closed_form(tips: bool) -> None:
     np.testing.assert_array_equal(solution.ambiguous, other & free)
 
 
-@pytest.mark.parametrize("k", [2, 3])
-def test_strong_friction_against_a_path_of_small_steps(k: int) -> None:
-    """From no friction on in a thousand steps, a matrix a position; the path ends where its determinant vanishes."""
-    rng = np.random.default_rng(10 + k)
-    n, steps = 40, 800
-    pairs = system(rng, k, n, 1.2 if k == 2 else 1.0)
+def test_strong_friction_against_a_path_of_small_steps() -> None:
+    """From no friction on in two thousand steps; the path ends where the determinant vanishes or Newton is lost."""
+    rng = np.random.default_rng(12)
+    n, steps = 60, 2000
+    pairs = system(rng, 2, n, 1.2)
     solution = solve(pairs, n)
-    q, alive, end = np.zeros((k, n)), np.ones(n, bool), np.ones(n)
+    q, alive, end = np.zeros((2, n)), np.ones(n, bool), np.ones(n)
     for part_of in np.linspace(0, 1, steps + 1)[1:]:
         tried = q.copy()
-        for _ in range(4):
+        for _ in range(3):
             left, jacobian = equations(pairs, tried, part_of)
             tried = tried - np.linalg.solve(jacobian, left.T[..., None])[..., 0].T
         left, jacobian = equations(pairs, tried, part_of)
-        jump = np.max(np.abs(tried - q), axis=0) > 0.05 + 0.5 * np.max(np.abs(q), axis=0)
-        good = alive & (np.linalg.det(jacobian) > 0) & ~jump & (np.max(np.abs(left), axis=0) < 1e-9)
+        leap = np.max(np.abs(tried - q), axis=0) > 0.01 + 0.3 * np.max(np.abs(q), axis=0)
+        good = alive & (np.linalg.det(jacobian) > 0) & ~leap & (np.max(np.abs(left), axis=0) < 1e-6)
         end[alive & ~good] = part_of
         q[:, good], alive = tried[:, good], good
-    assert 5 < alive.sum() < n - 5
-    doubtful = np.abs(end - solution.limit) > 0.01  # a fold or a kink may be passed in a step of either
-    assert doubtful.sum() <= 2
-    np.testing.assert_array_equal(solution.locked[~doubtful], ~alive[~doubtful])
-    both = alive & ~solution.locked & ~doubtful
-    np.testing.assert_allclose(solution.values[:, both], q[:, both], rtol=1e-8, atol=1e-8)
+    assert 10 < alive.sum() < n - 10
+    calm = np.max(np.abs(solution.values), axis=0) < 10  # on the brink the values leap from step to step
+    assert calm.sum() > n - 6
+    np.testing.assert_array_equal(solution.locked[calm], ~alive[calm])
+    np.testing.assert_allclose(solution.limit[calm], end[calm], atol=2e-3)
+    np.testing.assert_allclose(solution.values[:, alive], q[:, alive], rtol=1e-6, atol=1e-6)
 
 
 def equations(pairs: list[Rubbing], q: Any, part_of: float) -> tuple[Any, Any]:

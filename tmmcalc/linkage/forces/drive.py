@@ -45,7 +45,7 @@ def crank(load: Wrench, drive: Coupling | GearDrive, c: Real) -> Driven:
     force = -(load.force + mesh)
     friction = -c * np.abs(force)
     n = np.size(moment)
-    solution = Solution(np.zeros((1, n)), limit < 1, limit, np.zeros(n, bool), 1)
+    solution = Solution(np.zeros((1, n)), limit < 1, limit, np.zeros(n, bool), np.ones(n), 1)
     return Driven(moment, mesh, Wrench(force, friction), friction, solution)
 
 

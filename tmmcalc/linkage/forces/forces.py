@@ -28,6 +28,7 @@ Flags = NDArray[np.bool_]
 
 PARTS = 16  # of a turn, or of the range: no panel on which maxima are sought is wider
 QUARTERS = np.array([0.25, 0.5, 0.75])
+ROUNDING = 1e-15
 ROUNDS = 3  # of cutting them finer
 
 
@@ -71,8 +72,13 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
             "dense": dense.x.size,
             "passes": max((s.passes for s in solutions.values()), default=0),
         },
-        error=max(_largest(rows.equilibrium), _largest(virtual), kinematics.error.acceleration),
+        error=max(_largest(rows.equilibrium), _largest(virtual), _amplified(solutions, kinematics.error.acceleration)),
     )
+
+
+def _amplified(solutions: dict[str, Solution], error: float) -> float:
+    """What an error of the loads of inertia, and rounding, becomes where friction is near to locking."""
+    return max(error, ROUNDING) * max((_largest(s.amplification) for s in solutions.values()), default=1.0)
 
 
 def _largest(values: Real) -> float:

@@ -19,6 +19,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.linkage.forces.cramer import cramer
 from tmmcalc.linkage.forces.wrench import Seat, Slideway, Wrench
 from tmmcalc.linkage.plane import Real
 
@@ -53,12 +54,17 @@ class Solution(NamedTuple):
     locked: Flags
     limit: Real  # (n,) part of the friction at which it locks; 1 where it does not
     ambiguous: Flags
+    amplification: Real  # (n,) factor by which errors of the loads grow in the friction, at most
     passes: int
 
     def rows(self, which: slice) -> Solution:
         """The same at some of the positions."""
-        return Solution(
-            self.values[:, which], self.locked[which], self.limit[which], self.ambiguous[which], self.passes
+        return self._replace(
+            values=self.values[:, which],
+            locked=self.locked[which],
+            limit=self.limit[which],
+            ambiguous=self.ambiguous[which],
+            amplification=self.amplification[which],
         )
 
 
@@ -67,14 +73,16 @@ def solve(pairs: Sequence[Rubbing], n: int) -> Solution:
     problem = _problem(pairs, n)
     with np.errstate(divide="ignore", invalid="ignore"):
         values, done, passes = problem.newton(problem.first(), np.ones(n))
-        wild = ~done | (problem.gain() >= SAFE)
-        locked, ambiguous, limit = np.zeros(n, bool), np.zeros(n, bool), np.ones(n)
+        gain = problem.gain()
+        wild = ~done | (gain >= SAFE)
+        locked, ambiguous, limit, amplification = np.zeros(n, bool), np.zeros(n, bool), np.ones(n), 1 / (1 - gain)
         if wild.any():
             hard = problem.at(np.flatnonzero(wild))
             found, reached = hard.followed()
             values[:, wild], limit[wild], locked[wild] = found, reached, reached < 1
             ambiguous[wild] = hard.others(found) & (reached == 1)
-    return Solution(values, locked, limit, ambiguous, passes)
+            amplification[wild] = np.where(reached == 1, np.maximum(1.0, 1 / hard.determinant(found, reached)), 1.0)
+    return Solution(values, locked, limit, ambiguous, amplification, passes)
 
 
 def joined(parts: Sequence[Solution]) -> Solution:
@@ -86,6 +94,7 @@ def joined(parts: Sequence[Solution]) -> Solution:
         np.concatenate([part.locked for part in parts]),
         np.concatenate([part.limit for part in parts]),
         np.concatenate([part.ambiguous for part in parts]),
+        np.concatenate([part.amplification for part in parts]),
         max(part.passes for part in parts),
     )
 
@@ -154,7 +163,7 @@ class _Problem(NamedTuple):
     def _passes(self, q: Real, part: Real, most: int) -> tuple[Real, Flags, int]:
         for count in range(most):
             left, jacobian = self.residual(q, part)
-            step, _ = _cramer(jacobian, left)
+            step, _ = cramer(jacobian, left)
             q = q - step
             done = np.maximum.reduce(np.abs(step)) <= EXACT * np.maximum.reduce(np.abs(q))
             if done.all():
@@ -173,7 +182,7 @@ class _Problem(NamedTuple):
             target = np.minimum(part[active] + step[active], 1.0)
             expected = q[:, active] + some._direction(q[:, active], part[active]) * (target - part[active])
             tried, done, _ = some.newton(expected, target, 12)
-            good = done & some._regular(tried, target) & _near(tried, expected, q[:, active])
+            good = done & (some.determinant(tried, target) > 0) & _near(tried, expected, q[:, active])
             ok = active[good]
             q[:, ok], part[ok] = tried[:, good], target[good]
             step[active] = np.where(good, step[active] * 2, step[active] / 4)
@@ -182,11 +191,11 @@ class _Problem(NamedTuple):
     def _direction(self, q: Real, part: Real) -> Real:
         """Tangent dq/dpart (k, n) of the path."""
         left, _ = self.residual(q, np.ones(len(part)))
-        return -_cramer(self.residual(q, part)[1], left - q)[0]
+        return -cramer(self.residual(q, part)[1], left - q)[0]
 
-    def _regular(self, q: Real, part: Real) -> Flags:
-        """Whether the determinant of the equations is still positive, as it is without friction."""
-        return _cramer(self.residual(q, part)[1], q)[1] > 0
+    def determinant(self, q: Real, part: Real) -> Real:
+        """Determinant (n,) of the equations: one without friction, zero where the path ends."""
+        return cramer(self.residual(q, part)[1], q)[1]
 
     def others(self, q: Real) -> Flags:
         """Where Newton finds a further solution from the other senses of the reactions."""
@@ -241,23 +250,3 @@ def size_of(seat: Seat, wrench: Wrench, half: float | None) -> Real:
         return np.abs(wrench.force)
     normal = np.abs((np.conj(1j * seat.e) * wrench.force).real)
     return normal if half is None else np.maximum(normal, np.abs(wrench.moment) / half)
-
-
-def _cramer(matrix: Real, right: Real) -> tuple[Real, Real]:
-    """Solve the k x k systems (k, k, n), k <= 3, of right sides (k, n); and the determinants (n,).
-
-    A library call a position would cost ten times these few products.
-    """
-    k, n = right.shape
-    if k == 1:
-        return right / matrix[0], matrix[0, 0]
-    if k == 2:
-        (a, b), (c, d) = matrix
-        det = a * d - b * c
-        return np.array([d * right[0] - b * right[1], a * right[1] - c * right[0]]) / det, det
-    again = np.empty((5, 5, n))  # the matrix over and over, so that minors are slices
-    again[:3, :3], again[3:, :3] = matrix, matrix[:2]
-    again[:, 3:] = again[:, :2]
-    crossed = again[1:4, 1:4] * again[2:, 2:] - again[2:, 1:4] * again[1:4, 2:]
-    det = np.add.reduce(matrix[0] * crossed[0])
-    return np.add.reduce(right[:, None] * crossed) / det, det
