@@ -29,9 +29,12 @@ from tmmcalc.linkage.results import Extreme, Grade, Kinematics
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.numerics.panels import Panels, panels, resolved
 
+Flags = NDArray[np.bool_]
+
 TOLERANCE = 1e-11  # of the panels: last coefficients against the largest value
 PARTS = 24  # of a turn, or of the range: no first panel is wider
-KINKS = 4  # rounds of their search: two of them between the same points show one after the other
+QUARTERS = np.array([0.25, 0.5, 0.75])  # that a panel which resolves nothing is cut in
+ROUNDS = 4  # of cutting: two kinks between the same points show one after the other
 NOTHING = 1e-9  # part of what a load moves to and fro below which its work has no sign
 
 
@@ -109,8 +112,12 @@ def _first(causes: Causes, theta: Real, labels: tuple[str, ...]) -> tuple[Sample
 
 def _resolved(causes: Causes, on: Panels, sample: Sample) -> tuple[Panels, Real, float, bool]:
     """Panels that resolve J, dJ and all moments, their values (3 + S, K, N), the largest tail; whether idle sticks."""
-    for _ in range(KINKS):
-        finer = cut(on, kinks(on, sample.faces))
+    scales = _scales(sample)
+    for _ in range(ROUNDS):
+        rough = _rough(on, sample, scales)
+        finer = cut(
+            on, [*kinks(on, sample.faces), *(on.edges[:-1][rough, None] + on.width[rough, None] * QUARTERS).flat]
+        )
         if not finer.fresh.any():
             break
         on, sample = finer.panels, sample.with_cut(finer, causes.along(finer.theta))
@@ -122,7 +129,14 @@ def _resolved(causes: Causes, on: Panels, sample: Sample) -> tuple[Panels, Real,
         samples.append(causes.along(theta))
         return samples[-1].rows
 
-    return *resolved(rows, on, TOLERANCE, _scales(sample)), any(sample.stuck for sample in samples)
+    return *resolved(rows, on, TOLERANCE, scales), any(sample.stuck for sample in samples)
+
+
+def _rough(on: Panels, sample: Sample, scales: Real) -> Flags:
+    """Panels (K,) that do not resolve a function yet; each counts by what it adds to an integral."""
+    rows = sample.rows
+    tails = on.tail(rows.reshape(len(rows), *on.x.shape)) / scales[:, None]
+    return np.max(tails, axis=0) * on.width > TOLERANCE * np.max(on.width)
 
 
 def _panels(scene: Scene, edges: Iterable[float]) -> Panels:
