@@ -74,6 +74,7 @@ def test_interrupt(folder: Path) -> None:
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # a background job inherits it as ignored
     )
     assert process.stderr is not None
     assert process.stderr.readline().startswith("structure: computed")
