@@ -1,0 +1,1 @@
+"""Gears: trains and their tooth numbers, strength, criteria of choice."""

@@ -1,0 +1,225 @@
+"""The constraints that a candidate is tested against, by name.
+
+Those of ratio, coaxiality and tooth limits are solved for (`candidates`); the others are masks over a block. Integer
+conditions are tested in integers. The only irrational number is sin(pi/K); it is rational for K = 6, where equality
+occurs, and 1/2 is then taken exactly.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from fractions import Fraction
+
+import numpy as np
+
+from tmmcalc.gears.exact import within
+from tmmcalc.gears.layouts import Mesh
+from tmmcalc.gears.model import Interval, TrainTask, Values
+from tmmcalc.gears.search.blocks import Block
+from tmmcalc.gears.search.tally import Tally
+
+Mask = np.ndarray
+
+
+def sieve(task: TrainTask, block: Block, tally: Tally) -> Block:
+    """The candidates that meet every constraint of the task that is not solved for, in the order of the table."""
+    for name, (binds, test) in CONSTRAINTS.items():
+        if len(block) and binds(task):
+            block = tally.keep(name, block, test(task, block))
+    return block
+
+
+def steps(task: TrainTask, block: Block, tally: Tally, stage: int, weight: int = 1) -> Block:
+    """Candidates whose stage slows down, and by no more than the largest ratio of one stage."""
+    largest = task.demands.stage_ratio
+    if largest is None:
+        return block
+    pinion, wheel = (block[name] for name in task.scheme.wheels[2 * stage : 2 * stage + 2])
+    kept = within(Interval(Fraction(1), largest), wheel, pinion, int(pinion.max(initial=1)))
+    return tally.keep("stage_ratio", block, kept, weight)
+
+
+def alike(task: TrainTask, block: Block, tally: Tally, stage: int, weight: int = 1) -> Block:
+    """Candidates whose wheels of this stage and the one before are alike in diameter (4.4, 4.7).
+
+    The modules are taken as m2/m1 = cbrt(U1): the relation of the diameters cbrt(Z2/Z1) Z3/Z2 is compared by its cube.
+    """
+    band = task.demands.diameter_band
+    if band is None:
+        return block
+    before, wide, _, wheel = (block[name] for name in task.scheme.wheels[2 * stage - 2 : 2 * stage + 2])
+    cubes = Interval(max(1 - band, Fraction(0)) ** 3, (1 + band) ** 3)
+    below = before * wide**2
+    return tally.keep("diameter_band", block, within(cubes, wheel**3, below, int(below.max(initial=1))), weight)
+
+
+def coprime(task: TrainTask, block: Block) -> Mask:
+    """Whether the wheels of every mesh have no common factor."""
+    return np.logical_and.reduce([np.gcd(block[m.first], block[m.second]) == 1 for m in task.scheme.meshes])
+
+
+def undercut(task: TrainTask, block: Block) -> Mask:
+    """Whether no external wheel is undercut by the rack: Z >= 2 h_a/sin^2(alpha)."""
+    external = [wheel for wheel in task.scheme.wheels if wheel not in task.scheme.rings]
+    return np.logical_and.reduce([block[wheel] >= (task.demands.undercut or 0) for wheel in external])
+
+
+def interference(task: TrainTask, block: Block) -> Mask:
+    """Whether every ring has enough teeth more than its pinion."""
+    least = task.demands.ring_difference or 0
+    inner = [mesh for mesh in task.scheme.meshes if mesh.internal]
+    return np.logical_and.reduce([abs(block[m.first] - block[m.second]) >= least for m in inner])
+
+
+def assembly(task: TrainTask, block: Block) -> Mask:
+    """Whether K equally spaced planets fit in between the central wheels (4.25, 4.26)."""
+    k = task.planets
+    if task.layout == "2A-AA":
+        return (block["1"] + block["4"]) % k == 0
+    if task.layout == "AIbar":
+        return (block["1"] + block["3"]) % k == 0
+    common = k * np.gcd(block["2"], block["2'"])
+    if task.layout == "AII":
+        planet = (block["1"] + block["3"]) % k == 0
+        return planet & ((block["2"] * block["4"] - block["3"] * block["2'"]) % common == 0)
+    sign = 1 if task.layout == "AI" else -1
+    return (block["2"] * block["3"] + sign * block["1"] * block["2'"]) % common == 0
+
+
+def adjacency(task: TrainTask, block: Block) -> Mask:
+    """Whether neighbouring planets keep the gap between their tips (4.27, 4.28); for 2A-AA see (8), not strict."""
+    if task.layout == "2A-AA":
+        return np.logical_and.reduce([room >= 0 for room in rooms(task, block)])
+    return np.logical_and.reduce([room > 0 for room in rooms(task, block)])
+
+
+def rooms(task: TrainTask, block: Block) -> list[Values]:
+    """Room between neighbouring planets [module of the stage] beyond the gap asked for, of every planet wheel."""
+    gap = Fraction(0) if task.layout == "2A-AA" else (task.demands.gap or Fraction(0))
+    tips = float(2 * task.addendum + gap)
+    s = 0.5 if task.planets == 6 else math.sin(math.pi / task.planets)
+    found = []
+    for mesh, stretch in zip(task.scheme.meshes, stretches(task, block), strict=True):
+        central, planet = _central_first(task, mesh)
+        if not central:
+            continue
+        total = block[central] - block[planet] if mesh.internal else block[central] + block[planet]
+        raised = task.layout != "2A-AA" and task.demands.largest_angle is not None
+        found.append(total * (stretch * s if raised else s) - block[planet] - tips)
+    return found
+
+
+def _central_first(task: TrainTask, mesh: Mesh) -> tuple[str, str]:
+    """The central wheel and the planet of a mesh; of two planets none is central."""
+    one, other = (wheel in task.scheme.planets for wheel in (mesh.first, mesh.second))
+    if one and other:
+        return "", ""
+    return (mesh.second, mesh.first) if one else (mesh.first, mesh.second)
+
+
+def sums(task: TrainTask, block: Block) -> list[np.ndarray]:
+    """Twice the reference centre distances of the axes that must coincide, in units of one length."""
+    z = block.teeth
+    if task.layout == "2A-AA":
+        return [z["1"] + 2 * z["2"] + z["3"], z["3"] + z["4"]]
+    found = []
+    for mesh in task.scheme.meshes:
+        total = abs(z[mesh.first] - z[mesh.second]) if mesh.internal else z[mesh.first] + z[mesh.second]
+        found.append(total * block.proportion[mesh.stage])
+    return found
+
+
+def stretches(task: TrainTask, block: Block) -> list[Values]:
+    """By how much the operating centre distance of each mesh exceeds the reference one.
+
+    The stage of the largest reference distance keeps the angle of the rack and the others are raised to it.
+    """
+    ones = np.ones(len(block))
+    if task.demands.largest_angle is None or not task.scheme.branched:
+        return [ones for _ in task.scheme.meshes]
+    found = sums(task, block)
+    widest = np.maximum.reduce(found)
+    each = [widest / total for total in found]
+    return [each[0], each[0], each[1]] if task.layout == "2A-AA" else each
+
+
+def mesh_angles(task: TrainTask, block: Block) -> Mask:
+    """Whether no operating pressure angle is beyond the largest."""
+    limit = math.cos(task.pressure_angle) / math.cos(task.demands.largest_angle or 0.0)
+    return np.logical_and.reduce([stretch <= limit for stretch in stretches(task, block)])
+
+
+def diameters(task: TrainTask, block: Block) -> Mask:
+    """Whether the wheels 2 and 3 of two stages with a common axis are alike in diameter."""
+    band = task.demands.diameter_band or Fraction(0)
+    mu1, mu2 = block.proportion
+    below = mu1 * block["2"]
+    return np.asarray(within(Interval(1 - band, 1 + band), mu2 * block["3"], below, int(below.max(initial=1))))
+
+
+def slow_stages(task: TrainTask, block: Block) -> Mask:
+    """Whether no stage of a coaxial train exceeds the largest ratio of one stage."""
+    admitted = Interval(Fraction(0), task.demands.stage_ratio or Fraction(1))
+    pairs = [(block[mesh.second], block[mesh.first]) for mesh in task.scheme.meshes]
+    return np.logical_and.reduce([within(admitted, *pair, int(pair[1].max(initial=1))) for pair in pairs])
+
+
+def centre_distance(task: TrainTask, block: Block) -> Mask:
+    """Whether the centre distance of stage 1 lies within its limits."""
+    low, high = task.demands.centre_distance or (None, None)
+    distance = centre_distances(task, block)
+    return (distance >= (low or 0.0)) & (distance <= (math.inf if high is None else high))
+
+
+def centre_distances(task: TrainTask, block: Block) -> Values:
+    """Centre distance [m] of the wheels 1 and 2."""
+    mesh = task.scheme.meshes[0]
+    one, other = block[mesh.first], block[mesh.second]
+    total = abs(one - other) if mesh.internal else one + other
+    distance: Values = (task.module or 0.0) / 2 * total * stretches(task, block)[0]
+    return distance
+
+
+def envelope(task: TrainTask, block: Block) -> Mask:
+    """Whether the circle around planets and rings (of a branched train) is within its limit."""
+    return envelopes(task, block) <= (task.demands.envelope or 0.0)
+
+
+def envelopes(task: TrainTask, block: Block) -> Values:
+    """Diameter [m] of the circle around the pitch circles of the planets and the central wheels."""
+    module = task.module or 0.0
+    units = [module * mu / block.proportion[0] for mu in block.proportion]
+    central = {wheel for wheel in task.scheme.wheels if wheel not in task.scheme.planets}
+    sizes = []
+    for mesh in task.scheme.meshes:
+        own, planet = _central_first(task, mesh)
+        if own in central:
+            sizes.append(units[mesh.stage] * block[own])
+            outer = block[own] if mesh.internal else block[own] + 2 * block[planet]
+            sizes.append(units[mesh.stage] * outer)
+    largest: Values = np.maximum.reduce(sizes)
+    return largest
+
+
+def _neighbours(task: TrainTask) -> bool:
+    return task.demands.gap is not None and task.scheme.branched and task.planets > 2
+
+
+def _common_axis(task: TrainTask) -> bool:
+    return task.layout in ("coaxial", "AA", "AI", "II")
+
+
+# name: (whether it binds in this task, the mask); the order in which they are put and counted
+CONSTRAINTS: dict[str, tuple[Callable[[TrainTask], bool], Callable[[TrainTask, Block], Mask]]] = {
+    "mesh_angles": (lambda t: t.demands.largest_angle is not None and t.scheme.branched, mesh_angles),
+    "undercut": (lambda t: t.demands.undercut is not None and t.demands.undercut > t.limits.least, undercut),
+    "interference": (lambda t: t.demands.ring_difference is not None and bool(t.scheme.rings), interference),
+    "stage_ratio": (lambda t: t.demands.stage_ratio is not None and t.layout == "coaxial", slow_stages),
+    "diameter_band": (lambda t: t.demands.diameter_band is not None and _common_axis(t), diameters),
+    "assembly": (lambda t: t.demands.assembly and t.scheme.branched and t.planets > 1, assembly),
+    "adjacency": (_neighbours, adjacency),
+    "coprime": (lambda t: t.demands.coprime, coprime),
+    "centre_distance": (lambda t: t.demands.centre_distance is not None and bool(t.module), centre_distance),
+    "envelope": (lambda t: t.demands.envelope is not None and t.scheme.branched and bool(t.module), envelope),
+}

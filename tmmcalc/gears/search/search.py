@@ -1,0 +1,100 @@
+"""The search itself: candidates, sieve, and a bounded list of the smallest trains with the exact count of all."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from tmmcalc.gears.model import ToothSets, TrainTask
+from tmmcalc.gears.search.blocks import Block
+from tmmcalc.gears.search.candidates import candidates
+from tmmcalc.gears.search.constraints import sieve, stretches
+from tmmcalc.gears.search.tally import Tally
+from tmmcalc.records import record
+
+KEPT = 100_000  # trains that a result holds unless another number is asked for
+
+Progress = Callable[[float, int], None]  # part of the search that is done, trains found
+
+
+@record
+class Synthesis:
+    """All tooth sets of a task, or the smallest of them, and what each constraint removed."""
+
+    sets: ToothSets  # by Z1 + Z2, then by tooth numbers
+    count: int  # of all sets, also of those that are not held
+    candidates: int  # combinations of wheels within the tooth limits
+    removed: dict[str, int]  # by constraint, in the order in which they were put
+
+    @property
+    def complete(self) -> bool:
+        """Whether the result holds every set."""
+        return len(self.sets) == self.count
+
+
+def synthesise(task: TrainTask, keep: int = KEPT, progress: Progress | None = None) -> Synthesis:
+    """Every tooth set of the task; at most ``keep`` of them are held, those with the least Z1 + Z2.
+
+    The search is complete: each combination within the tooth limits is either among the sets or counted under the
+    first constraint that it breaks.
+    """
+    tally = Tally()
+    held: list[np.ndarray] = []
+    count = rows = 0
+    for done, block in _found(task, tally):
+        count += len(block)
+        rows += len(block)
+        held.append(_rows(task, block))
+        if rows > 2 * keep + 1000:
+            held = [_smallest(held, keep)]
+            rows = len(held[0])
+        if progress is not None:
+            progress(done, count)
+    removed = {name: number for name, number in tally.removed.items() if number}
+    return Synthesis(_sets(task, _smallest(held, keep) if held else None), count, tally.candidates, removed)
+
+
+def _found(task: TrainTask, tally: Tally) -> Iterator[tuple[float, Block]]:
+    """Blocks of tooth sets that meet everything, with the part of the proportions that is done."""
+    total = len(task.proportions)
+    for place, proportion in enumerate(task.proportions):
+        for block in candidates(task, proportion, tally):
+            left = sieve(task, block, tally)
+            if len(left):
+                yield (place + 1) / total, left
+
+
+def _rows(task: TrainTask, block: Block) -> np.ndarray:
+    """Tooth numbers and proportion of a block as rows of int64."""
+    wheels = [block[wheel] for wheel in task.scheme.wheels]
+    parts = block.proportion or (0,) * task.scheme.stages
+    return np.stack([*wheels, *(np.full(len(block), part) for part in parts)], axis=1)
+
+
+def _smallest(held: list[np.ndarray], keep: int) -> np.ndarray:
+    """The first rows by Z1 + Z2, then by tooth numbers and proportion."""
+    rows = np.concatenate(held)
+    keys = (*(rows[:, k] for k in reversed(range(rows.shape[1]))), rows[:, 0] + rows[:, 1])
+    ordered: np.ndarray = rows[np.lexsort(keys)[:keep]]
+    return ordered
+
+
+def _sets(task: TrainTask, rows: np.ndarray | None) -> ToothSets:
+    scheme = task.scheme
+    if rows is None:
+        rows = np.zeros((0, len(scheme.wheels) + scheme.stages), dtype=np.int64)
+    teeth, modules = rows[:, : len(scheme.wheels)], rows[:, len(scheme.wheels) :]
+    return ToothSets(task.layout, teeth, modules, _angles(task, teeth, modules), task.planets)
+
+
+def _angles(task: TrainTask, teeth: np.ndarray, modules: np.ndarray) -> np.ndarray:
+    """Operating pressure angles [rad] (n, meshes)."""
+    block = Block(
+        {wheel: teeth[:, k] for k, wheel in enumerate(task.scheme.wheels)},
+        tuple(modules[:, k] for k in range(modules.shape[1])),
+    )
+    cosines = [math.cos(task.pressure_angle) / stretch for stretch in stretches(task, block)]
+    angles = np.stack([np.arccos(np.minimum(cosine, 1.0)) for cosine in cosines], axis=1)
+    return np.where(np.isclose(angles, task.pressure_angle, rtol=0, atol=1e-15), task.pressure_angle, angles)
