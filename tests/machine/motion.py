@@ -212,10 +212,12 @@ def reference(
     quadratic: float = 0.0,
     method: str = "DOP853",
     turns: int = 1,
+    step: float = math.inf,
 ) -> Callable[[np.ndarray], np.ndarray]:
     """omega(theta) after some turns from (omega[, moment]) at theta = 0, by scipy at its finest, in omega itself.
 
-    The equation is d omega/d theta = (M - omega^2 J'/2) / (J omega), not the one that the program solves.
+    The equation is d omega/d theta = (M - omega^2 J'/2) / (J omega), not the one that the program solves. Where the
+    motor's curve bends the largest ``step`` [rad] keeps the error of scipy down.
     """
 
     def rhs(x: float, y: np.ndarray, inside: float) -> list[float]:
@@ -231,7 +233,15 @@ def reference(
         for low, high in pairwise(breaks):
             middle, width = (low + high) / 2, (high - low) / 2 * (1 - 1e-14)
             found = solve_ivp(
-                rhs, (low, high), y, method, rtol=1e-12, atol=1e-13, args=(middle,), dense_output=turn == turns - 1
+                rhs,
+                (low, high),
+                y,
+                method,
+                rtol=1e-12,
+                atol=1e-13,
+                max_step=step,
+                args=(middle,),
+                dense_output=turn == turns - 1,
             )
             assert found.success
             y = found.y[:, -1]

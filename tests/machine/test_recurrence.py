@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from itertools import pairwise
 
 import numpy as np
 import pytest
 
 from machine.motion import CASES, TURN, Parabola, of_pieces, shaper_inertia, upsetter, upsetter_motor
 from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
-from tmmcalc.machine.recurrence import Nodes, corrections, march, multiplier, on_nodes, periodic, turns, warning
+from tmmcalc.machine.recurrence import Nodes, march, multiplier, on_nodes, periodic, turns, warning
 from tmmcalc.machine.steady import driven
 
 IDLE = CASES["dyn-shaper-motion-idle"]
@@ -55,21 +54,22 @@ def test_upsetter_deltas_by_n() -> None:
         assert periodic(nodes).delta == pytest.approx(delta, rel=1e-5)
 
 
-def test_flywheel_correction_history() -> None:
+def test_deltas_of_the_flywheel_correction() -> None:
+    """The history of the case runs on this recurrence: every delta of it with the inertia beside it."""
     case = CASES["dyn-upsetter-flywheel-motor"]
-    start, limit = case["inputs"]["J_const_initial"], case["inputs"]["delta_allowed"]
-    nodes = on_nodes(upsetter(), start, PARABOLA.a, PARABOLA.b, case["inputs"]["n"])
-    history = corrections(nodes, start, limit)
-    for found, (inertia, delta) in zip(history, case["expected"]["iteration_Jc_delta"], strict=False):
-        assert found.constant_inertia == pytest.approx(inertia, rel=1e-5)
-        assert found.delta == pytest.approx(delta, rel=1e-5)
-    assert len(history) == 12
-    assert history[-1].constant_inertia == pytest.approx(case["expected"]["J_const_exact_root"], rel=1e-5)
-    deltas = [found.delta for found in history]
-    assert all(a > b for a, b in pairwise(deltas[:9]))  # it under-corrects: always from above
-    assert min(deltas) >= limit * (1 - 1e-12)
-    assert len(corrections(nodes, start, 0.3)) == 1  # good enough at once
-    assert len(corrections(nodes, start, limit, count=3)) == 3
+    for inertia, delta in case["expected"]["iteration_Jc_delta"]:
+        nodes = on_nodes(upsetter(), inertia, PARABOLA.a, PARABOLA.b, case["inputs"]["n"])
+        assert periodic(nodes).delta == pytest.approx(delta, rel=1e-5)
+
+
+def test_turns_are_marches_one_after_the_other() -> None:
+    nodes = on_nodes(upsetter(), 200.0, PARABOLA.a, PARABOLA.b, 24)
+    history = turns(nodes, 9.0)
+    assert len(history) > 3
+    for turn in history:
+        assert turn.last == pytest.approx(march(nodes, turn.first).omega[-1], rel=1e-14)
+    with pytest.raises(AccuracyError, match="step is too wide"):
+        turns(on_nodes(upsetter(0.3), 0.2, PARABOLA.a, PARABOLA.b, 12), 2.0 * PARABOLA.synchronous)
 
 
 def test_every_step_is_the_formula() -> None:

@@ -37,6 +37,8 @@ from machine.motion import (
 )
 from tmmcalc.errors import NoSolutionError, UsageError
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.motors.gearing import reduced
+from tmmcalc.machine.motors.table import table
 from tmmcalc.machine.onemass import OneMass, onto
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.steady import driven
@@ -340,6 +342,43 @@ def test_lagging_upsetter_against_scipy(lag: float) -> None:
     start = (*near(regime), float(regime.panels.ends(regime.driving)[0][0]))
     omega = reference(upsetter_functions(1.0), [0.0, math.pi, TURN], 30.6, motor, start, lag=lag, turns=4)
     assert worst(regime, omega) < 3e-11
+
+
+@pytest.mark.parametrize("seed", [3, 11])
+def test_random_lagging_machines_run_to_periodicity(seed: int) -> None:
+    """From the no-load speed turn by turn until the motion repeats; nothing of the regime is used on the way."""
+    rng = np.random.default_rng(seed)
+    swing, ahead, wave = rng.uniform(0.1, 0.6), rng.uniform(0, TURN, 3), rng.uniform(10, 30, 2)
+    constant, lag, mean = rng.uniform(1.0, 2.5), rng.uniform(5e-3, 4e-2), rng.uniform(50, 80)
+
+    def functions(x: Any) -> tuple[Any, Any, Any]:
+        inertia, bend = 1 + swing * np.sin(2 * x + ahead[0]), 2 * swing * np.cos(2 * x + ahead[0])
+        return inertia, bend, -mean + wave[0] * np.sin(x + ahead[1]) + wave[1] * np.sin(3 * x + ahead[2])
+
+    motor = MOTORS["kloss"]
+    regime = driven(cycle_of(functions), constant, motor, time_constant=lag)
+    omega = reference(functions, [0.0, TURN], constant, motor, (motor.synchronous, 0.0), lag=lag, turns=40)
+    first, last = omega(np.array([0.0, TURN]))
+    assert last == pytest.approx(first, rel=1e-11)
+    assert regime.delta > 0.01
+    assert worst(regime, omega) < 3e-11
+
+
+@pytest.mark.parametrize("interpolation", ["linear", "pchip"])
+@pytest.mark.parametrize("efficiency", [1.0, 0.9])
+def test_a_characteristic_by_points(interpolation: Any, efficiency: float) -> None:
+    """The speed passes several points of the table; its bends are found, and not closed in upon by halving panels."""
+    whole = upsetter_motor("kloss")
+    speeds = np.linspace(0.0, 1.05 * whole.synchronous, 21)
+    motor = reduced(table([(float(w), float(whole.moment(w))) for w in speeds], interpolation), 1.0, efficiency)
+    regime = driven(upsetter(0.5), 5.0, motor)
+    passed = (speeds > regime.omega_min) & (speeds < regime.omega_max)
+    assert np.count_nonzero(passed) >= 2
+    omega = reference(upsetter_functions(0.5), [0.0, math.pi, TURN], 5.0, motor, near(regime, 0.0), step=3e-3)
+    assert worst(regime, omega) < 3e-11
+    assert regime.error < 1e-12
+    assert regime.counters["meshes"] <= 10
+    assert regime.panels.count <= 40
 
 
 @pytest.mark.parametrize("efficiency", [0.8, 0.95])

@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmmcalc.numerics.panels import NARROWEST, ORDER, Panels, panels, resolved, rule
+from tmmcalc.numerics.peaks import peaks
 
 TURN = 2 * math.pi
 
@@ -118,11 +119,11 @@ def test_extremes(
         if expected is not None:
             assert value == pytest.approx(expected, rel=2e-15, abs=1e-13)
             assert at == pytest.approx(expected_at, abs=place)
-    top, at_top = on.largest(np.stack((values[0], -values[0])))
-    size = 1e-14 * float(np.max(np.abs(values)))
+    top, at_top = peaks(on, np.stack((values[0], -values[0])))
+    size = {"flat top": 1e-11}.get(name, 1e-14) * float(np.max(np.abs(values)))
     assert top[0] == pytest.approx(found[1][0], abs=size)
     assert -top[1] == pytest.approx(found[0][0], abs=size)
-    assert at_top[0] == pytest.approx(found[1][1], abs=max(place, 1e-7))
+    assert at_top[0] == pytest.approx(found[1][1], abs=2 * max(place, 1e-7))
 
 
 def test_all_turning_points_are_found() -> None:

@@ -12,7 +12,7 @@ link b, the outer reaction of b, the outer reaction of a. The inner reaction is 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, Literal
 
@@ -21,13 +21,14 @@ import numpy as np
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
 from tmmcalc.linkage.forces.wrench import Slideway
 from tmmcalc.linkage.loading import GearDrive
-from tmmcalc.linkage.loads.sources import Place
+from tmmcalc.linkage.loads.sources import Place, Source
 from tmmcalc.linkage.model import Joint
 from tmmcalc.linkage.structure import Group
 from tmmcalc.records import record
 
 Kind = Literal["load", "weight", "inertia", "spring", "damper", "reaction", "friction", "drive"]
 
+LETTERS = {"weight": ("G", "G"), "inertia": ("P", "M")}  # of force and couple; others bear their own name
 NOTHING = 1e-9  # what is smaller than this part of the largest is left out
 FAR = 0.3  # an arm longer than this part of the mechanism's reach is told as a couple
 
@@ -119,16 +120,14 @@ class _Cut:
         self.reach = float(np.max(np.abs(seats - seats[0])))
         self.given: dict[int, list[Acting | Couple]] = {link.id: [] for link in self.mechanism.links}
         for source in statics.sources:
-            self._give(source.name, source.kind, source.order, source.actions(place))
+            self._give(source, source.factor(statics.scene.travel.speed))
 
-    def _give(self, name: str, kind: Any, order: int, actions: Iterable[Any]) -> None:
-        """The forces and couples of one source; what depends on the speed counts at the speed of the input."""
-        speed = self.statics.scene.travel.speed
-        factor = speed * abs(speed) if order == 2 else speed**order
-        letters = {"weight": ("G", "G"), "inertia": ("P", "M")}
-        for action in actions:
-            link, at, index = action.link, _one(action.at.r), str(action.link) if kind in letters else ""
-            force, couple = letters.get(kind, (name, name))
+    def _give(self, source: Source, factor: float) -> None:
+        """The forces and couples of one source, so many times."""
+        kind: Any = source.kind
+        for action in source.actions(self.place):
+            link, at, index = action.link, _one(action.at.r), str(action.link) if kind in LETTERS else ""
+            force, couple = LETTERS.get(kind, (source.name, source.name))
             self.given[link].append(Acting(force, index, kind, link, at, _one(action.force) * factor))
             about = at if kind == "inertia" else self._middle(link)
             self.given[link].append(Couple(couple, index, kind, link, about, _one(action.moment).real * factor))

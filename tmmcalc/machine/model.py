@@ -63,7 +63,7 @@ class MotorChoice:
 
     motor: Motor | None  # None: choose one
     characteristic: CharacteristicKind
-    time_constant: float = 0.0  # electromagnetic tau_e [s]
+    time_constant: float | None = 0.0  # electromagnetic tau_e [s]; None: by the formula, from the critical slip
     catalogue: tuple[Motor, ...] = ()  # of the user's own; empty: the program's
     synchronous: float | None = None  # of the motor to choose [rad/s]
 

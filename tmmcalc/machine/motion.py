@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
 import numpy as np
@@ -89,7 +90,7 @@ def solve_motion(
         load=load[0] + load[1] * omega + load[2] * omega**2,
         omega_idle=quiet.omega_at(at) if quiet is not None else None,
         textbook=_textbook(cycle, inertia, driver, theta, omega),
-        verdicts=verdicts(regime, driver.characteristic) if driver is not None else (),
+        verdicts=verdicts(regime, driver.characteristic, math.copysign(1.0, phi[-1])) if driver is not None else (),
     )
 
 

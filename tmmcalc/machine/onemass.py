@@ -15,6 +15,7 @@ import numpy as np
 
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.motors.gearing import points_of
 from tmmcalc.numerics.collocation import Kinks, System
 from tmmcalc.numerics.newton import Rates
 from tmmcalc.numerics.panels import Panels, Values
@@ -91,20 +92,28 @@ class OneMass:
 
     @property
     def kinks(self) -> Kinks | None:
-        """Finds where the speed crosses the no-load speed, if losses of a gearing bend the characteristic there."""
-        level = self.characteristic.synchronous
-        if level is None:
-            return None
-        below, above = self.characteristic.slope(level * np.array([1 - BEND, 1 + BEND]))
-        if abs(above - below) <= BENT * abs(above + below):
+        """Finds where the speed crosses one at which the characteristic is not smooth; None if it is smooth."""
+        levels = self._bends()
+        if not levels.size:
             return None
 
         def crossings(theta: Values, omega: Values) -> Values:
-            x, off = theta.ravel(), omega.ravel() - level
-            i = np.flatnonzero((off[:-1] < 0) != (off[1:] < 0))
-            return x[i] + (x[i + 1] - x[i]) * off[i] / (off[i] - off[i + 1])
+            x, off = theta.ravel(), omega.ravel() - levels[:, None]
+            k, i = np.nonzero((off[:, :-1] < 0) != (off[:, 1:] < 0))
+            return np.sort(x[i] + (x[i + 1] - x[i]) * off[k, i] / (off[k, i] - off[k, i + 1]))
 
         return crossings
+
+    def _bends(self) -> Values:
+        """Speeds (any number,) [rad/s] at the points of a table, and without load if losses of a gearing bend there."""
+        motor = self.characteristic
+        found = list(points_of(motor))
+        level = motor.synchronous
+        if level is not None:
+            below, above = motor.slope(level * np.array([1 - BEND, 1 + BEND]))
+            if abs(above - below) > BENT * abs(above + below):
+                found.append(level)
+        return np.unique(found)
 
     def _static(self, panels: Panels) -> Rates:
         inertia, moment, viscous, quadratic = self._at_points(panels)

@@ -13,7 +13,8 @@ import numpy as np
 
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.machine.motors.model import Motor
+from tmmcalc.machine.motors.model import CharacteristicKind, Motor
+from tmmcalc.machine.motors.plausibility import Curve, contradictions, curve_of
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
 
@@ -46,6 +47,8 @@ class MotorDuty:
     rotor: float  # J_R u^2 [kg*m^2], 0 if the inertia of the rotor is not known
     mean_load: float  # mean resisting moment at the motor shaft over its rated moment [-]
     peak_load: float  # largest resisting moment at the motor shaft over its rated moment [-]
+    curve: Curve | None = None  # ends of a direct-current motor's characteristic; None: another motor
+    contradictions: tuple[str, ...] = ()  # among the data of the motor
 
 
 @record
@@ -71,6 +74,7 @@ class Power:
     duty: MotorDuty | None  # None without a motor
     error: float  # estimated relative error of the work [-]
     counters: dict[str, int]
+    sense: float = 1.0  # of the input's motion: -1 clockwise; places are sense theta
 
 
 def moment_at(cycle: Cycle, speed: float) -> Values:
@@ -78,8 +82,11 @@ def moment_at(cycle: Cycle, speed: float) -> Values:
     return cycle.moment + cycle.viscous * speed + cycle.quadratic * speed**2
 
 
-def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float = 1.0) -> Power:
-    """Work, efficiency and power of a cycle at its mean speed; ``transmission`` is the efficiency of the gears."""
+def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float = 1.0, sense: float = 1.0) -> Power:
+    """Work, efficiency and power of a cycle at its mean speed.
+
+    ``transmission`` is the efficiency of the gears, ``sense`` -1 where the input turns clockwise.
+    """
     scale = max((max(part.turnover, abs(part.work)) for part in parts), default=0.0)
     loads = [part.work for part in parts if part.kind == "load" and abs(part.work) > NOTHING * scale]
     driving, resisting = sum((w for w in loads if w > 0), 0.0), sum((w for w in loads if w < 0), 0.0)
@@ -113,6 +120,7 @@ def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float =
         duty=None,
         error=cycle.error,
         counters={"panels": len(cycle.panels.edges) - 1},
+        sense=sense,
     )
 
 
@@ -124,8 +132,15 @@ def _efficiency(machine: str, driving: float, resisting: float, losses: float) -
     return useful / (useful + losses) if machine == "working" and useful < 0 else None
 
 
-def duty_of(power: Power, motor: Motor, ratio: float, reasons: tuple[str, ...], chosen: bool) -> MotorDuty:
-    """How a motor stands to the load of the machine."""
+def duty_of(
+    power: Power,
+    motor: Motor,
+    ratio: float,
+    reasons: tuple[str, ...],
+    chosen: bool,
+    kind: CharacteristicKind | None = None,
+) -> MotorDuty:
+    """How a motor stands to the load of the machine; without the ``kind`` its characteristic is not looked at."""
     rated = motor.nominal_moment * ratio * power.transmission
     return MotorDuty(
         motor,
@@ -135,6 +150,8 @@ def duty_of(power: Power, motor: Motor, ratio: float, reasons: tuple[str, ...], 
         (motor.inertia or 0.0) * ratio**2,
         max(power.mean_moment, 0.0) / rated,
         power.peak_moment / rated,
+        None if kind is None else curve_of(motor, kind),
+        () if kind is None else contradictions(motor, kind),
     )
 
 

@@ -1,4 +1,4 @@
-"""The textbook's recurrence for steady motion with the parabolic characteristic M_d = A - B omega^2 (3.57, 3.58, 3.60).
+"""The textbook's recurrence for steady motion with the parabolic characteristic M_d = A - B omega^2 (3.57, 3.58).
 
 On n + 1 nodes of equal steps dphi, with the reduced moment M_c[i] and the total reduced inertia J[i],
 
@@ -23,7 +23,6 @@ from tmmcalc.records import record
 WHERE = "recurrence (3.57)"
 BOOK = 1e-4  # largest difference of the speeds at both ends of a cycle, textbook program 2.1 [rad/s]
 TURNS = 1000
-CORRECTIONS = 12
 
 
 @record
@@ -50,20 +49,27 @@ class Nodes:
 
 
 def on_nodes(cycle: Cycle, constant_inertia: float, a: float, b: float, n: int) -> Nodes:
-    """The nodal tables of a cycle for ``n`` equal steps, with ``constant_inertia`` [kg*m^2] added.
+    """What the recurrence knows of a cycle with ``n`` equal steps and ``constant_inertia`` [kg*m^2] added.
 
-    Where the load jumps at a node the larger load counts, as the textbook counts it at both ends of its action.
     Resistances that depend on speed are taken at the mean speed of the cycle.
     """
     if n < 2:
         raise UsageError(f"{n} steps", where=WHERE, value=n, limit=2, remedy="at least 2")
+    moment, inertia = nodal_tables(cycle, n, cycle.speed)
+    return Nodes(moment, inertia + constant_inertia, a, b, cycle.period / n)
+
+
+def nodal_tables(cycle: Cycle, n: int, speed: float) -> tuple[Values, Values]:
+    """Moment [N*m] at the ``speed`` [rad/s] and inertia [kg*m^2] of a cycle, (n + 1,) each, at ``n`` equal steps.
+
+    Where the load jumps at a node the larger load counts, as the textbook counts it at both ends of its action.
+    """
     theta = np.linspace(0.0, cycle.period, n + 1)
-    moment = cycle.moment + (cycle.viscous + cycle.quadratic * cycle.speed) * cycle.speed
+    moment = cycle.moment + (cycle.viscous + cycle.quadratic * speed) * speed
     after, inertia = cycle.panels.at(np.stack((moment, cycle.inertia)), theta)
     before = cycle.panels.at(moment, theta, before=True)
     after[-1], before[0], inertia[-1] = after[0], before[-1], inertia[0]
-    larger = np.where(np.abs(after) >= np.abs(before), after, before)
-    return Nodes(larger, inertia + constant_inertia, a, b, cycle.period / n)
+    return np.where(np.abs(after) >= np.abs(before), after, before), inertia
 
 
 @record
@@ -86,14 +92,6 @@ class NodalRegime:
     warning: float  # largest B dphi / J [-]: above 1 the recurrence alternates and the step is too wide
 
 
-@record
-class Correction:
-    """One step of the flywheel correction (3.60)."""
-
-    constant_inertia: float  # J_c [kg*m^2]
-    delta: float  # reached with it [-]
-
-
 def march(nodes: Nodes, start: float) -> NodalRegime:
     """Speeds (n + 1,) over one cycle from ``start`` [rad/s] at node 0 (3.57).
 
@@ -104,17 +102,7 @@ def march(nodes: Nodes, start: float) -> NodalRegime:
     [10.0, 10.0, 10.0, 10.0, 10.0]
     """
     squares = _squares(nodes, start * start)
-    least = int(np.argmin(squares))
-    if squares[least] <= 0:
-        worst = warning(nodes)
-        cause = "the step is too wide" if worst > 1 else "the load stops the machine"
-        raise AccuracyError(
-            f"w^2 is {squares[least]:.4g} at node {least}: {cause} (largest B dphi / J = {worst:.3g})",
-            where=WHERE,
-            value=float(squares[least]),
-            limit=0.0,
-            remedy="more nodes, or the exact regime",
-        )
+    _check_squares(nodes, squares)
     omega = np.sqrt(squares)
     low, high = int(np.argmin(omega)), int(np.argmax(omega))
     delta = 2 * float((omega[high] - omega[low]) / (omega[high] + omega[low]))
@@ -151,13 +139,16 @@ def turns(nodes: Nodes, start: float, tolerance: float = BOOK) -> tuple[Turn, ..
 
     Raises `AccuracyError` as `march` does, or if the speeds do not settle within 1000 cycles.
     """
+    rest = _squares(nodes, 0.0)
+    gain = np.append(1.0, np.cumprod(_factors(nodes)))
     history: list[Turn] = []
     for _ in range(TURNS):
-        last = float(march(nodes, start).omega[-1])
-        history.append(Turn(start, last))
-        if abs(last - start) < tolerance:
+        squares = gain * start**2 + rest
+        _check_squares(nodes, squares)
+        history.append(Turn(start, math.sqrt(squares[-1])))
+        start = history[-1].last
+        if abs(start - history[-1].first) < tolerance:
             return tuple(history)
-        start = last
     raise AccuracyError(
         f"both ends still differ by {abs(history[-1].last - history[-1].first):.3g} rad/s after {TURNS} cycles",
         where=WHERE,
@@ -167,25 +158,6 @@ def turns(nodes: Nodes, start: float, tolerance: float = BOOK) -> tuple[Turn, ..
     )
 
 
-def corrections(
-    nodes: Nodes, constant_inertia: float, limit: float, count: int = CORRECTIONS
-) -> tuple[Correction, ...]:
-    """History of J_c := J_c delta / [delta] (3.60), at most ``count`` steps.
-
-    ``constant_inertia`` [kg*m^2] is what of the inertia in ``nodes`` is constant. The history ends when delta is at
-    most the ``limit``, which it only approaches from above: the slip of the motor damps the fluctuation too, so that
-    delta falls more slowly than 1 / J_c.
-    """
-    variable, history = nodes.inertia - constant_inertia, []
-    for _ in range(count):
-        now = Nodes(nodes.moment, variable + constant_inertia, nodes.a, nodes.b, nodes.step)
-        history.append(Correction(constant_inertia, periodic(now).delta))
-        if history[-1].delta <= limit:
-            break
-        constant_inertia *= history[-1].delta / limit
-    return tuple(history)
-
-
 def warning(nodes: Nodes) -> float:
     """Largest B dphi / J: below 1 the recurrence is sound, above it alternates."""
     return float(nodes.b * nodes.step / np.min(nodes.inertia))
@@ -193,16 +165,36 @@ def warning(nodes: Nodes) -> float:
 
 def multiplier(nodes: Nodes) -> float:
     """Factor by which a deviation of w_0^2 changes over one cycle."""
+    return float(np.prod(_factors(nodes)))
+
+
+def _factors(nodes: Nodes) -> Values:
+    """By how much a deviation of w^2 changes over each step (n,)."""
     damping = nodes.b * nodes.step
-    return float(np.prod((nodes.inertia[:-1] - damping) / (nodes.inertia[1:] + damping)))
+    return (nodes.inertia[:-1] - damping) / (nodes.inertia[1:] + damping)
+
+
+def _check_squares(nodes: Nodes, squares: Values) -> None:
+    """Raise `AccuracyError` if the square of a speed is not positive."""
+    least = int(np.argmin(squares))
+    if squares[least] > 0:
+        return
+    worst = warning(nodes)
+    cause = "the step is too wide" if worst > 1 else "the load stops the machine"
+    raise AccuracyError(
+        f"w^2 is {squares[least]:.4g} at node {least}: {cause} (largest B dphi / J = {worst:.3g})",
+        where=WHERE,
+        value=float(squares[least]),
+        limit=0.0,
+        remedy="more nodes, or the exact regime",
+    )
 
 
 def _squares(nodes: Nodes, first: float) -> Values:
     """w^2 (n + 1,) from w_0^2; a recurrence has no vectorised form that keeps its digits."""
     damping = nodes.b * nodes.step
-    factors = ((nodes.inertia[:-1] - damping) / (nodes.inertia[1:] + damping)).tolist()
     rises = (nodes.moment[:-1] + nodes.moment[1:] + 2 * nodes.a) * nodes.step / (nodes.inertia[1:] + damping)
     squares = [first]
-    for factor, rise in zip(factors, rises.tolist(), strict=True):
+    for factor, rise in zip(_factors(nodes).tolist(), rises.tolist(), strict=True):
         squares.append(factor * squares[-1] + rise)
     return np.array(squares)

@@ -6,13 +6,11 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Literal
 
-import numpy as np
-
-from tmmcalc.machine.regime import Regime
 from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
+    from tmmcalc.machine.regime import Regime
 
 SLACK = 1e-9  # relative: a limit that is met exactly counts as kept
 SLOW = 0.5  # multiplier above which settling takes several cycles and is worth a note
@@ -29,11 +27,14 @@ class Verdict:
         return f"{self.severity}: {self.message}"
 
 
-def verdicts(regime: Regime, characteristic: Characteristic) -> tuple[Verdict, ...]:
-    """Verdicts on a regime with the ``characteristic`` reduced to the input shaft; warnings first."""
+def verdicts(regime: Regime, characteristic: Characteristic, sense: float = 1.0) -> tuple[Verdict, ...]:
+    """Verdicts on a regime with the ``characteristic`` reduced to the input shaft; warnings first.
+
+    Where the input turns clockwise ``sense`` is -1: places are told by its coordinate from position 0.
+    """
     found = [
         *_stability(regime),
-        *_speeds(regime, characteristic),
+        *_speeds(regime, characteristic, sense),
         *_moments(regime, characteristic),
         *_validity(regime, characteristic),
     ]
@@ -51,8 +52,8 @@ def _stability(regime: Regime) -> Iterator[Verdict]:
         yield Verdict("note", f"the regime settles slowly: a deviation needs {cycles:.3g} cycles to fall to a tenth")
 
 
-def _speeds(regime: Regime, motor: Characteristic) -> Iterator[Verdict]:
-    low = f"the least speed {regime.omega_min:.6g} rad/s at {np.degrees(regime.theta_min):.4g} deg"
+def _speeds(regime: Regime, motor: Characteristic, sense: float) -> Iterator[Verdict]:
+    low = f"the least speed {regime.omega_min:.6g} rad/s at {_place(regime.theta_min, sense)}"
     if motor.critical is not None and _less(regime.omega_min, motor.critical):
         yield Verdict(
             "warning",
@@ -68,7 +69,7 @@ def _speeds(regime: Regime, motor: Characteristic) -> Iterator[Verdict]:
         yield Verdict(
             "note",
             f"the motor brakes as a generator: the largest speed {regime.omega_max:.6g} rad/s at "
-            f"{np.degrees(regime.theta_max):.4g} deg is above its no-load speed {motor.synchronous:.6g} rad/s",
+            f"{_place(regime.theta_max, sense)} is above its no-load speed {motor.synchronous:.6g} rad/s",
         )
 
 
@@ -110,6 +111,10 @@ def _validity(regime: Regime, motor: Characteristic) -> Iterator[Verdict]:
             f"the {motor.name} characteristic holds up to {motor.most:.6g} rad/s, the speed rises to "
             f"{regime.omega_max:.6g} rad/s",
         )
+
+
+def _place(theta: float, sense: float) -> str:
+    return f"phi = {math.degrees(sense * theta if theta else 0.0):.4g} deg"
 
 
 def _less(a: float, b: float) -> bool:

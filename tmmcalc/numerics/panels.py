@@ -189,29 +189,6 @@ class Panels:
         low, high = int(np.argmin(value)), int(np.argmax(value))
         return (float(value[low]), float(at[low])), (float(value[high]), float(at[high]))
 
-    def largest(self, values: Values) -> tuple[Values, Values]:
-        """Largest value of every function (F, K, N) and its place, each (F,); limits at edges included.
-
-        The highest of a fine sample is refined by Newton on the slope of its panel: many functions at once.
-        """
-        t, sample = _fine(self.order)
-        fine = values @ sample.T
-        flat = fine.reshape(len(values), -1)
-        best = np.argmax(flat, axis=1)
-        k, i = np.divmod(best, len(t))
-        rows = values[np.arange(len(values)), k]
-        slopes = rows @ rule(self.order).slope.T
-        bends = slopes @ rule(self.order).slope.T
-        at = t[i]
-        for _ in range(3):
-            first, second = _local(slopes, at), _local(bends, at)
-            move = np.where(second < 0, -first / np.where(second < 0, second, 1.0), 0.0)
-            at = np.clip(at + np.clip(move, -1 / len(t), 1 / len(t)), 0.0, 1.0)
-        found = _local(rows, at)
-        top = flat[np.arange(len(values)), best]
-        at, found = np.where(found >= top, at, t[i]), np.maximum(found, top)
-        return found, self.edges[k] + at * self.width[k]
-
     def tail(self, values: Values) -> Values:
         """Size (..., K) of the last coefficients: what the polynomial of a panel leaves out, with a margin."""
         last = values @ rule(self.order).coefficients[-3:].T
@@ -221,23 +198,6 @@ class Panels:
         """The panels with those of ``which`` (K,) halved."""
         middle = (self.edges[:-1] + self.edges[1:])[which] / 2
         return Panels(np.sort(np.concatenate((self.edges, middle))), self.order)
-
-
-@cache
-def _fine(n: int) -> tuple[Values, Values]:
-    """A fine sample of [0, 1] with its ends (m,), and the matrix (m, n) that gives the polynomial there."""
-    t = np.linspace(0.0, 1.0, 2 * n + 1)
-    return t, _basis(n, t)
-
-
-def _basis(n: int, t: Values) -> Values:
-    """Values (m, n) at t (m,) in [0, 1] of the polynomials that are one at one Gauss point and zero at the others."""
-    return legendre(2 * t - 1, n)[:n].T @ rule(n).coefficients
-
-
-def _local(rows: Values, t: Values) -> Values:
-    """Polynomial of each row (m, n) at its own t (m,) in [0, 1]."""
-    return np.einsum("mn,mn->m", _basis(rows.shape[1], t), rows)
 
 
 def panels(low: float, high: float, breaks: Iterable[float] = (), widest: float = WIDEST) -> Panels:

@@ -40,6 +40,7 @@ from tmmcalc.linkage.loading import (
 )
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.reduction.reduce import solve_reduction
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.spec.linkage import to_linkage
 
@@ -105,6 +106,21 @@ def test_maxima_between_the_positions(name: str, mechanism: Mechanism, loading: 
 
 def larger_edge(normal: Any, couple: Any, length: float) -> Any:
     return np.max(np.abs([normal / 2 + side * couple / length for side in (-1, 1)]), axis=0)
+
+
+@pytest.mark.parametrize(
+    ("name", "mechanism", "loading"), scenes_of_maxima(), ids=lambda v: v if isinstance(v, str) else ""
+)
+def test_mean_power_between_the_positions(name: str, mechanism: Mechanism, loading: Loading) -> None:
+    """Against the work of a reduction, whose panels are cut at every kink: off by no more than is said."""
+    kinematics = solve_kinematics(mechanism)
+    result = solve_forces(mechanism, loading, kinematics)
+    reduced = solve_reduction(mechanism, loading, kinematics)
+    work = sum(contribution.work for contribution in reduced.contributions)
+    expected = -work * abs(result.speed) / reduced.cycle.period
+    largest = max(abs(extreme.value) for extreme in result.power_extremes)
+    assert abs(result.power_mean.value - expected) <= result.power_mean.error + 1e-13 * largest
+    assert result.power_mean.error <= 1e-3 * largest
 
 
 def test_power_is_drive_times_speed() -> None:

@@ -152,6 +152,19 @@ class TestTablesOfTheDisplacement:
             value(scene_of(slider(), one), GRID), value(scene_of(slider(), two), GRID), atol=1e-9
         )
 
+    @pytest.mark.parametrize(
+        ("x", "said"),
+        [
+            ((0.0, 0.3), "its table goes to 300 mm, but the stroke of B is 200 mm"),
+            ((0.25, 0.3), "the whole table lies beyond it, and its first value holds throughout"),
+        ],
+    )
+    def test_a_table_beyond_the_stroke_is_told(self, x: tuple[float, float], said: str) -> None:
+        (grade,) = scene_of(slider(), push(Tabulated("displacement", x, (0.0, 8.0)))).grades
+        assert (grade.severity, grade.where) == ("warning", "load Q")
+        assert said in grade.message
+        assert not scene_of(slider(), push(Tabulated("displacement", (0.0, 0.2), (0.0, 8.0)))).grades
+
     def test_a_force_of_the_place_alone_does_no_work(self) -> None:
         scene = scene_of(slider(0.3), push(Tabulated("displacement", (0.0, 0.03, 0.11, 0.2), (0.0, -80.0, 50.0, 7.0))))
         assert abs(work(scene)) < 1e-12 * 80 * 0.2

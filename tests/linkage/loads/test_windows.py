@@ -19,9 +19,11 @@ from linkage.scenes import (
     with_input,
     with_output,
 )
-from tmmcalc import NoSolutionError
-from tmmcalc.linkage.loading import Constant, Load, Polynomial, Tabulated, Window
+from tmmcalc import NoSolutionError, solve_kinematics
+from tmmcalc.linkage.forces.forces import solve_forces
+from tmmcalc.linkage.loading import Constant, Load, Loading, Polynomial, Tabulated, Window
 from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.reduction.reduce import solve_reduction
 
 TURN = 2 * np.pi
 DEGREE = np.pi / 180
@@ -182,6 +184,24 @@ class TestAngles:
         theta = np.linspace(0, 0.2, 101)
         found = value(scene_of(mechanism, push(Window(angles=(0.05, 0.1)))), theta)
         np.testing.assert_array_equal(found != 0, (theta > 0.05 - 1e-9) & (theta < 0.1 + 1e-9))
+
+    @pytest.mark.parametrize(
+        ("window", "said"),
+        [
+            ((0.05, 0.3), "warning: load Q: has a window to 300 mm, but the motion ends at 200 mm"),
+            ((0.25, 0.3), "warning: load Q: never acts: its window begins at 250 mm, but the motion ends at 200 mm"),
+        ],
+    )
+    def test_a_window_beyond_the_way_of_a_slider_is_told(self, window: tuple[float, float], said: str) -> None:
+        mechanism = with_input(driven_rod(0.5, 0.3, 0.2), speed=-0.5, start=0.2)
+        kinematics, loading = solve_kinematics(mechanism), Loading(loads=(push(Window(angles=window)),))
+        assert [str(grade) for grade in solve_forces(mechanism, loading, kinematics).grades] == [said]
+        assert said in [str(grade) for grade in solve_reduction(mechanism, loading, kinematics).grades]
+        assert not scene_of(mechanism, push(Window(angles=(0.05, 0.2)))).grades
+
+    def test_of_a_part_of_a_turn_it_is_noted(self) -> None:
+        (grade,) = scene_of(part(crank_slider(0.1, 0.3), 0.5, 2.5), push(Window(angles=(0.5, 5.0)))).grades
+        assert str(grade) == "note: load Q: has a window to 286.48 deg, but the motion ends at 114.59 deg"
 
 
 class TestPositions:

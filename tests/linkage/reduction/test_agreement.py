@@ -45,8 +45,9 @@ from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.reduction.causes import causes_of
 from tmmcalc.linkage.reduction.inertia import reduced_inertia, rods_of
-from tmmcalc.linkage.reduction.reduce import simpson, solve_reduction
+from tmmcalc.linkage.reduction.reduce import solve_reduction
 from tmmcalc.linkage.reduction.results import Reduction
+from tmmcalc.numerics.simpson import simpson
 
 EXAMPLES = settings(derandomize=True, deadline=None, max_examples=20, database=None)
 TURN = 2 * np.pi
@@ -222,6 +223,15 @@ class TestInertia:
         for one, other in zip(exact.moment, static.moment, strict=True):
             np.testing.assert_allclose(one, other, atol=1e-12)
         assert np.max(np.abs(exact.inertia - static.inertia)) > 1e-4
+
+
+def test_a_load_that_does_no_work_needs_no_panels() -> None:
+    """Across the motion of its point its moment is rounding alone, which must not be resolved without end."""
+    mechanism = with_input(driven_rod(0.5, 0.3, 0.2), speed=-0.5, start=0.2)
+    loading = Loading(loads=(Load("Q", 3, "force", Constant(7.0), window=Window(angles=(0.05, 0.1))),))
+    result = solve_reduction(mechanism, loading, solve_kinematics(mechanism))
+    assert result.cycle.panels.count < 100
+    assert abs(result.contributions[0].work) < 1e-14
 
 
 class TestWork:

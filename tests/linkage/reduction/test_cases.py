@@ -81,13 +81,15 @@ class TestPressInertia:
 
     def test_exact_and_lumped(self) -> None:
         like(self.case, "J_exact", pressed().inertia)
-        like(self.case, "J_lumped", pressed().lumped)
-        assert pressed().rods == (2,)
+        like(self.case, "J_lumped", pressed().other)
+        assert (pressed().rods, pressed().rod_links) == ("exact", (2,))
 
     def test_the_derivative_of_the_lumped_inertia(self) -> None:
         mechanism, kinematics = press()
         result = solve_reduction(mechanism, press_loading(), kinematics, rods="lumped")
         like(self.case, "J_lumped", result.inertia)
+        like(self.case, "J_exact", result.other)
+        assert result.rods == "lumped"
         like(self.case, "dJ_dphi_lumped", result.slope)
 
     def test_masses_in_the_pins(self) -> None:

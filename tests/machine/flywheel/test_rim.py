@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 from hypothesis import given
@@ -10,16 +11,18 @@ from hypothesis import strategies as st
 
 from tmmcalc.errors import NoSolutionError, UsageError
 from tmmcalc.machine.flywheel.materials import CAST_IRON, MATERIALS, RECOMMENDED, STEEL, Material
-from tmmcalc.machine.flywheel.placement import Shaft, placed, placements
+from tmmcalc.machine.flywheel.placement import wheels
 from tmmcalc.machine.flywheel.rim import (
     Proportions,
     Rim,
     largest_diameter,
+    rim_of_diameter_and_thickness,
     rim_of_mean_diameter,
     rim_of_outer_diameter,
     rim_of_proportions,
     rim_of_section,
 )
+from tmmcalc.machine.model import FlywheelTask
 
 WHOLE = Proportions(rim_inertia=1.0, rim_mass=1.0)
 
@@ -54,6 +57,8 @@ class TestRing:
             return
         back = rim_of_section(inertia, rim.width, rim.thickness, 10.0)
         assert back.diameter == pytest.approx(diameter, rel=1e-12)
+        wide = rim_of_diameter_and_thickness(inertia, diameter, rim.thickness, 10.0)
+        assert wide.width == pytest.approx(rim.width, rel=1e-12)
         same = rim_of_outer_diameter(inertia, rim.outer, 10.0)
         assert same.thickness == pytest.approx(rim.thickness, rel=1e-10)
         assert same.mass == pytest.approx(rim.mass, rel=1e-10)
@@ -99,9 +104,6 @@ class TestRing:
         assert rim.allowed
         assert not rim_of_mean_diameter(5.0, 0.5, 150.0).allowed
 
-    def test_room(self) -> None:
-        assert rim_of_proportions(5.0, 10.0, room=0.45).outer == pytest.approx(0.45, rel=1e-12)
-
     def test_faults(self) -> None:
         with pytest.raises(NoSolutionError, match="full disk"):
             rim_of_mean_diameter(500.0, 0.3, 10.0)
@@ -109,6 +111,8 @@ class TestRing:
             rim_of_outer_diameter(500.0, 0.3, 10.0)
         with pytest.raises(NoSolutionError, match="smaller section"):
             rim_of_section(0.1, 1.0, 1.0, 10.0)
+        with pytest.raises(NoSolutionError, match="leaves no hole"):
+            rim_of_diameter_and_thickness(0.1, 0.2, 0.2, 10.0)
         with pytest.raises(UsageError, match="diameter is -1"):
             rim_of_mean_diameter(1.0, -1.0, 10.0)
 
@@ -121,33 +125,59 @@ class TestRing:
             rim_of_outer_diameter(most * 1.001, 1.0, 10.0, CAST_IRON, WHOLE)
 
 
+def task(**more: Any) -> FlywheelTask:
+    nothing = dict.fromkeys(("ratio", "diameter", "width", "thickness", "density", "speed_limit"))
+    usual = {"delta": 0.04, "inertia": 0.0, "shaft": "input", "material": "cast iron"}
+    return FlywheelTask(**{**nothing, **usual, **more})
+
+
 class TestPlacement:
     def test_square_of_the_ratio(self) -> None:
-        on_crank, on_motor = placed(40.0, Shaft("crank", 1.0), 10.5), placed(40.0, Shaft("motor", 14.0), 10.5)
-        assert on_motor.inertia == pytest.approx(40 / 196)
-        assert on_motor.speed == pytest.approx(147.0)
-        energy = [p.inertia * p.speed**2 for p in (on_crank, on_motor)]
+        on_crank, on_motor = wheels(task(), 40.0, 2.5, 1.0, 4.0)
+        assert (on_crank.shaft, on_motor.shaft) == ("input", "motor")
+        assert on_motor.inertia == pytest.approx(40 / 16)
+        assert on_motor.speed == pytest.approx(10.0)
+        energy = [wheel.inertia * wheel.speed**2 for wheel in (on_crank, on_motor)]
         assert energy[0] == pytest.approx(energy[1])
         # geometrically similar wheels: J ~ D^5, m ~ D^3
-        assert on_motor.rim.mass / on_crank.rim.mass == pytest.approx(196**-0.6, rel=1e-9)
+        assert on_crank.rim is not None
+        assert on_motor.rim is not None
+        assert on_motor.rim.mass / on_crank.rim.mass == pytest.approx(16**-0.6, rel=1e-9)
 
-    def test_lightest_first(self) -> None:
-        shafts = [Shaft("crank", 1.0), Shaft("motor", -14.0), Shaft("middle", 4.0)]
-        found = placements(40.0, shafts, 10.5)
-        assert [p.shaft.name for p in found] == ["motor", "middle", "crank"]
-        assert any("gears" in remark for remark in found[0].remarks)
-        assert found[2].remarks == ()
+    def test_the_asked_shaft_comes_first_and_none_twice(self) -> None:
+        def shafts(shaft: str, ratio: float, motor: float | None) -> list[str]:
+            return [wheel.shaft for wheel in wheels(task(shaft=shaft), 40.0, 10.5, ratio, motor)]
 
-    def test_chosen_diameter_and_its_limits(self) -> None:
-        placement = placed(40.0, Shaft("motor", 14.0, room=0.5, diameter=0.6), 10.5)
-        assert placement.rim.diameter == 0.6
-        assert any("m/s, above the 30 m/s" in remark for remark in placement.remarks)
-        assert any("does not fit" in remark for remark in placement.remarks)
+        assert shafts("input", 1.0, 14.0) == ["input", "motor"]
+        assert shafts("motor", 14.0, 14.0) == ["motor", "input"]
+        assert shafts("other", 4.0, 14.0) == ["other", "input", "motor"]
+        assert shafts("input", 1.0, None) == shafts("input", 1.0, 1.0) == ["input"]
 
-    @pytest.mark.parametrize("ratio", [0.0, math.inf, math.nan])
-    def test_no_such_shaft(self, ratio: float) -> None:
-        with pytest.raises(UsageError, match="ratio"):
-            placed(40.0, Shaft("none", ratio), 10.5)
+    def test_sizes_are_those_of_the_asked_shaft_alone(self) -> None:
+        own, other = wheels(task(shaft="motor", diameter=0.6, width=0.05), 40.0, 10.5, 14.0, 14.0)
+        assert own.rim is not None
+        assert other.rim is not None
+        assert (own.rim.diameter, own.rim.width) == (0.6, 0.05)
+        assert any("m/s, above 30 m/s" in remark for remark in own.remarks)
+        assert other.rim.thickness / other.rim.diameter == pytest.approx(0.1, rel=1e-12)
+        assert other.remarks == ()
+        (thin,) = wheels(task(diameter=0.6, thickness=0.05), 4.0, 10.5, 1.0, None)
+        assert thin.rim is not None
+        assert (thin.rim.diameter, thin.rim.thickness) == (0.6, 0.05)
+        assert ring(thin.rim)[1] == pytest.approx(0.9 * 4, rel=1e-11)
+
+    def test_what_is_no_rim(self) -> None:
+        (tiny,) = wheels(task(shaft="other"), 40.0, 10.5, 1e9, 1e9)[:1]
+        assert tiny.rim is None
+        (said,) = tiny.remarks
+        assert said.startswith("no rim is sized: at 1.05e+10 rad/s cast iron allows 5.71e-06 mm of outer")
+        (light,) = wheels(task(), 1e-10, 10.5, 1.0, None)
+        assert light.rim is None
+        assert light.remarks[0].startswith("no rim is sized: for 1e-10 kg*m^2 its mean diameter would be ")
+        assert wheels(task(), 0.0, 10.5, 1.0, None)[0].rim is None
+        (full,) = wheels(task(diameter=0.1), 40.0, 10.5, 1.0, None)
+        assert full.rim is None
+        assert full.remarks[0].startswith("no such rim: a wheel of 0.1 m mean diameter is a full disk")
 
 
 class TestData:

@@ -15,8 +15,6 @@ from tmmcalc.errors import UsageError
 from tmmcalc.machine.motors.characteristics import (
     Characteristic,
     ConstantMoment,
-    counter_current,
-    direct_current_braking,
     kloss,
     parabolic,
     straight,
@@ -37,8 +35,6 @@ CLOSED: list[Characteristic] = [
     series(MOMENT, NOMINAL, 0.12),
     shunt(220.0, 0.31, 1.33, NOMINAL),
     ConstantMoment(MOMENT),
-    direct_current_braking(60.0, 35.0),
-    counter_current(kloss(108.0, 0.13, SYNCHRONOUS)),
 ]
 POINTS: list[Characteristic] = [table(CURVE), table(CURVE, "pchip")]
 SPEEDS = np.concatenate((np.linspace(0.0, 175.0, 71), [NOMINAL, SYNCHRONOUS]))
@@ -116,18 +112,6 @@ def test_kloss_is_the_quotient_form() -> None:
     by_quotient = 2 * OVERLOAD * MOMENT / (s_k / s + s / s_k)
     found = kloss(OVERLOAD * MOMENT, s_k, SYNCHRONOUS).moment(SYNCHRONOUS * (1 - s))
     np.testing.assert_allclose(found, by_quotient, rtol=1e-9)
-
-
-def test_braking_forms() -> None:
-    brake = direct_current_braking(60.0, 35.0)
-    assert brake.moment(35.0) == -60.0
-    assert brake.moment(0.0) == 0.0
-    assert brake.moment(20.0) == -brake.moment(-20.0)
-    motor = kloss(108.0, 0.13, SYNCHRONOUS, NOMINAL)
-    against = counter_current(motor)
-    omega = np.linspace(-200, 200, 41)
-    np.testing.assert_allclose(against.moment(omega), -motor.moment(-omega), rtol=1e-15)
-    assert against.critical == -motor.critical
 
 
 def test_series_motor_obeys_its_circuit() -> None:

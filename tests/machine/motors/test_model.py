@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tmmcalc.errors import UsageError
-from tmmcalc.machine.motors.model import Motor, characteristic, electromagnetic_time_constant
+from tmmcalc.machine.motors.model import Motor, characteristic, electromagnetic_time_constant, with_lag
 
 GOOD: dict[str, Any] = {"name": "X", "power": 7500.0, "speed": 152.0, "synchronous": 157.08, "overload": 2.2}
 
@@ -92,3 +92,13 @@ def test_time_constant() -> None:
     assert electromagnetic_time_constant(0.2, 60.0) == pytest.approx(1 / (24 * math.pi), rel=1e-15)
     with pytest.raises(UsageError):
         electromagnetic_time_constant(0.0)
+
+
+def test_the_lag_by_the_formula() -> None:
+    motor = Motor("m", 1100.0, 146.6, 157.08, 2.2)
+    assert with_lag(motor, 0.02).time_constant == 0.02
+    slip = 1 - 146.6 / 157.08
+    critical = slip * (2.2 + math.sqrt(2.2**2 - 1))
+    assert with_lag(motor, None).time_constant == pytest.approx(1 / (100 * math.pi * critical), rel=1e-14)
+    with pytest.raises(UsageError, match="overload ratio"):
+        with_lag(Motor("m", 1100.0, 146.6, 157.08), None)

@@ -33,13 +33,13 @@ def test_an_ordinary_run_up_does_not_load_scipy() -> None:
 
 CHOICES = [
     ("one mass", upsetter_drive(MOTOR, 30.6), "merson", "not stiff"),
-    ("light mass", upsetter_drive(MOTOR, 0.002), "LSODA", "stiff, stability alone"),
+    ("light mass", upsetter_drive(MOTOR, 0.002), "collocation", "stiff, stability alone"),
     ("slow lag", replace(upsetter_drive(MOTOR, 30.6), time_constant=0.05), "merson", "not stiff"),
-    ("quick lag", replace(upsetter_drive(MOTOR, 30.6), time_constant=1e-5), "LSODA", "time constant 1e-05 s"),
+    ("quick lag", replace(upsetter_drive(MOTOR, 30.6), time_constant=1e-5), "collocation", "time constant 1e-05 s"),
     ("soft shaft", Drive((Mass(1.0), Mass(1.0)), (Shaft(100.0),), constant(1.0)), "merson", "not stiff"),
-    ("shaft that swings", Drive((Mass(1.0), Mass(1.0)), (Shaft(1e5),), constant(1.0)), "DOP853", "periods"),
-    ("little damped", Drive((Mass(1.0), Mass(1.0)), (Shaft(1e9, 2e3),), constant(1.0)), "Radau", "stiff"),
-    ("damped shaft", Drive((Mass(1.0), Mass(1.0)), (Shaft(1e6, 1e4),), constant(1.0)), "LSODA", "stiff"),
+    ("shaft that swings", Drive((Mass(1.0), Mass(1.0)), (Shaft(1e5),), constant(1.0)), "collocation", "periods"),
+    ("little damped", Drive((Mass(1.0), Mass(1.0)), (Shaft(1e9, 2e3),), constant(1.0)), "collocation", "stiff"),
+    ("damped shaft", Drive((Mass(1.0), Mass(1.0)), (Shaft(1e6, 1e4),), constant(1.0)), "collocation", "stiff"),
 ]
 
 
@@ -69,9 +69,9 @@ def test_only_the_stiffest_shaft_becomes_rigid() -> None:
 def test_a_stiff_shaft_that_is_damped_stays_elastic() -> None:
     """The softer shaft swings on and on; the stiffer one does not, and needs not be rigid."""
     masses = (Mass(1.0), Mass(1.0), Mass(1.0))
-    result = run(Drive(masses, (Shaft(1e10, 2e5), Shaft(1e9)), constant(10.0)), Scenario("start", 1.0))
+    result = run(Drive(masses, (Shaft(1e11, 2e5), Shaft(1e9)), constant(10.0)), Scenario("start", 1.0))
     assert result.rigid == (1,)
-    assert result.method == "LSODA"
+    assert result.method == "collocation"
     np.testing.assert_allclose(result.omega[0], 10 / 3 * result.t, rtol=1e-6, atol=1e-4)
     assert result.shaft_moment[0, -1] == pytest.approx(20 / 3, rel=1e-6)
 

@@ -75,7 +75,7 @@ def steps_of_load(p: np.ndarray) -> np.ndarray:
     return np.select([p < 1.0, p < 2.5, p < 4.0], [-5.0, -50.0, 20.0], -8.0)
 
 
-@pytest.mark.parametrize("method", ["merson", "RK45", "DOP853", "LSODA", "Radau", "BDF"])
+@pytest.mark.parametrize("method", ["merson", "collocation", "RK45", "DOP853", "LSODA", "Radau", "BDF"])
 def test_piecewise_constant_loads_are_followed_exactly(method: str) -> None:
     """Between its jumps the crank moves uniformly accelerated: w^2 = w_a^2 + 2 M (theta - a)/J."""
     drive = Drive((Mass(2.0),), cycle=cycle(steps_of_load, 0.0, (1.0, 2.5, 4.0)))
@@ -142,7 +142,7 @@ def test_load_steps_follow_each_other() -> None:
     assert result.omega[0, -1] == pytest.approx(w, abs=1e-12)
 
 
-@pytest.mark.parametrize("method", ["merson", "DOP853", "LSODA", "Radau"])
+@pytest.mark.parametrize("method", ["merson", "collocation", "DOP853", "LSODA", "Radau"])
 def test_instants_are_rows_of_their_own(method: str) -> None:
     drive = Drive((Mass(1.0),), cycle=cycle(lambda p: -6 * np.sin(p)))
     times = np.array([0.0, 0.1, 1 / 3, 0.7, 1.0])

@@ -12,7 +12,7 @@ from tmmcalc.errors import UsageError
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
 from tmmcalc.machine.transient.scenario import Brake, LoadStep, Scenario
 
-METHODS = ["merson", "DOP853", "LSODA", "Radau"]
+METHODS = ["merson", "collocation", "DOP853", "LSODA", "Radau"]
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -71,7 +71,8 @@ def reference(inertia: float, motor: Any, start: tuple[float, float], span: floa
 
 
 @pytest.mark.parametrize(
-    ("method", "bound"), [("merson", 1e-8), ("DOP853", 1e-8), ("RK45", 1e-8), ("Radau", 1e-8), ("LSODA", 1e-7)]
+    ("method", "bound"),
+    [("merson", 1e-8), ("collocation", 1e-8), ("DOP853", 1e-8), ("RK45", 1e-8), ("Radau", 1e-8), ("LSODA", 1e-7)],
 )
 def test_run_up_against_an_independent_integration(method: str, bound: float) -> None:
     result = run(started(MOTOR), Scenario("start", 3.0, load=IDLE), method)

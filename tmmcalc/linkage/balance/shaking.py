@@ -19,6 +19,7 @@ from tmmcalc.errors import NoSolutionError, SingularityError, UsageError
 from tmmcalc.linkage.assembly import check_range, find_domain
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.loading import Body
+from tmmcalc.linkage.loads.inertia import inertia_load
 from tmmcalc.linkage.model import FRAME
 from tmmcalc.linkage.plane import Plane, Real, cross
 from tmmcalc.numerics.fourier import FEWEST, TURN, Complex, Magnitude, Series, magnitude, resolved
@@ -76,14 +77,10 @@ def _terms(
 ) -> tuple[Plane, Real, Real]:
     """Inertia forces, their moments, and the size of these before cancellation, each (bodies, n)."""
     motions = chain.evaluate(x).motions
-    w2 = speed * speed
     forces = np.zeros((len(bodies), *x.shape), np.result_type(x.dtype, np.complex64))
     moments, sizes = np.zeros(forces.shape, x.dtype), np.zeros(forces.shape, x.dtype)
     for i, body in enumerate(bodies):
-        motion = motions[body.link]
-        S = motion.point(body.center)
-        forces[i] = -body.mass * (S.a * w2 + S.v * acceleration)
-        couple = -body.inertia * (motion.eps * w2 + motion.omega * acceleration)
+        forces[i], couple, S = inertia_load(body, motions[body.link], speed, acceleration)
         arm = S.r - about
         moments[i] = couple + cross(arm, forces[i])
         sizes[i] = np.abs(couple) + np.abs(arm) * np.abs(forces[i])

@@ -16,6 +16,7 @@ import numpy as np
 
 from tmmcalc.columns import Column
 from tmmcalc.linkage.columns import phi_column
+from tmmcalc.linkage.forces.edges import edge_reactions
 from tmmcalc.linkage.forces.results import Forces, PairForces
 
 
@@ -43,9 +44,9 @@ def _pair(result: Forces, j: int, pair: PairForces) -> Iterator[Column]:
         yield Column(f"N_{name}", "N", lambda: result.normal[j])
         yield Column(f"M_{name}", "N*m", lambda: result.couple[j])
         if pair.length:
-            half = result.couple[j] / pair.length
-            yield Column(f"N'_{name}", "N", lambda: result.normal[j] / 2 + half)
-            yield Column(f"N''_{name}", "N", lambda: result.normal[j] / 2 - half)
+            ahead, behind = edge_reactions(result.normal[j], result.couple[j], pair.length)
+            yield Column(f"N'_{name}", "N", lambda: ahead)
+            yield Column(f"N''_{name}", "N", lambda: behind)
         if pair.friction:
             yield Column(f"F_fr_{name}", "N", lambda: result.friction[j])
     elif pair.friction and pair.radius:

@@ -14,7 +14,7 @@ from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, rever
 from tmmcalc.linkage.forces.kinks import cut, kinks
 from tmmcalc.linkage.forces.locking import further_solutions, refuse_locked
 from tmmcalc.linkage.forces.maxima import Held, held, maxima, pairs_of, unresolved
-from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.results import Forces, Mean
 from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.loading import GearDrive, Loading
 from tmmcalc.linkage.loads.scene import Scene, compile_scene
@@ -66,7 +66,8 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
         virtual=virtual,
         drive_extremes=found.drive,
         power_extremes=found.power(scene.travel.speed),
-        grades=further_solutions(solutions, labels),
+        power_mean=_mean_power(dense, functions.drive, scene.travel.speed),
+        grades=(*scene.grades, *further_solutions(solutions, labels)),
         counters={
             "rows": len(theta),
             "dense": dense.x.size,
@@ -74,6 +75,13 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
         },
         error=max(_largest(rows.equilibrium), _largest(virtual), _amplified(solutions, kinematics.error.acceleration)),
     )
+
+
+def _mean_power(on: Panels, drive: Real, speed: float) -> Mean:
+    """Mean power of the drive (K, N) over the motion; what a panel leaves out of the drive it may leave out of it."""
+    span = float(on.edges[-1] - on.edges[0])
+    left_out = float(on.tail(drive) @ on.width) + ROUNDING * float(on.total(np.abs(drive)))
+    return Mean(float(on.total(drive)) * speed / span, left_out * abs(speed) / span)
 
 
 def _amplified(solutions: dict[str, Solution], error: float) -> float:

@@ -29,6 +29,9 @@ class Iteration:
     """
 
     group: str
+    acting: tuple[
+        tuple[str, int], ...
+    ]  # (3,) its joints, outer of a, inner, outer of b, and the link that each acts on
     joints: tuple[str, ...]  # (k,) that rub
     units: tuple[str, ...]  # (k,) "N" of a prismatic pair, "N*m" of a revolute one
     friction: Real  # (m + 1, k) friction in every solution; last: what the last reactions give
@@ -36,6 +39,8 @@ class Iteration:
     unknowns: Real  # (m, 6) [N], arms [m]
     change: Real  # (m,) largest relative change of an unknown from the solution before; the first is 1
     stopped: bool  # whether the rule stopped it; False: it did not settle
+    exact: Real | None  # (6,) the unknowns of the solution that `friction` finds; None if the group locks itself
+    exact_friction: Real | None  # (k,) and its friction
 
     @property
     def passes(self) -> int:
@@ -63,8 +68,10 @@ def textbook_iteration(
         unknowns.append(now)
         friction.append(_friction(cut, found))
     posts = [cut.plan.posts[k] for k in cut.c]
+    exact = _exact(cut)
     return Iteration(
         group=group,
+        acting=tuple((post.joint.name, post.receiver) for post in cut.plan.posts),
         joints=tuple(post.joint.name for post in posts),
         units=tuple("N*m" if post.joint.kind == "revolute" else "N" for post in posts),
         friction=np.array(friction),
@@ -72,7 +79,17 @@ def textbook_iteration(
         unknowns=np.array(unknowns),
         change=np.array(change),
         stopped=bool(change) and change[-1] <= stop,
+        exact=exact[0] if exact is not None else None,
+        exact_friction=exact[1] if exact is not None else None,
     )
+
+
+def _exact(cut: Cut) -> tuple[Real, Real] | None:
+    """The six unknowns and the friction (k,) of the solution; None if the group locks itself."""
+    found, friction, solution = cut.solve(1)
+    if solution is not None and solution.locked.any():
+        return None
+    return _unknowns(cut, found), np.array([_one(friction[k]).real for k in cut.c])
 
 
 def _change(before: Real, now: Real) -> float:

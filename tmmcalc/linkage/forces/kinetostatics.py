@@ -25,10 +25,8 @@ from tmmcalc.linkage.loads.sources import Action, Place, Source, inertia
 from tmmcalc.linkage.loads.values import Knot
 from tmmcalc.linkage.model import FRAME, Joint
 from tmmcalc.linkage.plane import Plane, Real, cross
+from tmmcalc.numerics.memory import keep_pages
 
-# A piece of memory (16 MB) larger than all temporaries: once the allocator has had it back it keeps their pages, whose
-# fetching anew in every step would cost a third of the time.
-PIECE = 1 << 21
 REST = 1e-9  # a relative velocity below this part of the largest is rest
 
 
@@ -202,7 +200,7 @@ def _wrench(action: Action, factor: float, pole: complex) -> Wrench:
 
 def compile_statics(scene: Scene, with_inertia: bool = True) -> Statics:
     """The force analysis of a scene; loads of inertia are left out of a static one."""
-    np.empty(PIECE)  # asked for and given back
+    keep_pages()
     chain, travel, loading = scene.chain, scene.travel, scene.loading
     heavy = tuple(body for body in loading.bodies if body.mass > 0 or body.inertia > 0)
     dynamic = [inertia(heavy, travel.speed, travel.acceleration)] if with_inertia and heavy else []

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.linkage.forces.edges import edge_reactions
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
 from tmmcalc.linkage.forces.wrench import Slideway
 from tmmcalc.linkage.plane import Real
@@ -36,8 +37,7 @@ def faces(statics: Statics, state: State, n: int) -> Real:
         if not pair.length:
             found.append(normal)
             continue
-        edge = 2 * reaction.wrench.moment / pair.length
-        found += [normal + edge, normal - edge]
+        found += edge_reactions(normal, reaction.wrench.moment, pair.length)
     return np.array([np.broadcast_to(force, n) for force in found]).reshape(len(found), n)
 
 

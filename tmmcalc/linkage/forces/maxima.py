@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.linkage.forces.edges import edge_reactions
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import PairForces
 from tmmcalc.linkage.forces.stack import Stack
 from tmmcalc.linkage.model import Joint
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Extreme
-from tmmcalc.numerics.panels import Panels, rule
+from tmmcalc.numerics.panels import Panels
+from tmmcalc.numerics.peaks import peaks
 
 MARGIN = 4.0  # a panel may hold a value higher than its points by that many times what it leaves out
 RESOLVED = 1e-8  # last coefficients of a panel, against the largest value, that need no halving
 NOISE = 1e-9  # a function below this part of the largest is rounding
-TERMS = 7  # of the Taylor polynomial: what is left out is less than 1e-10 between two points
-NEWTON = 3
+DRIVE = 1  # row of the drive; the one before it is the drive turned round
 
 Flags = NDArray[np.bool_]
 
@@ -46,6 +46,11 @@ class Held(NamedTuple):
     values: Real
     couples: dict[int, int]  # joint -> row
     pressures: dict[int, int]
+
+    @property
+    def drive(self) -> Real:
+        """The drive along the positive input coordinate (K, N)."""
+        return np.asarray(self.values[DRIVE])
 
 
 def held(statics: Statics, dense: Panels, over: Stack) -> Held:
@@ -88,52 +93,10 @@ def maxima(statics: Statics, dense: Panels, functions: Held) -> Maxima:
     )
 
 
-def peaks(dense: Panels, values: Real) -> tuple[Real, Real]:
-    """Largest value of every function (F, K, N) and its place, each (F,); limits at edges included.
-
-    The highest point is refined by the Taylor polynomial there, whose terms the panel gives.
-    """
-    r, functions = rule(dense.order), np.arange(len(values))
-    k, i = np.divmod(np.argmax(values.reshape(len(values), -1), axis=1), dense.order)
-    derivatives = [values[functions, k]]
-    for _ in range(TERMS):
-        derivatives.append(derivatives[-1] @ r.slope.T)
-    terms = [row[functions, i] / math.factorial(m) for m, row in enumerate(derivatives)]
-    d = np.zeros(len(values))
-    for _ in range(NEWTON):
-        first = _horner([m * term for m, term in enumerate(terms)][1:], d)
-        second = _horner([m * (m - 1) * term for m, term in enumerate(terms)][2:], d)
-        move = np.where(second < 0, -first / np.where(second < 0, second, 1.0), 0.0)
-        d = np.clip(d + move, -1 / dense.order, 1 / dense.order)
-    t = np.clip(r.points[i] + d, 0.0, 1.0)
-    low, high = dense.ends(values)
-    refined, point = _horner(terms, t - r.points[i]), values[functions, k, i]
-    found = np.concatenate((refined[:, None], point[:, None], low, high), axis=1)
-    inside = (dense.edges[k] + np.stack((t, r.points[i])) * dense.width[k]).T
-    edges = np.broadcast_to(np.concatenate((dense.edges[:-1], dense.edges[1:])), (*low.shape[:1], 2 * dense.count))
-    best = np.argmax(found, axis=1)
-    return found[functions, best], np.concatenate((inside, edges), axis=1)[functions, best]
-
-
-def _horner(terms: Sequence[Real], d: Real) -> Real:
-    value = terms[-1]
-    for term in reversed(terms[:-1]):
-        value = value * d + term
-    return value
-
-
 def length_of(statics: Statics, joint: Joint) -> float | None:
     """Length of the slider of a joint, if it is given."""
     pair = statics.pairs.get(joint.name)
     return pair.length if pair is not None else None
-
-
-def edge_reactions(normal: Real, couple: Real, length: float) -> tuple[Real, Real]:
-    """Forces N', N'' at the two edges of a slider of this length, ahead of and behind its point, along the normal.
-
-    They are the parallel forces that N and the couple stand for: N' + N'' = N, (N' - N'') length/2 = couple.
-    """
-    return normal / 2 + couple / length, normal / 2 - couple / length
 
 
 def pairs_of(statics: Statics, found: Maxima, rows: Stack, labels: tuple[str, ...]) -> Iterator[PairForces]:

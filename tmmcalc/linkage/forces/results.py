@@ -30,6 +30,14 @@ class PairForces:
 
 
 @record
+class Mean:
+    """A mean over the motion, and what it may be off by."""
+
+    value: float
+    error: float
+
+
+@record
 class Forces:
     """Result of the forces stage over n rows: the positions of the cycle, and the left limits at jumps of friction.
 
@@ -55,6 +63,7 @@ class Forces:
     virtual: Real  # (n,) drive by virtual power less the drive, against the largest drive [-]
     drive_extremes: tuple[Extreme, Extreme]  # least and largest drive
     power_extremes: tuple[Extreme, Extreme]
+    power_mean: Mean  # of the drive over the motion [W]
     grades: tuple[Grade, ...]
     counters: dict[str, int]
     error: float  # estimated relative error of the reactions [-]

@@ -18,7 +18,7 @@ from tmmcalc.linkage.loads.values import Knot, value_of
 from tmmcalc.linkage.loads.windows import Inside, handed_over, window_of
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.results import Grade, Kinematics
 from tmmcalc.linkage.survey import Survey
 
 
@@ -32,6 +32,7 @@ class Scene(NamedTuple):
     sources: tuple[Source, ...]
     angles: tuple[float, ...]  # theta where a load jumps or bends [rad or m]
     knots: tuple[Knot, ...]
+    grades: tuple[Grade, ...] = ()  # what the loads do not do
 
     def place(self, theta: Real, side: Real | float = 1.0) -> Place:
         """The configuration at theta (n,), seen from its ``side``."""
@@ -61,6 +62,7 @@ class _Part(NamedTuple):
     source: Source
     angles: list[float]
     knots: list[Knot]
+    grades: tuple[Grade, ...] = ()
 
 
 def compile_scene(mechanism: Mechanism, loading: Loading, kinematics: Kinematics) -> Scene:
@@ -81,6 +83,7 @@ def compile_scene(mechanism: Mechanism, loading: Loading, kinematics: Kinematics
         tuple(sources),
         tuple(a for part in parts for a in part.angles),
         tuple(k for part in parts for k in part.knots),
+        tuple(grade for part in parts for grade in part.grades),
     )
 
 
@@ -108,7 +111,8 @@ def _part(
     def acting(place: Place) -> Real:
         return np.where(inside(place), load.factor * value.at(place), 0.0)
 
-    return _Part(technological(load, acting), [*value.angles, *window.edges], value.knots)
+    grades = (*window.grades, *value.grades)
+    return _Part(technological(load, acting), [*value.angles, *window.edges], value.knots, grades)
 
 
 def _resisting(load: Load, dense: Survey) -> _Part:

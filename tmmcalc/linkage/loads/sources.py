@@ -17,6 +17,7 @@ from tmmcalc.errors import NoSolutionError
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Configuration
 from tmmcalc.linkage.loading import Body, Load, Loading, Quadratic, Spring, Viscous
+from tmmcalc.linkage.loads.inertia import inertia_load
 from tmmcalc.linkage.model import FRAME
 from tmmcalc.linkage.plane import LinkMotion, Plane, Point, Real
 from tmmcalc.linkage.survey import Survey
@@ -93,11 +94,8 @@ def inertia(bodies: tuple[Body, ...], speed: float, acceleration: float) -> Sour
     def actions(place: Place) -> list[Action]:
         result = []
         for body in bodies:
-            motion = place.configuration.motions[body.link]
-            at = motion.point(body.center)
-            a: Plane = at.a * speed**2 + at.v * acceleration
-            eps = motion.eps * speed**2 + motion.omega * acceleration
-            result.append(Action(body.link, -body.mass * a, at, -body.inertia * eps if body.inertia else _ZERO))
+            force, couple, at = inertia_load(body, place.configuration.motions[body.link], speed, acceleration)
+            result.append(Action(body.link, force, at, couple if body.inertia else _ZERO))
         return result
 
     return Source("inertia", "inertia", 0, actions)

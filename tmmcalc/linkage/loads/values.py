@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import NamedTuple
 
@@ -14,11 +15,11 @@ from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.loading import Constant, Indicator, Load, Polynomial, Tabulated
 from tmmcalc.linkage.loads.laws import interpolant, polynomial, pressure_of
 from tmmcalc.linkage.loads.sources import Place
-from tmmcalc.linkage.loads.strokes import displacement_of, piston_of
+from tmmcalc.linkage.loads.strokes import Displacement, displacement_of, piston_of
 from tmmcalc.linkage.loads.travel import EDGE, Travel
 from tmmcalc.linkage.loads.windows import Inside
 from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.results import Grade, Kinematics
 from tmmcalc.linkage.survey import Survey
 
 
@@ -35,6 +36,7 @@ class Value(NamedTuple):
     at: Callable[[Place], Real]
     angles: list[float]
     knots: list[Knot]
+    grades: tuple[Grade, ...] = ()
 
 
 def value_of(chain: Chain, kinematics: Kinematics, travel: Travel, dense: Survey, load: Load, window: Inside) -> Value:
@@ -74,7 +76,19 @@ def _of_displacement(
         lambda place: f(displacement.at(place.configuration) / unit),
         travel.repeated(displacement.turning),
         [Knot(partial(from_knot, at), displacement.reach) for at in inner],
+        tuple(_beyond(displacement, law, unit, where)),
     )
+
+
+def _beyond(displacement: Displacement, law: Tabulated, unit: float, where: str) -> Iterator[Grade]:
+    """What of a table the output never reaches."""
+    low, high, reach = law.x[0] * unit, law.x[-1] * unit, displacement.reach
+    if high <= reach * (1 + EDGE):
+        return
+    said, factor = ("deg", math.degrees(1.0)) if displacement.output.link is not None else ("mm", 1e3)
+    text = f"goes to {high * factor:.5g} {said}, but the stroke of {displacement.output.name} is {reach * factor:.5g}"
+    only = "; the whole table lies beyond it, and its first value holds throughout" if low >= reach else ""
+    yield Grade("warning", where, f"its table {text} {said}{only}")
 
 
 def _indicated(chain: Chain, travel: Travel, dense: Survey, load: Load, law: Indicator) -> Value:

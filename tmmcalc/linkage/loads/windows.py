@@ -7,8 +7,8 @@ first turn, or that belongs to a law with a longer period, comes back after that
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,7 @@ from tmmcalc.linkage.loads.sources import Place
 from tmmcalc.linkage.loads.strokes import Strokes, strokes_of
 from tmmcalc.linkage.loads.travel import EDGE, Travel, turns_of
 from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.results import Grade, Kinematics
 
 Flags = NDArray[np.bool_]
 
@@ -34,6 +34,7 @@ class Inside(NamedTuple):
     edges: list[float]
     begins: tuple[float, ...] = ()  # theta at which the window begins, of a whole turn within one turn
     ends: tuple[float, ...] = ()
+    grades: tuple[Grade, ...] = ()
 
 
 def window_of(chain: Chain, kinematics: Kinematics, travel: Travel, load: Load) -> Inside:
@@ -71,7 +72,7 @@ def _between(travel: Travel, low: float, high: float, own: float, where: str) ->
                 remedy="name its ends in the order of the motion: a motion that is no cycle passes each place once",
             )
         own_range = (lambda place: _within(place.theta, low, high)), (lambda t: travel.since(low, t, own))
-        return Inside(*own_range, [low, high], (low,), (high,))
+        return Inside(*own_range, [low, high], (low,), (high,), tuple(_beyond(travel, low, high, where)))
     period = own if max(low, high) <= own + EDGE else travel.period
     low, high = low % period, high % period or period
 
@@ -84,6 +85,16 @@ def _between(travel: Travel, low: float, high: float, own: float, where: str) ->
 
     edges = travel.repeated([low, high], period)
     return Inside(inside, lambda t: travel.since(low, t, period), edges, (low,), (high,))
+
+
+def _beyond(travel: Travel, low: float, high: float, where: str) -> Iterator[Grade]:
+    """What of a window the motion never reaches; a part of a turn may well be analysed on purpose."""
+    if high <= travel.period + EDGE:
+        return
+    begins, ends, last = travel.named(np.array([low, high, travel.period]))
+    severity: Literal["note", "warning"] = "note" if travel.turns else "warning"
+    acts = f"never acts: its window begins at {begins}" if low >= travel.period - EDGE else f"has a window to {ends}"
+    yield Grade(severity, where, f"{acts}, but the motion ends at {last}")
 
 
 def _angles(positions: tuple[str, str], travel: Travel, where: str) -> tuple[float, float]:

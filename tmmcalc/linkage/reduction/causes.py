@@ -84,6 +84,11 @@ class Causes(NamedTuple):
         )
         return Sample(inertia, slope, moments, idle, on_faces, any(part.stuck for part in parts))
 
+    def most(self, theta: Real) -> float:
+        """What the moment of a source could be over theta (n,) if its forces lay along the motion of their points."""
+        place = self.scene.place(theta)
+        return max((float(np.max(_most(source, place))) for source in self.scene.sources), default=0.0)
+
     def along(self, theta: Real) -> Sample:
         """The same at theta (n,) between the positions."""
         return self.sampled(theta, np.ones(len(theta)), lambda rows: self.scene.travel.named(theta[rows]))
@@ -115,6 +120,13 @@ class Causes(NamedTuple):
 
 def _power(source: Source, place: Place) -> Real:
     return np.asarray(sum(action.power(place.configuration) for action in source.actions(place)))
+
+
+def _most(source: Source, place: Place) -> Real:
+    motions = place.configuration.motions
+    turning = (np.abs(action.moment * motions[action.link].omega) for action in source.actions(place))
+    pushing = (np.abs(action.force) * np.abs(action.at.v) for action in source.actions(place))
+    return np.asarray(sum(turning) + sum(pushing))
 
 
 def causes_of(scene: Scene) -> Causes:

@@ -14,10 +14,10 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.errors import NoSolutionError
 from tmmcalc.linkage.assembly import TURN
-from tmmcalc.linkage.forces.kinetostatics import reversals
+from tmmcalc.linkage.forces.kinetostatics import Statics, reversals
 from tmmcalc.linkage.forces.kinks import cut, kinks
-from tmmcalc.linkage.forces.maxima import peaks
 from tmmcalc.linkage.loading import Load, Loading
 from tmmcalc.linkage.loads.scene import Scene, compile_scene
 from tmmcalc.linkage.model import Mechanism
@@ -28,10 +28,14 @@ from tmmcalc.linkage.reduction.results import Contribution, Reduction
 from tmmcalc.linkage.results import Extreme, Grade, Kinematics
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.numerics.panels import Panels, panels, resolved
+from tmmcalc.numerics.peaks import peaks
+from tmmcalc.numerics.simpson import simpson
 
 Flags = NDArray[np.bool_]
 
 TOLERANCE = 1e-11  # of the panels: last coefficients against the largest value
+SLIGHT = 1e-4  # part of the most that a moment could be: the tolerance of it is rounding
+SAMPLED = 33  # places at which that most is taken
 PARTS = 24  # of a turn, or of the range: no first panel is wider
 QUARTERS = np.array([0.25, 0.5, 0.75])  # that a panel which resolves nothing is cut in
 ROUNDS = 4  # of cutting: two kinks between the same points show one after the other
@@ -55,7 +59,8 @@ def solve_reduction(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
     moment = scene.travel.sense * nodes.moments * _powers(causes)[:, None]
     inertia_range, ranges = _ranges(scene, cycle, parts)
     works = dense.total(parts) if len(parts) else np.empty(0)
-    other = reduced_inertia(static, scene.place(theta).configuration, len(theta))[0] if links else None
+    beside = loading.bodies if rods == "lumped" else static
+    other = reduced_inertia(beside, scene.place(theta).configuration, len(theta))[0] if links else None
     return Reduction(
         labels=labels,
         phi=scene.travel.phi(theta),
@@ -83,11 +88,49 @@ def solve_reduction(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
         cycle=cycle,
         idle=idle if causes.loaded and not stuck else None,
         inertia_range=inertia_range,
-        lumped=other,
-        rods=links,
-        grades=_grades(causes, loading.loads, works, dense, parts),
+        rods="lumped" if rods == "lumped" and links else "exact",
+        rod_links=links,
+        other=other,
+        grades=(*scene.grades, *_grades(causes, loading.loads, works, dense, parts)),
         counters={"panels": dense.count, "points": dense.x.size},
     )
+
+
+def solve_back(
+    mechanism: Mechanism, loading: Loading, kinematics: Kinematics, rods: str = "exact"
+) -> tuple[Cycle, Cycle | None]:
+    """The cycle of the input turned back, and that without loads: the same angles and loads, the friction turned round.
+
+    A positive moment still drives forwards; the quadratic part is that of a positive speed. Raises `NoSolutionError`
+    where the linkage locks itself backwards.
+    """
+    taken = replace(loading, bodies=lumped(mechanism, loading, rods_of(mechanism, loading)))
+    scene = compile_scene(mechanism, taken if rods == "lumped" else loading, kinematics)
+    causes = _turned_back(causes_of(scene))
+    try:
+        _, first, sample = _first(causes, np.empty(0), ())
+        dense, values, tail, stuck = _resolved(causes, first, sample)
+    except NoSolutionError as error:
+        raise NoSolutionError(
+            f"turned back, the input is held by friction: {error.message}",
+            where=error.where,
+            value=error.value,
+            limit=error.limit,
+            remedy='less friction, or standstill = "stop"',
+        ) from error
+    cycle, _, idle = _cycles(causes, dense, values, max(tail, kinematics.error.velocity))
+    return cycle, idle if causes.loaded and not stuck else None
+
+
+def _turned_back(causes: Causes) -> Causes:
+    """The causes with reactions and friction of the same angles passed at the opposite speed."""
+
+    def back(statics: Statics) -> Statics:
+        travel = statics.scene.travel
+        return statics._replace(scene=statics.scene._replace(travel=travel._replace(speed=-travel.speed)))
+
+    quiet = causes.quiet
+    return causes._replace(statics=back(causes.statics), quiet=back(quiet) if quiet is not None else None)
 
 
 def _role(loads: tuple[Load, ...], name: str) -> Any:
@@ -112,7 +155,7 @@ def _first(causes: Causes, theta: Real, labels: tuple[str, ...]) -> tuple[Sample
 
 def _resolved(causes: Causes, on: Panels, sample: Sample) -> tuple[Panels, Real, float, bool]:
     """Panels that resolve J, dJ and all moments, their values (3 + S, K, N), the largest tail; whether idle sticks."""
-    scales = _scales(sample)
+    scales = _scales(sample, causes.most(np.linspace(0.0, causes.scene.travel.period, SAMPLED)))
     for _ in range(ROUNDS):
         rough = _rough(on, sample, scales)
         finer = cut(
@@ -144,10 +187,13 @@ def _panels(scene: Scene, edges: Iterable[float]) -> Panels:
     return panels(0.0, scene.travel.period, edges, whole / PARTS)
 
 
-def _scales(sample: Sample) -> Real:
-    """What the tails of J, dJ and all moments (3 + S,) are measured against: J, and the largest of the moments."""
+def _scales(sample: Sample, most: float) -> Real:
+    """What the tails of J, dJ and all moments (3 + S,) are measured against: J, and the largest of the moments.
+
+    Moments that are nothing beside the ``most`` that they could be are rounding, which no panel resolves.
+    """
     inertia = float(np.max(sample.inertia))
-    moment = max(float(np.max(np.abs(sample.moments), initial=0.0)), float(np.max(np.abs(sample.idle))))
+    moment = max(float(np.max(np.abs(sample.moments), initial=0.0)), float(np.max(np.abs(sample.idle))), SLIGHT * most)
     scale = np.array([inertia, inertia, moment, *[moment] * len(sample.moments)])
     return np.where(scale > 0, scale, 1.0)
 
@@ -181,14 +227,6 @@ def _ranges(scene: Scene, cycle: Cycle, parts: Real) -> tuple[tuple[Extreme, Ext
         for a, b in zip(low, high, strict=True)
     ]
     return pairs[0], pairs[1:]
-
-
-def simpson(x: Real, y: Real) -> float | None:
-    """Simpson's rule (3.38); None unless the steps are equal and even in number."""
-    steps = np.diff(x)
-    if len(steps) % 2 or np.ptp(steps) > 1e-9 * abs(steps[0]):
-        return None
-    return float(steps[0] / 3 * (y[0] + y[-1] + 4 * y[1:-1:2].sum() + 2 * y[2:-2:2].sum()))
 
 
 def _grades(causes: Causes, loads: tuple[Load, ...], works: Real, dense: Panels, parts: Real) -> tuple[Grade, ...]:

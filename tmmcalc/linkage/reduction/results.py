@@ -50,7 +50,8 @@ class Reduction:
     cycle: Cycle
     idle: Cycle | None  # the same without technological loads; None if there are none
     inertia_range: tuple[Extreme, Extreme]  # least and largest reduced inertia
-    lumped: Real | None  # (n,) inertia with the rods' masses placed statically in their pins; None without a rod
-    rods: tuple[int, ...]  # links that are lumped in it
+    rods: Literal["exact", "lumped"]  # how the connecting rods count: as they are, or as masses in their pins
+    rod_links: tuple[int, ...]  # the links that are such rods
+    other: Real | None  # (n,) inertia with the rods the other way [kg*m^2]; None without a rod
     grades: tuple[Grade, ...]
     counters: dict[str, int]

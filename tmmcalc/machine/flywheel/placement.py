@@ -1,4 +1,4 @@
-"""Where the flywheel stands: on the input shaft, the motor shaft or any other.
+"""The flywheel on a shaft, and its rim: the asked shaft, and for comparison the input shaft and that of the motor.
 
 A wheel on a shaft that turns u times as fast as the input shaft counts u^2 times there, so it needs J/u^2 only.
 Beyond the gears it does not relieve them, though: they carry the peaks of the load between the wheel and the crank.
@@ -6,82 +6,105 @@ Beyond the gears it does not relieve them, though: they carry the peaks of the l
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
+from dataclasses import replace
+from typing import Literal
 
-from tmmcalc.errors import UsageError
-from tmmcalc.machine.flywheel.materials import CAST_IRON, Material
-from tmmcalc.machine.flywheel.rim import DEFAULT, Proportions, Rim, rim_of_mean_diameter, rim_of_proportions
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.machine.flywheel.materials import MATERIALS, Material
+from tmmcalc.machine.flywheel.rim import (
+    Rim,
+    largest_diameter,
+    rim_of_diameter_and_thickness,
+    rim_of_diameter_and_width,
+    rim_of_mean_diameter,
+    rim_of_proportions,
+    rim_of_section,
+)
+from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.records import record
 
+THICK = 0.4  # thickness over mean diameter above which a rim is hardly one
+SMALLEST = 0.01  # mean diameter below which there is no rim to speak of [m]
 
-@record
-class Shaft:
-    """A shaft that may carry the flywheel."""
-
-    name: str
-    ratio: float  # u, its speed over that of the input shaft [-], of either sign
-    room: float = math.inf  # largest outer diameter that fits [m]
-    diameter: float | None = None  # chosen mean diameter of the rim [m]; None: by the proportions
+ShaftName = Literal["input", "motor", "other"]
 
 
 @record
-class Placement:
+class Wheel:
     """The flywheel on one shaft."""
 
-    shaft: Shaft
-    inertia: float  # of the wheel itself [kg*m^2]
+    shaft: ShaftName
+    ratio: float  # u, speed of the shaft over that of the input shaft
+    inertia: float  # of the wheel itself, J/u^2 [kg*m^2]
     speed: float  # largest speed of the shaft [rad/s]
-    rim: Rim
-    remarks: tuple[str, ...]
+    rim: Rim | None  # None if no flywheel is needed, or none can be made
+    remarks: tuple[str, ...]  # what speaks against it
 
 
-def placed(
-    addition: float,
-    shaft: Shaft,
-    speed: float,
-    material: Material = CAST_IRON,
-    proportions: Proportions = DEFAULT,
-) -> Placement:
-    """The wheel that adds ``addition`` [kg*m^2], reduced to the input shaft, on the ``shaft``.
+def wheels(
+    task: FlywheelTask, addition: float, speed: float, ratio: float, motor_ratio: float | None
+) -> tuple[Wheel, ...]:
+    """The wheel that adds ``addition`` [kg*m^2] to the input shaft: on the shaft of the task, then on the others.
 
-    ``speed`` is the largest speed of the input shaft [rad/s]. Raises `UsageError` for a ratio of zero and
-    `NoSolutionError` if no rim fits.
+    ``speed`` is the largest one of the input shaft [rad/s], ``ratio`` that of the task's shaft over it and
+    ``motor_ratio`` that of the motor, None without one. The sizes of the task hold for its own shaft; the
+    others have a rim of the usual proportions.
     """
-    if not (math.isfinite(shaft.ratio) and shaft.ratio):
-        raise UsageError(
-            f"shaft {shaft.name!r} has the ratio {shaft.ratio:g}",
-            where="flywheel",
-            value=shaft.ratio,
-            remedy="give its speed over that of the input shaft",
-        )
-    inertia, fast = addition / shaft.ratio**2, abs(shaft.ratio) * speed
-    if shaft.diameter is None:
-        rim = rim_of_proportions(inertia, fast, material, proportions, room=shaft.room)
-    else:
-        rim = rim_of_mean_diameter(inertia, shaft.diameter, fast, material, proportions)
-    return Placement(shaft, inertia, fast, rim, _remarks(shaft, rim))
+    free = replace(task, diameter=None, width=None, thickness=None)
+    known: tuple[tuple[ShaftName, float | None], ...] = (("input", 1.0), ("motor", motor_ratio))
+    others = [(name, u) for name, u in known if name != task.shaft and u is not None and abs(u) != abs(ratio)]
+    own = _wheel(task, task.shaft, ratio, addition, speed)
+    return (own, *(_wheel(free, name, u, addition, speed) for name, u in others))
 
 
-def placements(
-    addition: float,
-    shafts: Sequence[Shaft],
-    speed: float,
-    material: Material = CAST_IRON,
-    proportions: Proportions = DEFAULT,
-) -> tuple[Placement, ...]:
-    """The wheel on each of the ``shafts``, the lightest first."""
-    all_placed = (placed(addition, shaft, speed, material, proportions) for shaft in shafts)
-    return tuple(sorted(all_placed, key=lambda placement: placement.rim.total_mass))
+def _wheel(task: FlywheelTask, shaft: ShaftName, ratio: float, addition: float, speed: float) -> Wheel:
+    own, fast = addition / ratio**2, abs(ratio) * speed
+    rim, remarks = _rim(task, own, fast)
+    return Wheel(shaft, ratio, own, fast, rim, remarks)
 
 
-def _remarks(shaft: Shaft, rim: Rim) -> tuple[str, ...]:
-    remarks = []
-    if not rim.allowed:
-        limit = rim.material.rim_speed
-        remarks.append(f"the rim runs at {rim.speed:.4g} m/s, above the {limit:g} m/s of {rim.material.name}")
-    if rim.outer > shaft.room * (1 + 1e-12):
-        remarks.append(f"the outer diameter {rim.outer:.4g} m does not fit into {shaft.room:.4g} m")
-    if abs(shaft.ratio) != 1:
-        remarks.append("the gears between the wheel and the input shaft carry the peaks of the load")
-    return tuple(remarks)
+def _rim(task: FlywheelTask, own: float, fast: float) -> tuple[Rim | None, tuple[str, ...]]:
+    """The rim that the task's sizes leave; what cannot be made is told, and no reason to stop."""
+    if own <= 0:
+        return None, ()
+    material = _material(task)
+    edge = largest_diameter(fast, material)
+    if task.diameter is task.width is task.thickness is None and edge < SMALLEST:
+        text = f"no rim is sized: at {fast:.4g} rad/s {material.name} allows {1e3 * edge:.3g} mm of outer diameter"
+        return None, (f"{text}; a slower shaft",)
+    try:
+        rim = _sized(task, own, fast, material)
+    except NoSolutionError as fault:
+        return None, (f"no such rim: {fault.message}; {fault.remedy}",)
+    if rim.diameter < SMALLEST:
+        text = f"no rim is sized: for {own:.4g} kg*m^2 its mean diameter would be {1e3 * rim.diameter:.3g} mm"
+        return None, (text,)
+    if rim.thickness > THICK * rim.diameter:
+        text = f"the rim is {rim.thickness / rim.diameter:.2g} of its mean diameter thick, more disk than rim"
+        return rim, (f"{text}: a larger diameter, a wider rim or a faster shaft",)
+    if rim.allowed:
+        return rim, ()
+    text = f"the rim runs at {rim.speed:.4g} m/s, above {material.rim_speed:.4g} m/s, the limit for {material.name}"
+    return rim, (f"{text}: a smaller diameter, a better material or a slower shaft",)
+
+
+def _sized(task: FlywheelTask, own: float, fast: float, material: Material) -> Rim:
+    diameter, width, thickness = task.diameter, task.width, task.thickness
+    if diameter is not None and width is not None:
+        return rim_of_diameter_and_width(own, diameter, width, fast, material)
+    if diameter is not None and thickness is not None:
+        return rim_of_diameter_and_thickness(own, diameter, thickness, fast, material)
+    if width is not None and thickness is not None:
+        return rim_of_section(own, width, thickness, fast, material)
+    if diameter is not None:
+        return rim_of_mean_diameter(own, diameter, fast, material)
+    return rim_of_proportions(own, fast, material)
+
+
+def _material(task: FlywheelTask) -> Material:
+    material = MATERIALS[task.material]
+    return replace(
+        material,
+        density=task.density or material.density,
+        rim_speed=task.speed_limit or material.rim_speed,
+    )

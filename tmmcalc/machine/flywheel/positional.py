@@ -102,8 +102,6 @@ def _method(i: int, found: Tangents, tried: Motion, constant_inertia: float, spe
     inertia, exact = float(found.inertia[i]), float(found.inertia[0])
     reached = float(tried.fastest[i] - tried.slowest[i]) / speed if tried.exists[i] else None
     remark = METHODS[i].statement
-    if inertia <= constant_inertia:
-        remark += f"; no flywheel needed: the {constant_inertia:.6g} kg*m^2 at hand suffice"
     if reached is None:
         remark += "; with it the machine cannot run at this mean speed"
     return FlywheelMethod(

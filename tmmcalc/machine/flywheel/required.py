@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.errors import AccuracyError, NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import energy_curve
 from tmmcalc.machine.flywheel.drive import fluctuation
@@ -20,6 +20,7 @@ from tmmcalc.machine.flywheel.positional import check
 from tmmcalc.machine.flywheel.search import Model, Trial, between, corrections, least_inertia, sufficient, tried
 from tmmcalc.machine.motors.characteristics import Characteristic
 from tmmcalc.machine.regime import Regime
+from tmmcalc.machine.stall import stall_inertia
 from tmmcalc.machine.steady import driven
 from tmmcalc.records import record
 
@@ -28,6 +29,7 @@ PROBES_LAGGING = 5  # the same where the motor lags, so that a resonance may sta
 BEYOND = (1.5, 3.0)  # times the root: inertias tried above it where the motor lags
 SHORTEST = 0.01  # of the root: where the probes begin if less is at hand
 ABOVE = 2.0  # times the inertia that just does not stall: where the search begins if Mertsalov's stalls
+THRESHOLD = 1e-3  # relative tolerance of the inertia that just does not stall, which is told
 EQUAL = 1e-9  # relative differences of delta that do not count as rising
 
 _MERTSALOV = METHODS[2]
@@ -81,7 +83,10 @@ def required_inertia(
     regime = near
     if root is not start:
         regime = driven(cycle, root.inertia, characteristic, time_constant=time_constant, guess=near)
-    return _result(delta, first, root, regime, trials)
+    carrying = None
+    if first.delta is None:
+        carrying = _carrying(cycle, characteristic, time_constant, first.inertia)
+    return _result(first, root, regime, trials, carrying)
 
 
 def correction_history(
@@ -120,6 +125,15 @@ def _ample(
     return [*trials, Trial(inertia, regime.delta)], regime
 
 
+def _carrying(cycle: Cycle, characteristic: Characteristic, time_constant: float, stalls: float) -> float | None:
+    """The least constant inertia that carries the machine over its peak load; None if the search finds none."""
+    try:
+        found = stall_inertia(cycle, characteristic, time_constant=time_constant, tolerance=THRESHOLD)
+    except (AccuracyError, NoSolutionError):
+        return None
+    return found if found > stalls else None
+
+
 def _earliest(model: Model, delta: float, first: Trial, root: Trial, count: int, trials: list[Trial]) -> Trial:
     """The earliest root that ``count`` probes between the inertia at hand and the ``root`` found reveal."""
     low, start = first, max(first.inertia, SHORTEST * root.inertia)
@@ -131,14 +145,13 @@ def _earliest(model: Model, delta: float, first: Trial, root: Trial, count: int,
     return root
 
 
-def _result(delta: float, first: Trial, root: Trial, regime: Regime, trials: list[Trial]) -> RequiredInertia:
+def _result(first: Trial, root: Trial, regime: Regime, trials: list[Trial], carrying: float | None) -> RequiredInertia:
     ordered = tuple(sorted(trials, key=lambda trial: trial.inertia))
     rises = [(a, b) for a, b in pairwise(ordered) if _size(b) > _size(a) * (1 + EQUAL)]
     remarks = []
-    if first is root:
-        remarks.append(f"no flywheel needed: delta is {regime.delta:.4g} without one, {delta:.4g} is allowed")
-    elif first.delta is None:
-        remarks.append("without a flywheel the machine stalls or runs away")
+    if first.delta is None:
+        least = "" if carrying is None else f"; {carrying:.4g} kg*m^2 of constant inertia just carry it on"
+        remarks.append(f"without a flywheel the machine stalls or runs away{least}")
     for a, b in rises:
         risen = "to a stall" if b.delta is None else f"to {b.delta:.4g}"
         remarks.append(

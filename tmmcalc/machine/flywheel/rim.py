@@ -94,7 +94,7 @@ def rim_of_mean_diameter(
 def rim_of_outer_diameter(
     inertia: float, outer: float, speed: float, material: Material = CAST_IRON, proportions: Proportions = DEFAULT
 ) -> Rim:
-    """Rim of the ``outer`` diameter [m]: the lightest that a limit of room or of rim speed leaves.
+    """Rim of the ``outer`` diameter [m]: the lightest that a limit of the rim speed leaves.
 
     Raises `NoSolutionError` if a full disk of the same proportions is too light.
     """
@@ -132,7 +132,7 @@ def rim_of_section(
             where="flywheel rim",
             value=diameter,
             limit=thickness,
-            remedy="take a smaller section",
+            remedy="a smaller section",
         )
     return _rim(diameter, thickness, width, inertia, speed, material, proportions)
 
@@ -158,6 +158,32 @@ def rim_of_diameter_and_width(
     return _rim(diameter, thickness, width, inertia, speed, material, proportions)
 
 
+def rim_of_diameter_and_thickness(
+    inertia: float,
+    diameter: float,
+    thickness: float,
+    speed: float,
+    material: Material = CAST_IRON,
+    proportions: Proportions = DEFAULT,
+) -> Rim:
+    """Rim of the mean ``diameter`` and the ``thickness`` [m]: its width follows, b = 4 J/(rho pi D h (D^2 + h^2)).
+
+    Raises `NoSolutionError` if the thickness leaves no hole.
+    """
+    _check(inertia=inertia, diameter=diameter, thickness=thickness, speed=speed)
+    if thickness >= diameter:
+        raise NoSolutionError(
+            f"a rim {thickness:.4g} m thick leaves no hole in a mean diameter of {diameter:.4g} m",
+            where="flywheel rim",
+            value=thickness,
+            limit=diameter,
+            remedy="a thinner rim, or a larger diameter",
+        )
+    held = material.density * math.pi * diameter * thickness * (diameter**2 + thickness**2)
+    width = 4 * proportions.rim_inertia * inertia / held
+    return _rim(diameter, thickness, width, inertia, speed, material, proportions)
+
+
 def _cubic(q: float, p: float) -> float:
     """The positive root of x^3 + p^2 x = q."""
     return 2 * p / math.sqrt(3) * math.sinh(math.asinh(1.5 * math.sqrt(3) * q / p**3) / 3)
@@ -168,14 +194,12 @@ def rim_of_proportions(
     speed: float,
     material: Material = CAST_IRON,
     proportions: Proportions = DEFAULT,
-    *,
-    room: float = math.inf,
 ) -> Rim:
-    """Rim of the default proportions, its outer diameter held below the material's limit and the ``room`` [m]."""
-    _check(inertia=inertia, speed=speed, room=room)
+    """Rim of the default proportions, its outer diameter held below the material's limit."""
+    _check(inertia=inertia, speed=speed)
     share = proportions.thickness_to_diameter
     free = (_per_thickness(inertia, material, proportions) / (share**2 * (1 + share**2))) ** 0.2
-    limit = min(room, largest_diameter(speed, material))
+    limit = largest_diameter(speed, material)
     if free * (1 + share) > limit:
         return rim_of_outer_diameter(inertia, limit, speed, material, proportions)
     return rim_of_mean_diameter(inertia, free, speed, material, proportions)
@@ -221,7 +245,7 @@ def _full(inertia: float, diameter: float, which: str) -> NoSolutionError:
         f"a wheel of {diameter:.4g} m {which} diameter is a full disk before it has {inertia:.5g} kg*m^2",
         where="flywheel rim",
         value=diameter,
-        remedy="allow a larger diameter, a wider rim (width_to_thickness), a stronger material or a faster shaft",
+        remedy="a larger diameter, a wider rim, a stronger material or a faster shaft",
     )
 
 

@@ -216,28 +216,6 @@ def kloss(peak: float, critical_slip: float, synchronous: float, nominal: float 
     return Kloss(2 * peak * width, width * width, synchronous, synchronous - width, nominal)
 
 
-def direct_current_braking(peak: float, critical: float) -> Kloss:
-    """Induction motor fed with direct current: the form of Kloss about standstill, braking either way.
-
-    ``peak`` [N*m], the largest braking moment, stands at the speed ``critical`` [rad/s].
-
-    >>> direct_current_braking(50.0, 30.0).moment(30.0)
-    -50.0
-    """
-    require_positive(critical, "speed of the largest braking moment")
-    return Kloss(2 * peak * critical, critical * critical, 0.0, -critical)
-
-
-def counter_current(motor: Kloss) -> Kloss:
-    """The motor with two phases exchanged: its field turns backwards, and it brakes (s > 1).
-
-    >>> motor = kloss(242.0, 0.2773, 10.714)
-    >>> counter_current(motor).moment(3.0) == -motor.moment(-3.0)
-    True
-    """
-    return motor._replace(synchronous=-motor.synchronous, critical=-motor.critical, nominal=None)
-
-
 def require_positive(value: float, what: str) -> None:
     """Raise `UsageError` unless ``value`` is positive and finite."""
     if not 0 < value < math.inf:

@@ -86,6 +86,14 @@ def reduced(characteristic: Characteristic, ratio: float, efficiency: float = 1.
     )
 
 
+def points_of(motor: Characteristic) -> tuple[float, ...]:
+    """Speeds [rad/s] of the points between which a characteristic is smooth; none of a closed form."""
+    if isinstance(motor, Reduced):
+        return tuple(speed / motor.ratio for speed in points_of(motor.base))
+    points: tuple[float, ...] = getattr(motor, "speeds", ())
+    return points
+
+
 def _closed(motor: Characteristic, u: float) -> Characteristic | None:
     """The same form with other constants; None for a characteristic that is not one of the closed forms."""
     match motor:

@@ -6,6 +6,7 @@ All speeds and moments are those of the motor shaft; `gearing.reduced` carries a
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Literal
 
 from tmmcalc.errors import UsageError
@@ -226,6 +227,16 @@ def electromagnetic_time_constant(critical_slip: float, frequency: float = 50.0)
         message = f"critical slip {critical_slip:g} and frequency {frequency:g} Hz; both are positive"
         raise UsageError(message, where="motor")
     return 1 / (2 * math.pi * frequency * critical_slip)
+
+
+def with_lag(motor: Motor, time_constant: float | None) -> Motor:
+    """The motor with this time constant [s], None: the one that follows from its critical slip at 50 Hz.
+
+    Raises `UsageError` if that is asked of a motor whose synchronous speed or overload ratio is not known.
+    """
+    if time_constant is None:
+        time_constant = electromagnetic_time_constant(motor.critical_slip)
+    return replace(motor, time_constant=time_constant)
 
 
 def gd2(value: float) -> float:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -15,6 +16,7 @@ import numpy as np
 from tmmcalc.errors import UsageError
 from tmmcalc.machine.motors.characteristics import N
 from tmmcalc.machine.motors.model import Interpolation
+from tmmcalc.numerics.panels import Values
 from tmmcalc.numerics.roots import bracketed
 from tmmcalc.records import record
 
@@ -30,6 +32,8 @@ class Table:
 
     speeds: tuple[float, ...]  # of the points [rad/s], ascending, n
     pieces: tuple[Piece, ...]  # n + 1
+    edges: Values  # the speeds again, (n,)
+    columns: Values  # the pieces again, (4, n + 1): arrays are served from these
     synchronous: float | None  # highest speed where the moment falls through zero [rad/s]
     critical: float | None  # speed of the largest moment, if the moment is less on both sides [rad/s]
     nominal: float | None = None  # [rad/s]
@@ -66,9 +70,8 @@ class Table:
         return omega - self.speeds[max(k - 1, 0)], self.pieces[k]
 
     def _across(self, omega: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        speeds = np.array(self.speeds)
-        k = np.searchsorted(speeds, omega, side="right")
-        return omega - speeds[np.maximum(k - 1, 0)], np.moveaxis(np.array(self.pieces)[k], -1, 0)
+        k = np.searchsorted(self.edges, omega, side="right")
+        return omega - self.edges[np.maximum(k - 1, 0)], self.columns[:, k]
 
 
 def table(
@@ -95,8 +98,9 @@ def table(
     a, b, c, _ = inner[-1]
     first = (0.0, 0.0, inner[0][2], moments[0])
     last = (0.0, 0.0, (3 * a * width + 2 * b) * width + c, moments[-1])
-    whole = Table(speeds, (first, *inner, last), None, None, nominal)
-    return Table(speeds, whole.pieces, _no_load(whole, moments), _break_down(speeds, moments), nominal)
+    pieces = (first, *inner, last)
+    whole = Table(speeds, pieces, np.array(speeds), np.array(pieces).T, None, _break_down(speeds, moments), nominal)
+    return replace(whole, synchronous=_no_load(whole, moments))
 
 
 def _monotone(speeds: tuple[float, ...], moments: tuple[float, ...]) -> list[Piece]:

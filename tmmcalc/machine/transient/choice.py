@@ -1,7 +1,7 @@
 """Which method integrates a drive: the eigenvalues of its Jacobian against the duration asked for.
 
 Explicit steps must be shorter than about three of the fastest time constants, whatever the accuracy; implicit ones need
-not. An oscillation that lasts must be followed by either, period by period; where that is not to be done its shaft is
+not. An oscillation that lasts must be followed by either, period by period; where these are too many its shaft is
 taken as rigid.
 """
 
@@ -25,12 +25,10 @@ from tmmcalc.machine.transient.setup import assembled, sizes, working
 from tmmcalc.machine.transient.steps import MERSON, RK4_REAL
 from tmmcalc.numerics.panels import Values
 
-EXPLICIT = 3_000  # explicit steps for the sake of stability that one mass takes before an implicit method is quicker
+EXPLICIT = 1_000  # explicit steps for the sake of stability that one mass takes before an implicit method is quicker
 SEVERAL = 150  # the same with more unknowns, where accuracy asks for many times as many
-PERIODS = 20  # periods that Kutta-Merson follows in less time than scipy takes to load
-FOLLOWED = 1_000  # periods that are followed by explicit steps
-STIFF = 150  # and by implicit ones
-UPRIGHT = 0.1  # damping ratio below which backward differences lose their stability
+PERIODS = 20  # periods that Kutta-Merson follows quicker than collocation
+FOLLOWED = 1_000  # periods that are followed
 DECAY = 20.0  # time constants after which an oscillation has died away
 
 
@@ -49,7 +47,6 @@ class Mode(NamedTuple):
 
     fastest: float  # largest |lambda| [1/s]
     damped: float  # fastest decay, largest -Re lambda [1/s]
-    ratio: float  # damping ratio -Re lambda/|lambda| of the fastest
     periods: float  # most periods of an oscillation within the duration, before it has died away
 
 
@@ -69,7 +66,7 @@ def plan(drive: Drive, scenario: Scenario, profile: Profile, method: Method) -> 
         system = assembled(drive, scenario, profile, rigid)
         mode = modes(system, drive, scenario, profile)
         swing = _swing(system, scenario.duration)
-        if swing is None or mode.periods <= (FOLLOWED if _steps(mode, scenario.duration) <= EXPLICIT else STIFF):
+        if swing is None or mode.periods <= FOLLOWED:
             name, reason = _suitable(mode, scenario.duration, system.layout.works)
             return Plan(name, reason, rigid, tuple(notes), ripple)
         size = sizes(drive, system, scenario, profile)
@@ -113,9 +110,8 @@ def modes(system: System, drive: Drive, scenario: Scenario, profile: Profile) ->
 def _mode(values: Values, duration: float) -> Mode:
     lasting = np.minimum(DECAY / np.maximum(-values.real, DECAY / duration), duration)
     size = np.abs(values)
-    first = int(np.argmax(size))
-    fastest, ratio = float(size[first]), float(-values.real[first] / size[first]) if size[first] else 1.0
-    return Mode(fastest, float(-values.real.min()), ratio, float((np.abs(values.imag) * lasting).max()) / (2 * math.pi))
+    periods = float((np.abs(values.imag) * lasting).max()) / (2 * math.pi)
+    return Mode(float(size.max()), float(-values.real.min()), periods)
 
 
 def _steps(mode: Mode, duration: float) -> float:
@@ -127,11 +123,10 @@ def _suitable(mode: Mode, duration: float, unknowns: int) -> tuple[str, str]:
     """The method for these eigenvalues and the reason."""
     steps = _steps(mode, duration)
     fast = f"fastest time constant {1 / mode.fastest:.3g} s in {duration:.3g} s" if mode.fastest else "no time constant"
-    if steps <= EXPLICIT and mode.periods > PERIODS:
-        return "DOP853", f"{mode.periods:.0f} periods of oscillation to follow"
     if steps > (EXPLICIT if unknowns == 2 else SEVERAL):
-        name = "Radau" if mode.ratio < UPRIGHT else "LSODA"
-        return name, f"{fast}: stiff, stability alone would take {steps:.2g} explicit steps"
+        return "collocation", f"{fast}: stiff, stability alone would take {steps:.2g} explicit steps"
+    if mode.periods > PERIODS:
+        return "collocation", f"{mode.periods:.0f} periods of oscillation to follow"
     return "merson", f"{fast}: not stiff"
 
 

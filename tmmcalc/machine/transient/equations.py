@@ -78,6 +78,7 @@ class Regime(NamedTuple):
     factor: float  # load factor
     stretch: int  # in which the crank turns
     base: float  # whole turns to take off the crank angle [rad]
+    way: float = 1.0  # direction of the crank that friction and quadratic resistances are taken for: 1, -1
 
 
 def derivative(system: System, regime: Regime, stretch: Stretch) -> Derivative:
@@ -114,29 +115,39 @@ def _several(system: System, regime: Regime, stretch: Stretch) -> Derivative:
     curve = system.moment if regime.motor else None
     lag, tau = system.layout.lag, system.time_constant
     n = len(chain.inertia)
-    stiffness, damping, own = chain.stiffness, chain.damping, chain.inertia
+    *own, constant = chain.inertia
+    shafts = list(zip(range(1, n), chain.stiffness, chain.damping, own, strict=True))
     grip, drag = (regime.slip * system.grip, system.drag) if regime.braked else (0.0, 0.0)
-    braked, shafts = system.brake, range(n - 1)
+    braked, stops = system.brake, regime.braked
 
     def f(_: float, y: State) -> State:
-        w = y[n : 2 * n]
-        inertia, slope, load = read(y[0], w[-1])
-        drive = 0.0 if curve is None else y[2 * n] if lag else curve(w[0])
-        brake = grip + drag * w[braked]
-        slides = [w[i] - w[i + 1] for i in shafts]
-        drags = [k * s for k, s in zip(damping, slides, strict=True)]
-        twists = [c * y[i + 1] + d for i, (c, d) in enumerate(zip(stiffness, drags, strict=True))]
-        net = [a - b for a, b in zip([drive, *twists], [*twists, 0.0], strict=True)]
-        net[braked] -= brake
-        net[-1] += load - 0.5 * slope * w[-1] * w[-1]
-        rates = [a / b for a, b in zip(net, own, strict=False)]
-        rates[-1] = net[-1] / (own[-1] + inertia)
+        first = w = y[n]
+        inertia, slope, load = read(y[0], y[2 * n - 1])
+        drive = 0.0 if curve is None else y[2 * n] if lag else curve(w)
+        carried, lost, power = drive, 0.0, 0.0
+        result, rates = [y[2 * n - 1]], []
+        for i, c, k, j in shafts:
+            after = y[n + i]
+            slide = w - after
+            drag_moment = k * slide
+            moment = c * y[i] + drag_moment
+            lost -= drag_moment * slide
+            result.append(slide)
+            rates.append((carried - moment) / j)
+            carried, w = moment, after
+        total = constant + inertia
+        rates.append((carried + load - 0.5 * slope * w * w) / total)
+        if stops:
+            brake = grip + drag * y[n + braked]
+            rates[braked] -= brake / (total if braked == n - 1 else own[braked])
+            power = -brake * y[n + braked]
         for i in held:
             rates[i] = 0.0
+        result += rates
         if lag:
-            rates.append(0.0 if curve is None else (curve(w[0]) - drive) / tau)
-        lost = -sum(d * s for d, s in zip(drags, slides, strict=True))
-        return [w[-1], *slides, *rates, drive * w[0], load * w[-1], -brake * w[braked], lost]
+            result.append(0.0 if curve is None else (curve(first) - drive) / tau)
+        result += drive * first, load * w, power, lost
+        return result
 
     return f
 

@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 from tmmcalc.errors import UsageError
 from tmmcalc.records import record
 
-MethodName = Literal["auto", "merson", "rk4", "RK45", "DOP853", "LSODA", "Radau", "BDF"]
+MethodName = Literal["auto", "merson", "rk4", "collocation", "RK45", "DOP853", "LSODA", "Radau", "BDF"]
 
 
 class Habit(NamedTuple):
@@ -21,6 +21,7 @@ class Habit(NamedTuple):
 
 HABITS = {
     "merson": Habit(1e-10, 1.0),
+    "collocation": Habit(1e-8, 1e-3, implicit=True),  # its estimate is of order 7, its error of order 13
     "RK45": Habit(1e-10, 1.0),
     "DOP853": Habit(1e-10, 1.0),
     "LSODA": Habit(1e-9, 3.0, implicit=True, multistep=True),
@@ -42,14 +43,14 @@ class Method:
     """How the motion is integrated.
 
     ``auto`` picks by stiffness. ``merson`` takes fixed steps if a ``step`` [s] is given, and controls them otherwise;
-    ``rk4`` needs a step; the methods of scipy control theirs. The ``tolerance`` of one step is relative to the
-    largest speed, moment and energy of the drive, and to one radian.
+    ``rk4`` needs a step; ``collocation`` and the methods of scipy control theirs. The ``tolerance`` of one step is
+    relative to the largest speed, moment and energy of the drive, and to one radian.
     """
 
     name: MethodName = "auto"
     step: float | None = None
     tolerance: float | None = None  # None: that of the method
-    budget: int = 1_000_000  # evaluations of the equations after which the run is given up
+    budget: int = 500_000  # evaluations of the equations after which the run is given up
 
     def __post_init__(self) -> None:
         """Refuse what is not a method."""

@@ -11,6 +11,7 @@ while the shafts are not twisted.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from itertools import accumulate
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -20,6 +21,9 @@ from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
+
+
+Back = Callable[[], tuple[Cycle, Cycle | None]]
 
 
 @record
@@ -72,6 +76,7 @@ class Drive:
     cycle: Cycle | None = None  # reduced moment and inertia on the shaft of the last mass; None: neither
     idle: Cycle | None = None  # the same cycle without the technological load: what a load factor 0 leaves
     time_constant: float = 0.0  # electromagnetic time constant tau_e of the motor [s]; 0: static characteristic
+    back: Back | None = None  # if pairs rub: both cycles with the friction of the crank turning back
 
     def __post_init__(self) -> None:
         """Refuse a chain whose links do not fit together."""

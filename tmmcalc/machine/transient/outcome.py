@@ -8,9 +8,9 @@ import numpy as np
 
 from tmmcalc.machine.transient.equations import System
 from tmmcalc.machine.transient.model import Drive, ratios, shaft_ratios
-from tmmcalc.machine.transient.profile import Profile
 from tmmcalc.machine.transient.reading import tabulated
 from tmmcalc.machine.transient.run import Row
+from tmmcalc.machine.transient.ways import Ways
 from tmmcalc.numerics.panels import Values
 
 
@@ -42,13 +42,13 @@ class _Moments(NamedTuple):
     alpha: Values  # (n, S)
 
 
-def curves(drive: Drive, system: System, profile: Profile, rows: list[Row], brake_mass: int) -> Curves:
+def curves(drive: Drive, system: System, ways: Ways, rows: list[Row], brake_mass: int) -> Curves:
     """All curves of a run whose brake, if any, is on the mass ``brake_mass``."""
     layout, chain = system.layout, system.chain
     n, group = layout.groups, list(chain.group)
     y = np.array([row.y for row in rows]).T
     twist, w, at_crank = y[1:n], y[n : 2 * n], np.zeros((1, len(rows)))
-    moments = _moments(drive, system, profile, rows, y)
+    moments = _moments(drive, system, ways, rows, y)
     speed = np.array(chain.ratio)[:, None]
     angle = y[0] + np.concatenate((np.cumsum(twist[::-1], axis=0)[::-1], at_crank))
     return Curves(
@@ -67,13 +67,18 @@ def curves(drive: Drive, system: System, profile: Profile, rows: list[Row], brak
     )
 
 
-def _moments(drive: Drive, system: System, profile: Profile, rows: list[Row], y: Values) -> _Moments:
+def _moments(drive: Drive, system: System, ways: Ways, rows: list[Row], y: Values) -> _Moments:
     chain, n = system.chain, system.layout.groups
     regimes = [row.regime for row in rows]
     table = np.array([(r.motor, r.braked, r.slip, r.factor, r.stretch, r.base) for r in regimes], dtype=float).T
     on, braked, slip, factor, index, base = table
     w = y[n : 2 * n]
-    inertia, slope, load = tabulated(profile, y[0], w[-1], factor, index.astype(np.intp), base)
+    inertia, slope, load = np.zeros((3, len(rows)))
+    way = np.array([r.way for r in regimes])
+    for side in set(way.tolist()):
+        at = way == side
+        found = tabulated(ways.of(side), y[0, at], w[-1, at], factor[at], index[at].astype(np.intp), base[at])
+        inertia[at], slope[at], load[at] = found
     motor = _motor(drive, system, on, y)
     damping, stiffness = np.array(chain.damping)[:, None], np.array(chain.stiffness)[:, None]
     elastic = stiffness * y[1:n] - damping * np.diff(w, axis=0)

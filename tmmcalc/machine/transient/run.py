@@ -6,6 +6,7 @@ that, lands on it exactly, and hands over to the next.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
@@ -14,14 +15,16 @@ from tmmcalc.errors import AccuracyError
 from tmmcalc.machine.transient.equations import Regime, System, derivative
 from tmmcalc.machine.transient.events import Hit, Watch, extreme, hits, level
 from tmmcalc.machine.transient.jacobian import jacobian
-from tmmcalc.machine.transient.profile import Profile
+from tmmcalc.machine.transient.levels import PASSED, Limits, borders, ends, noted
 from tmmcalc.machine.transient.reading import Stretch, stretches
+from tmmcalc.machine.transient.repeats import Repeats
 from tmmcalc.machine.transient.rest import Holder
 from tmmcalc.machine.transient.results import End, Event
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.setup import Sizes
 from tmmcalc.machine.transient.steppers import Stepper
 from tmmcalc.machine.transient.steps import State
+from tmmcalc.machine.transient.ways import Ways
 
 CHATTER = 100  # pieces without progress in time
 
@@ -35,44 +38,40 @@ class Row(NamedTuple):
     error: State | None
 
 
-class Limits(NamedTuple):
-    """Speeds of the motor's group whose passing on the way down is noted [rad/s]."""
-
-    overload: float | None  # rated speed
-    pull_out: float | None  # speed of the largest moment
-
-
 class Run:
     """A run in progress."""
 
     def __init__(
         self,
         system: System,
-        profile: Profile,
+        ways: Ways,
         scenario: Scenario,
         stepper: Stepper,
         limits: Limits,
         size: Sizes,
         budget: int,
     ) -> None:
-        self.system, self.profile, self.scenario = system, profile, scenario
+        self.system, self.ways, self.scenario = system, ways, scenario
         self.stepper, self.limits, self.budget = stepper, limits, budget
         self.rows: list[Row] = []
         self.events: list[Event] = []
         self.turning: list[tuple[float, float, float]] = []
         self.pieces = self.steps = 0
-        self.holder = Holder(system, scenario, size.moment)
+        self.holder = Holder(system, scenario, size.moment, ways)
         self._crank, self._times = system.layout.crank, scenario.times()
-        self._stretches = cache(lambda factor: stretches(profile, factor))
+        self._stretches = cache(lambda factor, way: stretches(ways.of(way), factor))
         self._loads = list(scenario.load[1:])
-        self._armed = False
+        self._armed = self._rests = False
         self._factor = scenario.load[0].factor
         self._passed: set[tuple[str, float]] = set()
+        self._repeats = Repeats(system, size, ways.forward.period)
 
     def go(self, y: State, instants: Sequence[float]) -> End:
         """Run from the state ``y`` at t = 0; rows and events are left in their lists."""
         self.t, self.y = 0.0, list(y)
-        self._place = self.profile.place(y[0], y[self._crank] >= 0)
+        self._way = math.copysign(1.0, y[self._crank])
+        self._place = self.ways.of(self._way).place(y[0], self._way > 0)
+        self._moved = self._way if y[self._crank] else 0.0
         self._instants = sorted(time for time in instants if time > 0)
         self._slope = 0.0
         idle = 0
@@ -93,7 +92,7 @@ class Run:
 
     def stretch(self, regime: Regime) -> Stretch:
         """The stretch of a regime."""
-        return self._stretches(regime.factor)[regime.stretch]
+        return self._stretches(regime.factor, regime.way)[regime.stretch]
 
     def note(self, kind: str, message: str, t: float, y: State) -> None:
         """Leave an event."""
@@ -106,14 +105,27 @@ class Run:
         motor = self.system.moment is not None and scenario.motor_on(self.t)
         if self.system.layout.lag and not motor:
             self.y[self.system.layout.works - 1] = 0.0
-        regime = Regime(motor, scenario.brake_on(self.t), 0.0, frozenset(), self._factor, *self._place)
-        regime = self.holder.resolve(regime, self.stretch, self.y, self.profile)
-        self._place = regime.stretch, regime.base
+        regime = Regime(motor, scenario.brake_on(self.t), 0.0, frozenset(), self._factor, *self._place, self._way)
+        regime = self.holder.resolve(regime, self.stretch, self.y)
+        self._place, self._way = (regime.stretch, regime.base), regime.way
+        self._note_turn(regime)
         if before and before.motor != regime.motor:
             self.note(*(_ON if regime.motor else _OFF), self.t, self.y)
         if before and before.braked != regime.braked:
             self.note(*(_BRAKED if regime.braked else _FREED), self.t, self.y)
         return regime
+
+    def _note_turn(self, regime: Regime) -> None:
+        """Note that the crank, at rest, turns back or stays there."""
+        last = self.system.layout.groups - 1
+        moves = last not in regime.held
+        if self._rests and not (self.ways.sided and moves):
+            self.note("standstill", "the crank comes to rest", self.t, self.y)
+        self._rests = False
+        if self.ways.sided and moves:
+            if self._moved * regime.way < 0:
+                self.note("reversal", PASSED["reversal"], self.t, self.y)
+            self._moved = regime.way
 
     def _switch_load(self) -> None:
         """Apply the load steps whose conditions are met."""
@@ -122,7 +134,8 @@ class Run:
             late = step.time is None or self.t >= step.time
             fast = step.speed is None or self.y[self._crank] >= step.speed
             self._armed = self._armed or (late and fast)
-            quiet = not step.quiet or self.profile.unloaded[self._place[0]] or not any(self.profile.unloaded)
+            unloaded = self.ways.of(self._way).unloaded
+            quiet = not step.quiet or unloaded[self._place[0]] or not any(unloaded)
             if not (self._armed and quiet):
                 return
             self._armed, self._factor = False, step.factor
@@ -133,8 +146,7 @@ class Run:
         """What ended the run: its time, or that nothing will ever move again."""
         if self.t >= self.scenario.duration:
             return "time"
-        changes = any(self.t < time < self.scenario.duration for time in self._times)
-        if changes or not self.holder.forever(regime, self.stretch(regime), self.y):
+        if self._changes() or not self.holder.forever(regime, self.stretch, self.y):
             return None
         self._row(regime, None)
         end: End = "stall" if regime.motor else "standstill"
@@ -143,12 +155,16 @@ class Run:
             self.note(end, reason, self.t, self.y)
         return end
 
+    def _changes(self) -> bool:
+        """Whether something is to be switched at a later time."""
+        return any(self.t < time < self.scenario.duration for time in self._times)
+
     def _piece(self, regime: Regime) -> End | None:
         """Integrate one regime to its end; what ended the run, if it did."""
         stretch, stepper = self.stretch(regime), self.stepper
         until = next(time for time in self._times if time > self.t)
         f = derivative(self.system, regime, stretch)
-        stepper.begin(f, jacobian(self.system, self.profile, regime, f), self.t, self.y, until)
+        stepper.begin(f, jacobian(self.system, self.ways.of(regime.way), regime, f), self.t, self.y, until)
         self.pieces += 1
         self._row(regime, None)
         if self._slope * stepper.rate[self._crank] < 0:
@@ -174,6 +190,8 @@ class Run:
             if stepper.t >= until:
                 self._slope = stepper.rate[self._crank]
                 return "time" if until >= self.scenario.duration else None
+            if self._repeats.steady and self.scenario.until_steady and not self._changes():
+                return "steady"
 
     def _land(self, halts: list[Hit]) -> None:
         """To the end of the step, or to the first event that halts, exactly on the levels reached."""
@@ -191,28 +209,24 @@ class Run:
 
     def _watches(self, regime: Regime, stretch: Stretch) -> list[Watch]:
         """What can happen in a regime."""
-        scenario, crank = self.scenario, self._crank
-        watches = self.holder.watches(regime, stretch)
-        if stretch.period is None:
-            watches.append(level("above", 0, regime.base + stretch.high, 1.0))
-            watches.append(level("below", 0, regime.base + stretch.low, -1.0))
+        layout = self.system.layout
+        watches = self.holder.watches(regime, self.stretch) + borders(regime, stretch)
         if self._loads and self._loads[0].speed is not None and not self._armed:
-            watches.append(level("load", crank, self._loads[0].speed, 1.0))
-        if scenario.end_angle is not None:
-            watches.append(level("angle", 0, scenario.angle + scenario.end_angle, 1.0))
-        if scenario.end_speed is not None:
-            watches.append(level("speed", crank, scenario.end_speed, _towards(scenario.speed, scenario.end_speed)))
-        targets = [at for at in scenario.targets if at != scenario.end_speed]
-        noted = [level("target", crank, at, _towards(scenario.speed, at), halts=False) for at in targets]
-        for kind, at in zip(("overload", "pull-out"), self.limits, strict=True):
-            if at is not None and regime.motor:
-                noted.append(level(kind, self.system.layout.speed, at, -1.0, halts=False))
-        return watches + [watch for watch in noted if (watch.kind, watch.level) not in self._passed]
+            watches.append(level("load", self._crank, self._loads[0].speed, 1.0))
+        watches += ends(self.scenario, layout) + self._repeats.watches(regime, self.y)
+        notes = noted(self.scenario, layout, self.limits, regime.motor)
+        return watches + [watch for watch in notes if (watch.kind, watch.level) not in self._passed]
 
     def _pass(self, hit: Hit, watches: list[Watch]) -> None:
         """Note what changes nothing; speeds are noted the first time."""
         watch = hit.watch
-        self.note(watch.kind, _PASSED[watch.kind].format(watch.level), hit.t, hit.y)
+        if watch.kind == "cycle":
+            watches.remove(watch)
+            watches += self._repeats.passed(hit)
+            if self._repeats.steady:
+                self.note("steady", PASSED["cycle"], hit.t, hit.y)
+            return
+        self.note(watch.kind, PASSED[watch.kind].format(watch.level), hit.t, hit.y)
         if watch.kind != "reversal":
             self._passed.add((watch.kind, watch.level))
             watches.remove(watch)
@@ -221,15 +235,15 @@ class Run:
         """What a halting event changes."""
         kind, (index, base) = hit.watch.kind, self._place
         if kind in ("above", "below"):
-            self._place = self.profile.turned(index + (1 if kind == "above" else -1), base)
+            self._place = self.ways.of(self._way).turned(index + (1 if kind == "above" else -1), base)
         elif kind == "speed":
-            self.note("target", _PASSED["target"].format(hit.watch.level), self.t, self.y)
+            self.note("target", PASSED["target"].format(hit.watch.level), self.t, self.y)
             return "speed"
         elif kind == "angle":
             self.note("angle", f"the crank has turned by {self.scenario.end_angle:g} rad", self.t, self.y)
             return "angle"
         elif kind == "rest" and hit.watch.component == self._crank:
-            self.note("standstill", "the crank comes to rest", self.t, self.y)
+            self._rests = True
         elif kind == "release":
             self.holder.release(hit.watch)
         return None
@@ -254,19 +268,10 @@ class Run:
                 where=f"transient motion, scenario {self.scenario.name}",
                 value=self.t,
                 limit=self.scenario.duration,
-                remedy="an implicit method or auto for a stiff drive; a rigid shaft (stiffness inf); a larger budget",
+                remedy="a shorter duration, or none, so that the run ends when it is steady; the method auto; a larger "
+                "tolerance; a rigid shaft in place of a stiff one",
             )
 
 
 _ON, _OFF = ("motor on", "the motor is switched on"), ("motor off", "the motor is switched off")
 _BRAKED, _FREED = ("brake on", "the brake is put on"), ("brake off", "the brake is taken off")
-_PASSED = {
-    "target": "speed of the crank {:.6g} rad/s",
-    "overload": "the motor falls below its rated speed, {:.6g} rad/s at the crank",
-    "pull-out": "the motor falls below the speed of its largest moment, {:.6g} rad/s at the crank",
-    "reversal": "the crank turns back",
-}
-
-
-def _towards(now: float, then: float) -> float:
-    return 1.0 if then > now else -1.0

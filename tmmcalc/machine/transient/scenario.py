@@ -8,6 +8,7 @@ from typing import Literal
 from tmmcalc.errors import UsageError
 from tmmcalc.records import record
 
+LONGEST = 600.0  # a motion without a duration is given up here [s]
 Standstill = Literal["stop", "pass"]
 
 
@@ -15,10 +16,13 @@ Standstill = Literal["stop", "pass"]
 class LoadStep:
     """A load factor U and the condition from which it holds; without one it holds from the start.
 
+    Friction goes with the load in a straight line between its values without and with it: exact for the factors 0 and
+    1, and else an approximation, because friction follows the sizes of the reactions and not the reactions.
+
     Several steps take effect one after the other: the second waits for its condition after the first has come.
     """
 
-    factor: float  # U [-]; multiplies the technological load, or the whole moment if the drive has no idle cycle
+    factor: float  # U [-]; multiplies what the load adds to the idle cycle, or the whole moment if there is none
     time: float | None = None  # not before this time [s]
     speed: float | None = None  # when the speed of the crank first exceeds this one [rad/s]
     quiet: bool = False  # wait until the crank reaches a part of the cycle where the load is zero
@@ -76,6 +80,7 @@ class Scenario:
     targets: tuple[float, ...] = ()  # speeds whose first passage is noted [rad/s]
     end_speed: float | None = None  # the run ends when this speed is first reached [rad/s]
     end_angle: float | None = None  # the run ends when the crank has turned by this angle [rad]
+    until_steady: bool = False  # the run ends when the motion repeats itself from cycle to cycle
 
     def __post_init__(self) -> None:
         """Refuse what cannot be run."""

@@ -8,17 +8,19 @@ from collections.abc import Sequence
 import numpy as np
 
 from tmmcalc.machine.transient.choice import plan
+from tmmcalc.machine.transient.collocation import Collocation
 from tmmcalc.machine.transient.equations import System
+from tmmcalc.machine.transient.levels import Limits
 from tmmcalc.machine.transient.methods import Method, habit
 from tmmcalc.machine.transient.model import Drive
 from tmmcalc.machine.transient.outcome import Curves, curves
-from tmmcalc.machine.transient.profile import profile
 from tmmcalc.machine.transient.results import Transient
-from tmmcalc.machine.transient.run import Limits, Run
+from tmmcalc.machine.transient.run import Run
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.setup import Sizes, allowed, assembled, brake_mass, initial, sizes
 from tmmcalc.machine.transient.steppers import Controlled, Stepper, fixed
 from tmmcalc.machine.transient.verdicts import verdicts
+from tmmcalc.machine.transient.ways import Ways
 
 
 def simulate(
@@ -37,15 +39,16 @@ def simulate(
     ('standstill', 0.5)
     """
     method = method or Method()
-    shape = profile(drive.cycle, drive.idle)
+    ways = Ways(drive)
+    shape = ways.forward
     chosen = plan(drive, scenario, shape, method)
     system = assembled(drive, scenario, shape, chosen.rigid)
     size = sizes(drive, system, scenario, shape)
     tolerance, left = _control(method, chosen.name, system)
     stepper = _stepper(chosen.name, method.step, [] if tolerance is None else allowed(system, size, tolerance))
-    run = Run(system, shape, scenario, stepper, _limits(drive, system.chain.motor_ratio), size, method.budget)
-    end = run.go(initial(system, scenario, shape), instants)
-    found = curves(drive, system, shape, run.rows, brake_mass(drive, scenario))
+    run = Run(system, ways, scenario, stepper, _limits(drive, system.chain.motor_ratio), size, method.budget)
+    end = run.go(initial(system, scenario, ways.of(math.copysign(1.0, scenario.speed))), instants)
+    found = curves(drive, system, ways, run.rows, brake_mass(drive, scenario))
     imbalance, given = _imbalance(found), drive.cycle.error if drive.cycle else 0.0
     return Transient(
         drive=drive,
@@ -58,7 +61,7 @@ def simulate(
         turning=np.array(run.turning).reshape(-1, 3).T,
         events=tuple(run.events),
         end=end,
-        verdicts=verdicts(scenario, system, found, run.events, end, imbalance, chosen.notes),
+        verdicts=verdicts(scenario, system, found, run.events, end, imbalance, chosen.notes, drive),
         method=chosen.name,
         reason=chosen.reason,
         rigid=tuple(sorted(chosen.rigid)),
@@ -86,6 +89,8 @@ def _stepper(name: str, step: float | None, errors: list[float]) -> Stepper:
         return fixed(name, step)
     if name == "merson":
         return Controlled(errors)
+    if name == "collocation":
+        return Collocation(errors)
     from tmmcalc.machine.transient.library import Library
 
     return Library(name, errors)

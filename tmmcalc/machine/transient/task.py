@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import fields, replace
 from typing import Any
@@ -15,11 +16,13 @@ from tmmcalc.machine.motors.characteristics import Characteristic
 from tmmcalc.machine.positional import positional
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.steady import driven
-from tmmcalc.machine.transient.model import Drive, Mass, ratios
+from tmmcalc.machine.transient.model import Back, Drive, Mass, ratios
 from tmmcalc.machine.transient.results import Transient
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.simulate import simulate
 from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
+from tmmcalc.machine.transient.verdicts import rated_moment
+from tmmcalc.machine.verdicts import Verdict
 from tmmcalc.records import record
 
 
@@ -36,6 +39,8 @@ class Machine:
     ratio: float  # speed of the motor over that of the input shaft
     shafts: tuple[DriveShaft, ...] = ()
     wheel_at_motor: bool = False  # the flywheel turns with the motor
+    back: Back | None = None  # both cycles with the friction of the crank turning back, if pairs rub
+    notes: tuple[str, ...] = ()  # on what the drive takes of the project
 
 
 def solve_transients(machine: Machine, tasks: Sequence[TransientTask], speed: float) -> TimedMotions:
@@ -47,8 +52,9 @@ def solve_transients(machine: Machine, tasks: Sequence[TransientTask], speed: fl
     steady = _steady(machine, speed) if any(task.steady for task in tasks) else None
     motions = []
     for task in tasks:
-        found = simulate(drive, _started(task, steady), task.method)
-        motions.append(_motion(found, task.scenario.name, names))
+        scenario = _started(task, steady)
+        found = simulate(drive, scenario, task.method)
+        motions.append(_motion(found, names, _rigid_moments(drive, scenario), machine.notes))
     return TimedMotions(tuple(motions))
 
 
@@ -57,14 +63,16 @@ def drive_of(machine: Machine) -> tuple[Drive, tuple[str, ...]]:
     inertia = machine.inertia
     if not machine.shafts:
         one = Mass(inertia.total, "crank")
-        return Drive((one,), (), machine.reduced, machine.cycle, machine.idle, machine.time_constant), ("crank",)
+        drive = Drive((one,), (), machine.reduced, machine.cycle, machine.idle, machine.time_constant, machine.back)
+        return drive, ("crank",)
     at_motor = inertia.rotor + (inertia.flywheel if machine.wheel_at_motor else 0.0)
     at_crank = inertia.gears + inertia.further + (0.0 if machine.wheel_at_motor else inertia.flywheel)
     masses = [Mass(at_motor / machine.ratio**2, "rotor")]
     masses += [Mass(shaft.inertia, f"behind {shaft.name}") for shaft in machine.shafts[:-1]]
     masses.append(Mass(machine.shafts[-1].inertia + at_crank, "crank"))
     shafts = tuple(shaft.shaft for shaft in machine.shafts)
-    drive = Drive(tuple(masses), shafts, machine.motor, machine.cycle, machine.idle, machine.time_constant)
+    motor = (machine.motor, machine.cycle, machine.idle, machine.time_constant)
+    drive = Drive(tuple(masses), shafts, *motor, machine.back)
     return drive, tuple(mass.name for mass in masses)
 
 
@@ -84,7 +92,26 @@ def _started(task: TransientTask, steady: Regime | None) -> Scenario:
     return replace(task.scenario, speed=float(steady.omega_at(start)[0]), moment=moment)
 
 
-def _motion(found: Transient, name: str, names: tuple[str, ...]) -> TimedMotion:
-    own: dict[str, Any] = {"name": name, "masses": names, "ratios": ratios(found.drive)}
+def _rigid_moments(drive: Drive, scenario: Scenario) -> tuple[float, ...]:
+    """Largest moment of every shaft in the same motion with all shafts rigid [N*m], each on its own shaft."""
+    if all(shaft.stiffness == math.inf for shaft in drive.shafts):
+        return ()
+    rigid = replace(drive, shafts=tuple(replace(shaft, stiffness=math.inf) for shaft in drive.shafts))
+    moments = simulate(rigid, scenario).shaft_moment
+    return tuple(np.abs(moments).max(axis=1).tolist())
+
+
+def _motion(
+    found: Transient, names: tuple[str, ...], rigid_moment: tuple[float, ...], notes: tuple[str, ...]
+) -> TimedMotion:
+    motor = found.drive.characteristic
+    own: dict[str, Any] = {
+        "name": found.scenario.name,
+        "masses": names,
+        "ratios": ratios(found.drive),
+        "rigid_moment": rigid_moment,
+        "rated_moment": rated_moment(motor),
+        "verdicts": (*found.verdicts, *(Verdict("note", note) for note in notes)),
+    }
     rest = (field.name for field in fields(TimedMotion) if field.name not in own)
     return TimedMotion(**own, **{field: getattr(found, field) for field in rest})

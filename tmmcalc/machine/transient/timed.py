@@ -20,7 +20,9 @@ class TimedMotion:
     omega: Values  # (N, S) [rad/s]
     alpha: Values  # (N, S) [rad/s^2]
     shaft_moment: Values  # (N - 1, S) [N*m]
+    rigid_moment: tuple[float, ...]  # (N - 1,) its largest size if all shafts were rigid [N*m]; () if they are
     motor_moment: Values  # (S,) on the shaft of the first mass [N*m]
+    rated_moment: float | None  # of the motor there [N*m]; None: not known
     load_moment: Values  # (S,) on the crank, positive drives [N*m]
     load_factor: Values  # (S,)
     kinetic: Values  # (S,) [J]

@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from tmmcalc.machine.transient.equations import System
+from tmmcalc.machine.transient.model import Drive
 from tmmcalc.machine.transient.outcome import Curves
 from tmmcalc.machine.transient.results import End, Event
 from tmmcalc.machine.transient.scenario import Scenario
-from tmmcalc.machine.verdicts import Verdict
+from tmmcalc.machine.verdicts import SLACK, Verdict
+from tmmcalc.numerics.panels import Values
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.motors.characteristics import Characteristic
 
 UNBALANCED = 1e-5  # imbalance of energy that is worth a warning
+EARLY = 0.5  # of the duration: a motion that has become steady before is told how to end sooner
 
 
 def verdicts(
@@ -23,22 +30,97 @@ def verdicts(
     end: End,
     imbalance: float,
     notes: tuple[str, ...],
+    drive: Drive,
 ) -> tuple[Verdict, ...]:
-    """Stall, speeds not reached, overload and pull-out of the motor, energy that does not balance; warnings first."""
+    """Stall, turning back, speeds not reached, overload, pull-out and heating of the motor, energy; warnings first."""
     found = [_stall(scenario, system, curves)] if _stalled(scenario, system, curves, end) else []
     found += _missed(scenario, curves, events, end)
     for kind in ("overload", "pull-out"):
         first = next((event for event in events if event.kind == kind), None)
         if first:
             found.append(_slow(first, scenario, curves))
-    if np.min(curves.omega[-1]) < 0 and np.any(curves.load_moment):
-        text = "the crank turns backwards, where friction and quadratic resistances of the mechanism keep the sense"
-        found.append(Verdict("warning", f"{text} that they have forwards: with such the motion after it is not right"))
+    found += _turned_back(scenario, system, events, drive)
+    found += _crawls(scenario, curves, drive, end)
+    found += _heating(curves, drive)
+    found += _length(scenario, curves, events, end)
     if imbalance > UNBALANCED:
         text = f"energy and work differ by {imbalance:.2g} of the energy turned over"
         found.append(Verdict("warning", f"{text}: take smaller steps, or step control"))
+    factors = sorted({float(u) for u in curves.load_factor} - {0.0, 1.0})
+    if drive.back is not None and drive.idle is not drive.cycle and factors:
+        text = f"friction at the load factor {', '.join(f'{u:g}' for u in factors)} is taken on the straight line"
+        found.append(
+            Verdict("note", f"{text} through the friction without load and with it, which is an approximation")
+        )
     found += [Verdict("note", note) for note in notes]
     return tuple(sorted(found, key=lambda verdict: verdict.severity == "note"))
+
+
+def rated_moment(motor: Characteristic | None) -> float | None:
+    """Moment of a motor at its rated speed [N*m], if that is known."""
+    return None if motor is None or motor.nominal is None else float(motor.moment(motor.nominal))
+
+
+def rms(t: Values, moment: Values) -> float:
+    """Root mean square over the time by the trapezoid rule; of a motion that has not begun its size."""
+    time = float(t[-1] - t[0])
+    square = moment**2
+    return math.sqrt(float(((square[1:] + square[:-1]) / 2 * np.diff(t)).sum() / time) if time else float(square[0]))
+
+
+def _turned_back(scenario: Scenario, system: System, events: list[Event], drive: Drive) -> list[Verdict]:
+    """The crank driven backwards: against a motor that is on, or with friction turned round."""
+    first = next((event for event in events if event.kind == "reversal"), None)
+    if first is None:
+        return []
+    at = f"the crank turns back at t = {first.time:.5g} s, crank angle {math.degrees(first.angle) % 360:.5g} deg"
+    found = []
+    if system.moment is not None and scenario.motor_on(first.time):
+        static = system.moment(0.0)
+        if static > 0:
+            text = f"{at}: the load drives it against the {static:.5g} N*m of the motor at standstill"
+            found.append(Verdict("warning", f"{text}: a stronger motor, a larger ratio, or a brake"))
+    if not found:
+        rubs = "; friction of the pairs is that of the crank turning back" if drive.back is not None else ""
+        found.append(Verdict("note", at + rubs))
+    return found
+
+
+def _crawls(scenario: Scenario, curves: Curves, drive: Drive, end: End) -> list[Verdict]:
+    """A motor that is left on below the speed of its largest moment."""
+    motor, last = drive.characteristic, float(curves.omega[0, -1])
+    if motor is None or motor.critical is None or end not in ("time", "steady"):
+        return []
+    late = curves.t >= (curves.t[0] + curves.t[-1]) / 2
+    fastest = float(curves.omega[0, late].max())
+    if not scenario.motor_on(float(curves.t[-1])) or last <= 0 or fastest >= motor.critical:
+        return []
+    text = f"the motor, at {last:.6g} rad/s, has not come past its break-down speed {motor.critical:.6g} rad/s"
+    return [Verdict("warning", f"{text}: the start takes longer than this, or the load is too large for it")]
+
+
+def _heating(curves: Curves, drive: Drive) -> list[Verdict]:
+    """The root mean square of the motor's moment against the rated one."""
+    rated, time = rated_moment(drive.characteristic), float(curves.t[-1] - curves.t[0])
+    mean = rms(curves.t, curves.motor_moment)
+    if rated is None or rated <= 0 or mean <= rated * (1 + SLACK) or not time:
+        return []
+    pause = time * ((mean / rated) ** 2 - 1)
+    text = f"heating: the root mean square of the motor's moment {mean:.5g} N*m over {time:.4g} s exceeds the rated"
+    remedy = f"repeated, this motion needs pauses of {pause:.3g} s without current, or a stronger motor"
+    return [Verdict("warning", f"{text} {rated:.5g} N*m: {remedy}")]
+
+
+def _length(scenario: Scenario, curves: Curves, events: list[Event], end: End) -> list[Verdict]:
+    """A duration that is much too long, or none that ended the motion."""
+    steady = next((event for event in reversed(events) if event.kind == "steady"), None)
+    if end == "time" and scenario.until_steady:
+        text = f"after {curves.t[-1]:g} s the motion does not repeat itself yet"
+        return [Verdict("warning", f"{text}, and is ended: give the duration that is of interest")]
+    if end == "time" and steady and steady.time < EARLY * scenario.duration:
+        text = f"the motion repeats itself from t = {steady.time:.4g} s on"
+        return [Verdict("note", f"{text}: without a duration the run ends there")]
+    return []
 
 
 def _missed(scenario: Scenario, curves: Curves, events: list[Event], end: End) -> list[Verdict]:
@@ -60,7 +142,12 @@ def _missed(scenario: Scenario, curves: Curves, events: list[Event], end: End) -
 def _stalled(scenario: Scenario, system: System, curves: Curves, end: End) -> bool:
     """Whether the motor is on and the crank at rest; on an elastic shaft it may have been so for a while."""
     driven = system.moment is not None and scenario.motor_on(float(curves.t[-1]))
-    return end == "stall" or (end == "time" and driven and curves.omega[-1, -1] == 0)
+    return end == "stall" or (end == "time" and driven and curves.omega[-1, -1] == 0 and not _starts(system, curves))
+
+
+def _starts(system: System, curves: Curves) -> bool:
+    """Whether the motor's moment at standstill would move the crank, so that a shaft or its lag only takes time."""
+    return system.moment is not None and system.moment(0.0) + float(curves.load_moment[-1]) > 0
 
 
 def _stall(scenario: Scenario, system: System, curves: Curves) -> Verdict:

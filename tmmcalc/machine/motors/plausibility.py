@@ -1,0 +1,78 @@
+"""Whether the data of a motor agree with each other, and where its curve meets both axes.
+
+The characteristic of a direct-current motor, and one by points, need not pass through the rated point of the name
+plate. Where it does not, one of the data is wrong, or the motor is not the one that is meant.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from tmmcalc.machine.motors.characteristics import Characteristic
+from tmmcalc.machine.motors.direct_current import voltage_drop
+from tmmcalc.machine.motors.model import CharacteristicKind, Motor, characteristic
+from tmmcalc.records import record
+
+FAR = 0.05  # relative difference of two statements of one datum that is more than rounding and friction
+DIRECT = ("shunt", "series")  # kinds of direct-current motors
+OF_DATA = ("shunt", "series", "table")  # characteristics that need not pass through the rated point
+RPM = 30 / math.pi
+
+
+@record
+class Curve:
+    """Ends of a direct-current motor's characteristic, on its own shaft."""
+
+    no_load: float | None  # speed where the moment is zero [rad/s]; None: unloaded it runs away
+    stall: float  # moment at standstill [N*m]
+
+
+def curve_of(motor: Motor, kind: CharacteristicKind) -> Curve | None:
+    """Both ends of the characteristic of a direct-current motor; None for other motors.
+
+    >>> curve_of(Motor("m", 5e3, 145.0, kind="shunt", voltage=220.0, resistance=0.5, constant=1.375), "shunt")
+    Curve(no_load=160.0, stall=605.0)
+    """
+    if motor.kind not in DIRECT:
+        return None
+    line = characteristic(motor, kind)
+    return Curve(line.synchronous, line.moment(0.0))
+
+
+def contradictions(motor: Motor, kind: CharacteristicKind) -> tuple[str, ...]:
+    """What in the data of the motor contradicts the rest by more than five per cent, with the numbers."""
+    if kind not in OF_DATA:
+        return ()
+    return (*_at_rated_point(motor, characteristic(motor, kind)), *_of_circuit(motor, kind))
+
+
+def _at_rated_point(motor: Motor, line: Characteristic) -> Iterator[str]:
+    idle, rated = line.synchronous, motor.nominal_moment
+    if idle is not None and idle <= motor.speed:
+        yield (
+            f"its characteristic has no load at {idle * RPM:.6g} rpm, not above the rated {motor.speed * RPM:.6g} rpm: "
+            "at the rated speed it gives nothing"
+        )
+        return
+    given = line.moment(motor.speed)
+    if abs(given - rated) > FAR * rated:
+        yield (
+            f"at the rated speed its characteristic gives {given:.5g} N*m, the rated power asks for {rated:.5g} N*m "
+            f"({100 * (given / rated - 1):+.3g} %)"
+        )
+
+
+def _of_circuit(motor: Motor, kind: CharacteristicKind) -> Iterator[str]:
+    """Data that the armature circuit makes superfluous, and that do not fit it."""
+    if kind == "shunt" and motor.voltage and motor.constant and motor.synchronous:
+        idle = motor.voltage / motor.constant
+        if abs(motor.synchronous - idle) > FAR * idle:
+            yield f"U/k gives no load at {idle * RPM:.6g} rpm, and not at the {motor.synchronous * RPM:.6g} rpm given"
+    if kind == "series" and motor.voltage and motor.resistance and motor.efficiency:
+        drop = voltage_drop(motor.voltage, motor.resistance, motor.power)
+        if drop > 1 - motor.efficiency + FAR:
+            yield (
+                f"its windings lose {100 * drop:.3g} % of the rated input, more than all the losses that the "
+                f"efficiency {motor.efficiency:g} leaves"
+            )
