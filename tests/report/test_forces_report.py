@@ -15,13 +15,17 @@ from loaded import DEG, press
 from tmmcalc.errors import UsageError
 from tmmcalc.linkage.forces.columns import columns
 from tmmcalc.linkage.forces.forces import solve_forces
+from tmmcalc.linkage.forces.iteration import textbook_iteration
+from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.loading import Body, Constant, GearDrive, Load, Loading, Pair, Viscous, Window
+from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.report.document import Document
 from tmmcalc.report.forces import forces_document, forces_summary
+from tmmcalc.report.iteration import iteration_document
 from tmmcalc.report.kinematics import kinematics_summary
 from tmmcalc.report.plaintext import lines
 from tmmcalc.report.structure import structure_document
@@ -103,7 +107,8 @@ def test_mean_power_overcomes_what_is_lost() -> None:
     loading = Loading(loads=(Load("Q3", 3, "force", Viscous(30.0)),))
     found = values(forces_summary(solved(slider(), loading), "t"))
     phi = 2 * np.pi * np.arange(2000) / 2000
-    assert found["P_drive_mean_trapezoid[W]"] == pytest.approx(30.0 * np.mean((2.0 * transfer(phi)) ** 2), rel=1e-9)
+    assert found["P_drive_mean[W]"] == pytest.approx(30.0 * np.mean((2.0 * transfer(phi)) ** 2), rel=1e-13)
+    assert 0 < found["P_drive_mean_error[W]"] < 1e-8 * found["P_drive_mean[W]"]
 
 
 def test_arm_and_tipping_of_a_slider_that_is_pushed_beside_its_pin() -> None:
@@ -240,3 +245,17 @@ def test_no_fact_is_lost_beside_other_stages(pressed: Forces) -> None:
     own = [fact.label for fact in forces_summary(pressed, "f").facts]
     assert len(set(own)) == len(own)
     assert not {fact.label for fact in before} & set(own)
+
+
+def test_passes_that_do_not_settle_or_have_no_solution() -> None:
+    mechanism, loading, kinematics = press()
+    statics = compile_statics(compile_scene(mechanism, loading, kinematics))
+    found = textbook_iteration(statics, "RRP(2,3)", 1.0, most=2)
+    document = iteration_document(found, "t", 0.03)
+    assert "warning: the passes do not settle" in document.notes[0]
+    assert document.table is not None
+    assert document.table.columns[0] == ["1", "2", "solution"]
+    locked = iteration_document(replace(found, exact=None, exact_friction=None), "t", 0.03)
+    assert locked.table is not None
+    assert locked.table.columns[0] == ["1", "2"]
+    assert locked.table.columns[2] == ["", ""]

@@ -96,7 +96,11 @@ class TestPower:
 
     def test_the_place_of_the_peak(self) -> None:
         document = power_summary(solve_power(sine(100.0), (WorkPart("Q", "load", -1.0),)), "t")
-        assert text(document, "peak resisting moment") == "100 N*m, resisting at 270 deg from position 0"
+        assert text(document, "peak resisting moment") == "100 N*m, resisting at phi = 270 deg"
+        assert values(document)["M_peak_at_phi[deg]"] == pytest.approx(270)
+        clockwise = power_summary(solve_power(sine(100.0), (WorkPart("Q", "load", -1.0),), sense=-1.0), "t")
+        assert text(clockwise, "peak resisting moment") == "100 N*m, resisting at phi = -270 deg"
+        assert values(clockwise)["M_peak_at_phi[deg]"] == pytest.approx(-270)
         nothing = power_summary(solve_power(steps((5.0, 1.0)), (WorkPart("gas", "load", 6 * math.pi),)), "t")
         assert text(nothing, "peak resisting moment") == "0 N*m: nothing ever resists"
 
@@ -145,6 +149,28 @@ class TestPower:
         assert unknown.startswith("warning: the inertia of the motor's rotor is not known")
         (peak,) = power_summary(self.duty(self.motor(overload=1.5, inertia=0.02), 11.0), "t").notes
         assert peak.startswith("note: the peak load, 1.705 of the rated moment")
+
+    def test_a_shunt_motor_shows_both_ends_of_its_curve(self) -> None:
+        """220 V, 0.5 ohm, 1.375 V*s/rad: 160 rad/s without load, k U/R = 605 N*m at standstill."""
+        circuit = {"kind": "shunt", "voltage": 220.0, "resistance": 0.5, "constant": 1.375, "inertia": 0.1}
+        rated = 1.375 * (220 - 1.375 * 150) / 0.5  # at 150 rad/s
+        power, good = self.stepped(), Motor("M", rated * 150, 150.0, **circuit)
+        fine = power_summary(replace(power, duty=duty_of(power, good, 10.0, (), False, "shunt")), "t")
+        assert text(fine, "its characteristic") == f"no load at {160 / RPM:.7g} rpm, 605 N*m at standstill"
+        assert (values(fine)["n_no_load[rpm]"], values(fine)["M_stall[N*m]"]) == (pytest.approx(160 / RPM), 605)
+        assert not any("contradict" in note for note in fine.notes)
+        off = power_summary(
+            replace(power, duty=duty_of(power, replace(good, power=1.1 * good.power), 10.0, (), False, "shunt")), "t"
+        )
+        assert off.notes[0].startswith("warning: the data of the motor contradict each other: at the rated speed")
+        assert "(-9.09 %)" in off.notes[0]
+
+    def test_a_series_motor_runs_away(self) -> None:
+        motor = Motor("M", 4e3, 100.0, kind="series", efficiency=0.8, inertia=0.1)
+        power = self.stepped()
+        document = power_summary(replace(power, duty=duty_of(power, motor, 10.0, (), False, "series")), "t")
+        assert text(document, "its characteristic") == "runs away without load, 1000 N*m at standstill"
+        assert "n_no_load[rpm]" not in values(document)
 
     def test_a_chosen_motor_comes_with_the_reasons(self) -> None:
         catalogue = (replace(self.motor(), name="small", power=400.0), replace(self.motor(), name="large"))
@@ -234,6 +260,47 @@ class TestFlywheel:
         assert found["rim_safety"] == pytest.approx(found["rim_strength[Pa]"] / found["rim_peak_stress[Pa]"])
         assert f"width 50 mm, thickness {1000 * h:.5g} mm" in text(document, "its rim")
 
+    def test_the_other_shafts_beside_it(self) -> None:
+        """25 kg*m^2 on the input shaft are 1 on a motor 5 times as fast; sizes are those of the asked shaft alone."""
+        found = solve_flywheel(
+            sine(self.M1),
+            ConstantInertia(),
+            task(self.DELTA, diameter=1.2, width=0.1),
+            None,
+            self.MEAN,
+            1.0,
+            motor_ratio=5.0,
+        )
+        document = flywheel_summary(found, "t")
+        assert values(document)["J_motor_shaft[kg*m^2]"] == pytest.approx(1)
+        d = values(document)["motor_shaft_rim_mean_diameter[m]"]
+        mass = values(document)["motor_shaft_rim_mass[kg]"]
+        assert mass * (d**2 + (0.1 * d) ** 2) / 4 == pytest.approx(0.9)  # thickness a tenth of the diameter
+        back = flywheel_summary(self.swinging(ratio=5.0, shaft="other"), "t")
+        assert text(back, "or on the input shaft").startswith("25 kg*m^2\nrim: mean diameter ")
+        assert text(document, "or on the motor shaft").startswith("1 kg*m^2, turning 5 times as fast as the input\n")
+        rim = values(document)
+        assert text(document, "inertia of the rim").startswith("22.5 kg*m^2, 90 % of the wheel's")
+        h, b = rim["rim_thickness[m]"], rim["rim_width[m]"]
+        ring = math.pi * rim["rim_density[kg/m^3]"] * b * ((1.2 + h) ** 4 - (1.2 - h) ** 4) / 32
+        assert rim["rim_inertia[kg*m^2]"] == pytest.approx(ring)
+
+    def test_the_textbook_by_its_table(self) -> None:
+        """On 4 positions the trapezoid rule gives A = 0, M h/2, M h, M h/2: J_F = M1 h/(delta omega^2), h = pi/2."""
+        found = solve_flywheel(sine(self.M1), ConstantInertia(), task(self.DELTA), None, self.MEAN, 1.0, steps=4)
+        document = flywheel_document(found, "t")
+        by_table = self.M1 * math.pi / 2 / (self.DELTA * self.MEAN**2)
+        assert values(document)["J_F_by_table[kg*m^2]"] == pytest.approx(by_table)
+        assert f"{100 * (math.pi / 4 - 1):+.3g} % against the exact tangents" in text(document, "textbook by its table")
+        unequal = flywheel_document(self.swinging(), "t")
+        assert "textbook by its table" not in [fact.label for fact in unequal.facts]
+
+    def test_places_follow_the_sense_of_the_input(self) -> None:
+        document = flywheel_document(replace(self.swinging(), sense=-1.0), "t")
+        assert column(document, "max_at[deg]") == [pytest.approx(-180)] * 5
+        assert math.copysign(1.0, column(document, "min_at[deg]")[0]) == 1.0
+        assert "tangents touch at phi = -180 and 0 deg" in text(document, "energy-mass curve")
+
     def test_the_flywheel_that_is_there(self) -> None:
         light, heavy = (flywheel_summary(self.swinging(inertia=value, ratio=2.0), "t") for value in (6.0, 7.0))
         assert values(light)["J_existing[kg*m^2]"] == 24
@@ -246,7 +313,16 @@ class TestFlywheel:
 
     def test_none_is_needed(self) -> None:
         document = flywheel_document(self.swinging(at_hand=30.0), "t")
-        assert text(document, "flywheel needed").startswith("none")
+        assert text(document, "flywheel needed").startswith("none: with what is at hand delta is 0.01666")
+        assert values(document)["delta_reached"] == pytest.approx(0.02 * 25 / 30)
+        assert list(document.table.headers if document.table else ()) == [
+            "method",
+            "J_F[kg*m^2]",
+            "max_at[deg]",
+            "min_at[deg]",
+        ]
+        assert document.notes == ()
+        assert not any("no flywheel needed" in fact.text for fact in document.facts)
         assert "its rim" not in [fact.label for fact in document.facts]
         assert values(document)["J_add[kg*m^2]"] == 0
 
@@ -269,9 +345,6 @@ class TestFlywheel:
         assert delta == pytest.approx(given["delta_allowed"], rel=1e-5)
         assert found["omega_mean[rad/s]"] == pytest.approx((speed.max() + speed.min()) / 2, rel=1e-6)
         assert found["J_add[kg*m^2]"] == pytest.approx(found["J_F[kg*m^2]"] - given["J_const_initial"])
-        # the textbook's recurrence on 24 nodes is about 1 % off
-        nodal = CASES["dyn-upsetter-flywheel-motor"]["expected"]["J_const_exact_root"]
-        assert found["J_F[kg*m^2]"] == pytest.approx(nodal, rel=0.02)
 
     def test_the_methods_under_the_motor(self, upsetting: Document) -> None:
         found = values(upsetting)

@@ -221,3 +221,22 @@ def check_lines(text: str) -> None:
     except SpecError as error:
         faults = error.faults
     assert all(fault.line for fault in faults), text
+
+
+TRAIN = """
+[train]
+layout = ["AI", "AIbar"]
+ratio = "7.29"
+tolerance = "1 %"
+planets = [3, 4]
+module_ratios = [[2, 3], [4, 7]]
+sum_max = 200
+keep = 500
+module = "2 mm"
+
+[train.constraints]
+adjacency_gap = 0.5
+undercut = true
+centre_distance = ["20 mm", "400 mm"]
+envelope = false
+"""

@@ -18,7 +18,7 @@ from tmmcalc.spec.motor import MotorTable
 from tmmcalc.spec.reduction import ReductionTable
 from tmmcalc.spec.transmission import TransmissionTable
 
-from .scenes import ENGINE, MACHINE, ROTOR, TORQUE
+from .scenes import ENGINE, MACHINE, ROTOR, TORQUE, TRAIN
 
 
 def test_every_ready_spec_loads() -> None:
@@ -121,7 +121,19 @@ def _tables() -> list[tuple[str, type[Spec]]]:
 
 
 LISTS = ("loads", "springs", "shafts", "transients")
-SINGLE = ("torque", "drive", "motor", "transmission", "reduction", "motion", "flywheel", "balance", "engine", "rotor")
+SINGLE = (
+    "torque",
+    "drive",
+    "motor",
+    "transmission",
+    "reduction",
+    "motion",
+    "flywheel",
+    "balance",
+    "engine",
+    "rotor",
+    "train",
+)
 LATE = (*LISTS, *SINGLE)
 
 
@@ -141,7 +153,7 @@ def loaded_by(spec: str) -> set[str]:
 def test_a_good_spec_loads_nothing_that_only_faults_need(shaper: str) -> None:
     unneeded = {"difflib", "numpy", "scipy", "tmmcalc.spec.wording", "tmmcalc.spec.examples", "tmmcalc.spec.source"}
     assert not unneeded & loaded_by(shaper)
-    assert not unneeded & loaded_by(shaper + MACHINE + ENGINE + ROTOR)
+    assert not unneeded & loaded_by(shaper + MACHINE + ENGINE + ROTOR + TRAIN)
 
 
 def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
@@ -150,9 +162,18 @@ def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
     assert not names & loaded_by(shaper)
     assert names & loaded_by(f"{shaper}\n[reduction]\n") == {"tmmcalc.spec.reduction"}
     of_a_machine = {f"tmmcalc.spec.{table}" for table in LATE if table != "torque"}
-    assert of_a_machine <= loaded_by(shaper + MACHINE + ENGINE + ROTOR)
+    assert of_a_machine <= loaded_by(shaper + MACHINE + ENGINE + ROTOR + TRAIN)
     alone = {f"tmmcalc.spec.{part}torque" for part in ("", "checks.")}
     assert names & loaded_by(TORQUE) >= alone
+
+
+def test_files_are_read_only_when_a_spec_names_one(shaper: str) -> None:
+    reader = "tmmcalc.spec.files"
+    load = "\n[[loads]]\nlink = 5\npoint = [0, 0]\n"
+    assert reader not in loaded_by(f"{shaper}{load}force = 100\n{MACHINE}")
+    assert reader not in loaded_by(TORQUE)
+    catalogue = Path(__file__)  # a file that is there; what stands in it is read with the motor
+    assert reader in loaded_by(f"{shaper}\n[motor]\nname = 'choose'\ncatalogue = '{catalogue}'\n")
 
 
 def test_late_tables_are_those_of_the_root() -> None:

@@ -396,6 +396,31 @@ FAULTS = [
         "write it without the minus",
     ),
     (
+        MOTOR + 'time_constant = "aut"\n',
+        "motor.time_constant",
+        "'aut' is not a time",
+        'did you mean "auto"?',
+    ),
+    (
+        '[motor]\nkind = "shunt"\npower = "1.2 kW"\nspeed = "1400 rpm"\n'
+        'voltage = "220 V"\nresistance = 3\nconstant = 1.6\n',
+        "motor.constant",
+        "no-load speed U/k = 1313.03 rpm is not above the rated speed '1400 rpm'",
+        "check voltage and constant: a shunt motor of 220 V and 1.4 V*s/rad runs at 1500 rpm without load",
+    ),
+    (
+        MOTOR + 'time_constant = "auto"\n',
+        "motor.overload",
+        'missing key: time_constant = "auto" follows from the critical slip, which needs overload',
+        "add overload = 2.2",
+    ),
+    (
+        '[motor]\nkind = "series"\npower = "5 kW"\nspeed = "900 rpm"\nefficiency = 0.8\ntime_constant = "auto"\n',
+        "motor.time_constant",
+        '"auto" is for an induction motor, not for a series one: it follows from the critical slip',
+        'write a time, such as "20 ms"',
+    ),
+    (
         MOTOR + "flywheel_moment = 0.1\ninertia = 0.025\n",
         "motor.flywheel_moment",
         "inertia and flywheel_moment together: the rotor has one",

@@ -6,7 +6,9 @@ from typing import Any
 import pytest
 
 from tmmcalc.errors import SpecError, UsageError
+from tmmcalc.linkage.loading import Constant
 from tmmcalc.spec import parse_spec
+from tmmcalc.spec.loading import to_loading
 from tmmcalc.spec.override import apply
 
 from .scenes import MACHINE
@@ -45,6 +47,42 @@ def test_assignment(shaper: str, assignment: str, path: tuple[str | int, ...], v
     assert paths == [path]
     assert value_at(changed, path) == value
     assert data == tomllib.loads(shaper + MACHINE)
+
+
+@pytest.mark.parametrize(
+    ("assignment", "path"),
+    [
+        ("loads[name=Q5].force=2", ("loads", 1, "force")),
+        ('loads[name="Q5\'"].force=2', ("loads", 2, "force")),
+        ("loads[name=cut].force=2", ("loads", 0, "force")),
+        ('springs[name="spring 2"].stiffness=3', ("springs", 1, "stiffness")),
+        ('shafts[name="shaft 1"].damping=3', ("shafts", 0, "damping")),
+        ("transients[name=transient].duration=3", ("transients", 0, "duration")),
+        ('transients[name="transient 2"].duration=3', ("transients", 1, "duration")),
+    ],
+)
+def test_names_that_the_spec_leaves_out(assignment: str, path: tuple[str | int, ...]) -> None:
+    data = {
+        "loads": [{"name": "cut", "link": 5}, {"link": 5}, {"link": 5}],
+        "springs": [{"name": "S"}, {}],
+        "shafts": [{}],
+        "transients": [{}, {}],
+    }
+    assert apply(data, [assignment])[1] == [path]
+
+
+def test_the_names_of_overrides_are_those_of_the_results(shaper: str) -> None:
+    """The load that is named by its default is the one of this name in the loading."""
+    load = "\n[[loads]]\nlink = 5\npoint = [0, 0]\nforce = "
+    spec = parse_spec(f"{shaper}{load}1{load}2", overrides=['loads[name="Q5\'"].force=7'])
+    assert {load.name: load.law for load in to_loading(spec).loads} == {"Q5": Constant(1.0), "Q5'": Constant(7.0)}
+
+
+def test_a_default_name_that_is_not_there(shaper: str) -> None:
+    with pytest.raises(UsageError) as raised:
+        apply({"loads": [{"link": 5}, {"link": 4}]}, ["loads[name=Q3].force=2"])
+    assert "Q5" in str(raised.value.remedy)
+    assert "Q4" in str(raised.value.remedy)
 
 
 @pytest.mark.parametrize(

@@ -110,12 +110,6 @@ FAULTS = [
         "begin each with [[shafts]], two brackets",
     ),
     (
-        ROTOR + "[[transients]]\n",
-        "transients[0].duration",
-        "missing key: every motion in time has its longest duration",
-        'add duration = "5 s"',
-    ),
-    (
         ROTOR + "[[transients]]\nduration = 0\n",
         "transients[0].duration",
         "0 is zero; a time other than 0 is needed here",

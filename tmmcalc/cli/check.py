@@ -52,6 +52,8 @@ def _held(spec: Spec) -> Iterator[str]:
         yield f"an engine of {count} cylinder{'s' if count > 1 else ''}"
     if spec.rotor is not None:
         yield f"a rotor with {_count(spec.rotor.unbalances, 'unbalance')}"
+    if spec.train is not None:
+        yield f"a gear train, {' or '.join(spec.train.layout)}"
 
 
 def _count(listed: Sized, noun: str) -> str:

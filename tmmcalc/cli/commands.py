@@ -14,6 +14,11 @@ COMMANDS = {
     "motion": ("tmmcalc.cli.motion", "Steady motion of the machine over the cycle."),
     "transient": ("tmmcalc.cli.transient", "Start-up, braking, run-down, load changes in time."),
     "balance": ("tmmcalc.cli.balance", "Shaking forces of linkage, engine, rotor; counterweights."),
+    "gears": ("tmmcalc.cli.gears", "Gear trains: tooth numbers within all constraints."),
     "run": ("tmmcalc.cli.run", "Run every stage that the spec has."),
     "plot": ("tmmcalc.cli.plot", "Draw the result of a stage to an svg, png or pdf file."),
+}
+
+GEARS = {
+    "synth": ("tmmcalc.cli.gears.synth", "Every set of tooth numbers within the constraints."),
 }

@@ -7,6 +7,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING
 
 from tmmcalc.cli.messages import show_event
+from tmmcalc.progress import listening
 
 if TYPE_CHECKING:
     from rich.progress import Progress as Bar
@@ -23,16 +24,21 @@ class Progress:
         self._lock = threading.Lock()
         self._timer: threading.Timer | None = None
         self._bar: Bar | None = None
+        self._stage, self._words = "", "running"
+        self._listening = listening(self._hear)
 
     def __enter__(self) -> Progress:
+        self._listening.__enter__()
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+        self._listening.__exit__(kind, error, at)
         self._stop()
 
     def start(self, stage: str) -> None:
         """A stage begins."""
         self._stop()
+        self._words = "running"
         self._timer = threading.Timer(PATIENCE, self._show, [stage])
         self._timer.daemon = True
         self._timer.start()
@@ -41,6 +47,14 @@ class Progress:
         """A stage has ended, or something about it is to be said."""
         self._stop()
         show_event(event)
+
+    def _hear(self, part: float, words: str) -> None:
+        """A stage tells how far it is."""
+        self._words = f"{100 * part:.0f} %, {words}" if part < 1 else words
+        with self._lock:
+            if self._bar is not None:
+                for task in self._bar.task_ids:
+                    self._bar.update(task, description=f"{self._stage}: {self._words}")
 
     def _show(self, stage: str) -> None:
         from rich.console import Console
@@ -52,7 +66,8 @@ class Progress:
                 return
             columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
             self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
-            self._bar.add_task(f"{stage}: running")
+            self._stage = stage
+            self._bar.add_task(f"{stage}: {self._words}")
             self._bar.start()
 
     def _stop(self) -> None:

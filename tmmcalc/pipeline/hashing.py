@@ -15,6 +15,7 @@ import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import fields, is_dataclass
 from enum import Enum
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc._version import __version__
@@ -43,7 +44,7 @@ def stage_hash(
 def content_hash(value: object) -> str:
     """Return the SHA-256 [64 hexadecimal digits] of a plain value in canonical form.
 
-    Plain are None, bool, int, float, complex, str, bytes, enum members, tuples, lists, sets, dicts,
+    Plain are None, bool, int, float, complex, fractions, str, bytes, enum members, tuples, lists, sets, dicts,
     dataclasses and numpy arrays and scalars. Lists count as tuples. Raises TypeError for anything else.
     """
     return hashlib.sha256(_encoded(value)).hexdigest()
@@ -58,6 +59,8 @@ def _encoded(value: object) -> bytes:
         return _group(b"u", sorted(_encoded(item) for item in value))
     if isinstance(value, Mapping):
         return _group(b"m", (_encoded(part) for item in value.items() for part in item))
+    if isinstance(value, Fraction):
+        return _group(b"q", (_encoded(value.numerator), _encoded(value.denominator)))
     if is_dataclass(value) and not isinstance(value, type):
         return _dataclass(value)
     return _numpy(value)

@@ -92,5 +92,6 @@ STAGES: dict[str, Stage] = {
             uses=("kinematics",),
             wanted=True,
         ),
+        _stage("train", "tooth numbers of the gear train: all sets within the constraints", wanted=True),
     )
 }

@@ -6,21 +6,22 @@ unevenness; the flywheel is what of it the machine does not have yet.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from tmmcalc.machine.flywheel.materials import RECOMMENDED
+from tmmcalc.machine.flywheel.placement import Wheel
 from tmmcalc.machine.flywheel.positional import FlywheelMethod
 from tmmcalc.machine.flywheel.required import RequiredInertia
-from tmmcalc.machine.flywheel.rim import Rim
 from tmmcalc.machine.flywheel.search import Trial
 from tmmcalc.machine.flywheel.task import Flywheel
-from tmmcalc.machine.flywheel.wittenbauer import EnergyMass
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.motion import inertia_fact, unevenness
 from tmmcalc.report.numbers import angle, number
+from tmmcalc.report.places import Shaft, phi_of
 
 CALLED = {"book": "textbook", "mertsalov": "Mertsalov", "artobolevsky": "Artobolevsky"}
 STALLS = "stalls"  # in place of a delta that a machine does not reach
@@ -33,7 +34,8 @@ def flywheel_summary(result: Flywheel, title: str) -> Document:
         inertia_fact("inertia at hand", "J_at_hand", result.at_hand),
         _needed_fact(result),
         *_existing_facts(result),
-        *([] if result.rim is None else _rim_facts(result.rim)),
+        *([] if result.rim is None else _rim_facts(result)),
+        *([] if result.addition <= 0 else _elsewhere_facts(result.wheels[1:])),
         _legend_fact(result),
     )
     return Document(title, facts, tuple(str(verdict) for verdict in result.verdicts), _methods_view(result))
@@ -48,7 +50,8 @@ def flywheel_document(result: Flywheel, title: str) -> Document:
         summary,
         facts=(
             *facts,
-            _tangents_fact(result.picture),
+            _tangents_fact(result),
+            *_nodal_facts(result),
             *([] if required is None else _search_facts(required, result.delta)),
             *_correction_facts(result.history),
             *(Fact(f"method {called(row.positional)}", row.positional.remark) for row in result.rows),
@@ -71,10 +74,14 @@ def _needed_fact(result: Flywheel) -> Fact:
         "J_add[kg*m^2]": result.addition,
         "J_own[kg*m^2]": result.own,
         "ratio_flywheel": result.ratio,
-        "omega_flywheel_max[rad/s]": result.speed,
+        "omega_flywheel_max[rad/s]": result.wheels[0].speed,
     }
     if result.addition <= 0:
-        return Fact("flywheel needed", "none", values)
+        required = result.required
+        without = required.delta if required is not None else result.rows[0].positional.delta
+        under = " under the motor" if required is not None else ""
+        text = "none" if without is None else f"none: with what is at hand delta is {number(without)}{under}"
+        return Fact("flywheel needed", text, values if without is None else values | {"delta_reached": without})
     lines = [
         f"{number(result.addition)} kg*m^2 at the input shaft",
         f"J_F = {number(result.inertia)} kg*m^2 with what is at hand",
@@ -103,8 +110,10 @@ def _existing_facts(result: Flywheel) -> list[Fact]:
     return [Fact("flywheel there", text, values)]
 
 
-def _rim_facts(rim: Rim) -> list[Fact]:
-    """Sizes, mass, speed and stress of the rim of the needed flywheel."""
+def _rim_facts(result: Flywheel) -> list[Fact]:
+    """Sizes, inertia, mass, speed and stress of the rim of the needed flywheel."""
+    rim = result.rim
+    assert rim is not None
     material = rim.material
     sizes = {"mean": rim.diameter, "outer": rim.outer, "inner": rim.inner}
     diameters = ", ".join(f"{word} {number(1e3 * value, 5)}" for word, value in sizes.items())
@@ -113,6 +122,12 @@ def _rim_facts(rim: Rim) -> list[Fact]:
     named = {f"rim_{word}_diameter[m]": value for word, value in sizes.items()}
     return [
         Fact("its rim", f"diameters: {diameters} mm\n{sections}", {**named, **_keyed("rim_{}[m]", section)}),
+        Fact(
+            "inertia of the rim",
+            f"{number(rim.inertia)} kg*m^2, {number(100 * rim.inertia / result.own, 3)} % of the wheel's"
+            "\n(arms and hub are to give the rest)",
+            {"rim_inertia[kg*m^2]": rim.inertia},
+        ),
         Fact(
             "mass of the rim",
             f"{number(rim.mass)} kg, {number(rim.total_mass)} kg with arms and hub"
@@ -141,22 +156,42 @@ def _rim_facts(rim: Rim) -> list[Fact]:
     ]
 
 
+def _elsewhere_facts(wheels: Sequence[Wheel]) -> list[Fact]:
+    """The same flywheel on other shafts, with a rim of the usual proportions."""
+    return [_elsewhere_fact(wheel) for wheel in wheels]
+
+
+def _elsewhere_fact(wheel: Wheel) -> Fact:
+    rim, name = wheel.rim, f"{wheel.shaft} shaft"
+    values: dict[str, float] = {f"J_{wheel.shaft}_shaft[kg*m^2]": wheel.inertia}
+    faster = "" if wheel.ratio == 1 else f", turning {number(wheel.ratio)} times as fast as the input"
+    lines = [f"{number(wheel.inertia)} kg*m^2{faster}"]
+    if rim is not None:
+        lines.append(f"rim: mean diameter {number(1e3 * rim.diameter, 4)} mm, {number(rim.mass, 4)} kg")
+        sizes = {"rim_mean_diameter[m]": rim.diameter, "rim_mass[kg]": rim.mass, "rim_speed[m/s]": rim.speed}
+        values |= {f"{wheel.shaft}_shaft_{key}": value for key, value in sizes.items()}
+    return Fact(f"or on the {name}", "\n".join((*lines, *wheel.remarks)), values)
+
+
 def _keyed(pattern: str, values: dict[str, float]) -> dict[str, float]:
     return {pattern.format(word): value for word, value in values.items()}
 
 
 def _methods_view(result: Flywheel) -> View:
     """One row a method: what it asks for, where its tangents touch, what comes of it."""
-    rows, motor = result.rows, result.required is not None
+    rows, motor, shaft = result.rows, result.required is not None, _shaft(result)
     found = [row.positional for row in rows]
     columns: dict[str, list[Any]] = {
         "method": [called(method) for method in found],
         "J_F[kg*m^2]": [method.inertia for method in found],
         "J_add[kg*m^2]": [method.addition for method in found],
-        "max_at[deg]": [math.degrees(method.theta_max) for method in found],
-        "min_at[deg]": [math.degrees(method.theta_min) for method in found],
-        "delta": _deltas([method.delta for method in found]),
+        "max_at[deg]": [phi_of(shaft, method.theta_max) for method in found],
+        "min_at[deg]": [phi_of(shaft, method.theta_min) for method in found],
     }
+    if result.addition <= 0:
+        del columns["J_add[kg*m^2]"]
+        return View(list(columns), list(columns.values()))
+    columns["delta"] = _deltas([method.delta for method in found])
     if motor:
         columns["delta_motor"] = _deltas([row.delta for row in rows])
     errors = [row.error if row.error is not None else row.positional.error for row in rows]
@@ -166,13 +201,18 @@ def _methods_view(result: Flywheel) -> View:
 
 def _legend_fact(result: Flywheel) -> Fact:
     """What stands in the columns of the table of methods."""
-    lines = ["J_F all constant inertia, J_add the flywheel alone", "max_at, min_at: tangents touch, from position 0"]
+    places = "max_at, min_at: phi where the tangents touch"
+    if result.addition <= 0:
+        asked = "J_F all constant inertia that the method asks for"
+        if result.required is not None:
+            asked += " under forces of position,\nwhere no slip of a motor evens the speed"
+        return Fact("in the table", f"{asked}\n{places}")
+    lines = ["J_F all constant inertia, J_add the flywheel alone", places]
     if result.required is None:
         lines += ["delta reached with it", "error of J_F against the exact one"]
     else:
         lines += ["delta reached under forces of position", "delta_motor reached under the motor"]
-        needed = "the one that the motor needs" if result.required.needed else "what is at hand, which is enough"
-        lines.append(f"error of J_F against {needed}")
+        lines.append("error of J_F against the one that the motor needs")
     return Fact("in the table", "\n".join(lines))
 
 
@@ -185,13 +225,18 @@ def _deltas(values: Sequence[float | None]) -> list[float | str]:
     return [STALLS if value is None else value for value in values]
 
 
-def _tangents_fact(picture: EnergyMass) -> Fact:
+def _shaft(result: Flywheel) -> Shaft:
+    return Shaft(np.array([0.0, result.sense]))
+
+
+def _tangents_fact(result: Flywheel) -> Fact:
     """The tangents of the energy-mass curve and the segment between their intercepts."""
+    picture, shaft = result.picture, _shaft(result)
     (fast, slow), (high, low), (at_fast, at_slow) = picture.slopes, picture.intercepts, picture.touching
     lines = (
-        f"tangents touch at {angle(math.degrees(at_fast))} and {angle(math.degrees(at_slow))} deg from position 0",
+        f"tangents touch at phi = {angle(phi_of(shaft, at_fast))} and {angle(phi_of(shaft, at_slow))} deg",
         f"slopes {number(fast)} and {number(slow)} rad^2/s^2",
-        f"intercepts G = {number(high)} J, H = {number(low)} J",
+        f"intercepts G = {number(high, peak=low)} J, H = {number(low, peak=high)} J",
         f"J_F = GH/(delta omega^2) = {number(picture.inertia)} kg*m^2",
         f"T_0 = {number(picture.energy)} J, mean moment of the drive {number(picture.drive)} N*m",
     )
@@ -205,6 +250,19 @@ def _tangents_fact(picture: EnergyMass) -> Fact:
         "M_d_mean[N*m]": picture.drive,
     }
     return Fact("energy-mass curve", "\n".join(lines), values)
+
+
+def _nodal_facts(result: Flywheel) -> list[Fact]:
+    """The textbook's method as it is done by hand, and how far that is off."""
+    nodal, exact = result.nodal, result.rows[0].positional.inertia
+    if nodal is None or result.addition <= 0:
+        return []
+    off = f", {100 * (nodal.inertia / exact - 1):+.3g} % against the exact tangents" if exact else ""
+    lines = (
+        f"J_F = {number(nodal.inertia)} kg*m^2{off}",
+        "(on the positions alone, the work by the trapezoid rule)",
+    )
+    return [Fact("textbook by its table", "\n".join(lines), {"J_F_by_table[kg*m^2]": nodal.inertia})]
 
 
 def _search_facts(required: RequiredInertia, delta: float) -> list[Fact]:

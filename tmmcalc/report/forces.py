@@ -72,11 +72,11 @@ def _drive_facts(result: Forces) -> list[Fact]:
     """Kind, extremes and power of the drive."""
     label, key, unit = ("moment", "M_drive", "N*m") if result.turns else ("force", "F_drive", "N")
     power = span_fact(result, "power of the drive", "P_drive", "W", result.power_extremes)
-    mean = _mean_power(result)
+    mean = result.power_mean
     power = replace(
         power,
-        text=f"{power.text}\nmean {number(mean, peak=_peak(result.power_extremes))} W (trapezoid over the positions)",
-        values={**power.values, "P_drive_mean_trapezoid[W]": mean},
+        text=f"{power.text}\nmean {number(mean.value, peak=_peak(result.power_extremes))} W, to {mean.error:.0e} W",
+        values={**power.values, "P_drive_mean[W]": mean.value, "P_drive_mean_error[W]": mean.error},
     )
     facts = [
         Fact("drive", f"{DRIVES[result.drive_kind]}, at {speed_text(result)}", {"drive": result.drive_kind}),
@@ -96,12 +96,6 @@ def _mesh_fact(result: Forces, mesh: np.ndarray) -> Fact:
     largest = Extreme(ratio * abs(at.value), at.x)
     text = f"max {number(largest.value)} N at {place(result, at.x)}"
     return Fact("mesh force", text, extreme_values(result, "F_mesh_max", "N", largest))
-
-
-def _mean_power(result: Forces) -> float:
-    """Mean power by the trapezoid rule over the rows, whose pairs at a jump keep both limits [W]."""
-    steps = np.diff(result.theta)
-    return float(((result.power[1:] + result.power[:-1]) / 2 * steps).sum() / steps.sum())
 
 
 def _peak(pair: tuple[Extreme, Extreme]) -> float:

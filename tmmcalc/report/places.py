@@ -92,8 +92,3 @@ def speed_text(result: Result) -> str:
 def choose(example: str, where: str) -> str:
     """What is said under a table that was cut; ``example`` names columns, ``where`` the file that has them all."""
     return f"choose with --columns, e.g. --columns '{example}'{f', or see {where}' if where else ''}"
-
-
-def gone(theta: float) -> str:
-    """A place for people where the result does not say which way the input turns: the angle that it has gone."""
-    return f"{angle(math.degrees(theta))} deg from position 0"

@@ -1,7 +1,6 @@
 """The documents of the power stage: work over a cycle, efficiency and power, the motor against its duty.
 
-Work, moments and power are those of the input shaft at its mean speed; what drives is positive. A place is the angle
-that it has gone from position 0.
+Work, moments and power are those of the input shaft at its mean speed; what drives is positive.
 """
 
 from __future__ import annotations
@@ -11,11 +10,15 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+import numpy as np
+
+from tmmcalc.linkage.results import Extreme
 from tmmcalc.machine.motors.model import Motor
+from tmmcalc.machine.motors.plausibility import Curve
 from tmmcalc.machine.power import MotorDuty, Power, WorkPart
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import number
-from tmmcalc.report.places import gone
+from tmmcalc.report.places import Shaft, extreme_values, place
 
 MACHINES = {
     "working": "working machine: its loads resist",
@@ -122,7 +125,8 @@ def _power_facts(result: Power) -> list[Fact]:
     (least, largest), mean = result.peak_power, result.mean_moment
     peak = max(abs(least), abs(largest))
     whose = "left for the machine that it drives" if result.machine == "engine" else "of the drive"
-    where = f", resisting at {gone(result.peak_at)}" if result.peak_moment else ": nothing ever resists"
+    shaft = Shaft(np.array([0.0, result.sense]))
+    where = f", resisting at {place(shaft, result.peak_at)}" if result.peak_moment else ": nothing ever resists"
     facts = [
         Fact("cycle at mean speed", f"{number(result.cycle_time)} s", {"cycle_time[s]": result.cycle_time}),
         Fact("mean power", f"{number(result.mean_power, peak=peak)} W {whose}", {"P_mean[W]": result.mean_power}),
@@ -130,7 +134,7 @@ def _power_facts(result: Power) -> list[Fact]:
         Fact(
             "peak resisting moment",
             f"{number(result.peak_moment)} N*m{where}",
-            {"M_peak[N*m]": result.peak_moment, "M_peak_at_theta[deg]": math.degrees(result.peak_at)},
+            extreme_values(shaft, "M_peak", "N*m", Extreme(result.peak_moment, result.peak_at)),
         ),
         Fact(
             "instant power",
@@ -152,6 +156,8 @@ def _motor_facts(result: Power) -> list[Fact]:
     if duty is None:
         return []
     facts = [_plate_fact(duty.motor, duty.chosen)]
+    if duty.curve is not None:
+        facts.append(_curve_fact(duty.curve))
     if duty.reasons:
         facts.append(Fact("chosen because", "\n".join(duty.reasons), {"motor_reasons": list(duty.reasons)}))
     rated = duty.motor.nominal_moment * duty.ratio * result.transmission
@@ -181,9 +187,22 @@ def _plate_fact(motor: Motor, chosen: bool) -> Fact:
     return Fact("motor", "\n".join(line for line in lines if line), values)
 
 
+def _curve_fact(curve: Curve) -> Fact:
+    """Where the curve of a direct-current motor meets both axes, on its own shaft."""
+    values = {"M_stall[N*m]": curve.stall}
+    if curve.no_load is None:
+        idle = "runs away without load"
+    else:
+        idle = f"no load at {number(curve.no_load * RPM)} rpm"
+        values["n_no_load[rpm]"] = curve.no_load * RPM
+    return Fact("its characteristic", f"{idle}, {number(curve.stall)} N*m at standstill", values)
+
+
 def _notes(duty: MotorDuty) -> Iterator[str]:
     """What the numbers of the motor mean for the machine."""
     motor = duty.motor
+    for contradiction in duty.contradictions:
+        yield f"warning: the data of the motor contradict each other: {contradiction}"
     if duty.mean_load > 1:
         yield (
             f"warning: the mean load is {number(duty.mean_load, 4)} of the rated moment: the motor is too weak, "

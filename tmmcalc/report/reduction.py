@@ -9,10 +9,10 @@ from dataclasses import replace
 import numpy as np
 
 from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.reduction.columns import columns, contribution_name
+from tmmcalc.linkage.reduction.columns import EFFICIENCY, cells, columns, contribution_name
 from tmmcalc.linkage.reduction.results import Contribution, Reduction
 from tmmcalc.linkage.results import Extreme
-from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import NOISE, number
 from tmmcalc.report.places import choose, span_fact, speed_text
 from tmmcalc.report.positions import positions_view
@@ -25,10 +25,20 @@ def reduction_summary(result: Reduction, title: str) -> Document:
         *(_work_fact(result, contribution) for contribution in result.contributions),
         *_sum_facts(result),
         *_moment_facts(result),
+        *_rods_facts(result),
         *_inertia_facts(result),
         *_check_facts(result),
     )
     return Document(title, facts, tuple(str(grade) for grade in result.grades))
+
+
+def _rods_facts(result: Reduction) -> list[Fact]:
+    """How the connecting rods are taken, where there are any."""
+    if not result.rod_links:
+        return []
+    rods = ", ".join(map(str, result.rod_links))
+    how = "as they are" if result.rods == "exact" else "as masses in their pins: statically lumped"
+    return [Fact("rods", f"{rods}, {how}", {"rods": result.rods})]
 
 
 def reduction_document(
@@ -48,10 +58,23 @@ def reduction_document(
     available = columns(result)
     return replace(
         reduction_summary(result, title),
-        table=positions_view(result.labels, available, usual=available, patterns=patterns, rows=rows),
+        table=_blanked(
+            result, positions_view(result.labels, available, usual=available, patterns=patterns, rows=rows), rows
+        ),
         wide=not patterns,
         more=choose("phi,M_red*,J_red" if result.turns else "phi,F_red*,m_red", where),
     )
+
+
+def _blanked(result: Reduction, view: View, rows: Sequence[int] | None) -> View:
+    """The table with blanks where an efficiency has no value."""
+    for column in columns(result):
+        if column.name == EFFICIENCY and column.header in view.headers:
+            own = cells(result, column)
+            kept = own if rows is None else [own[k] for k in rows]
+            at = list(view.headers).index(column.header)
+            return replace(view, columns=[*view.columns[:at], kept, *view.columns[at + 1 :]])
+    return view
 
 
 def mean_moment(result: Reduction) -> float:
@@ -93,9 +116,10 @@ def _work_fact(result: Reduction, contribution: Contribution) -> Fact:
         values[f"work_Simpson_{name}[J]"] = contribution.simpson
         text += f"\nby Simpson's rule {number(contribution.simpson, peak=scale)} J"
         if abs(work) > NOISE * scale:
-            off = 100 * (contribution.simpson - work) / abs(work)
+            off = 100 * (contribution.simpson / work - 1)
             values[f"work_Simpson_{name}_off[%]"] = off
-            text += f", off by {number(off, 3, peak=100.0)} %"
+            size = number(abs(off), 3, peak=100.0)
+            text += f", {size} % too {'much' if off > 0 else 'little'}" if size != "0" else ", the same"
     return Fact(f"work of {_called(contribution)}", text, values)
 
 
@@ -135,13 +159,13 @@ def _inertia_facts(result: Reduction) -> list[Fact]:
     what, key, unit = ("inertia", "J_red", "kg*m^2") if result.turns else ("mass", "m_red", "kg")
     facts = [span_fact(result, f"reduced {what}", key, unit, result.inertia_range)]
     least, largest = (extreme.value for extreme in result.inertia_range)
-    if result.lumped is None or largest - least <= NOISE * largest:
+    if result.other is None or largest - least <= NOISE * largest:
         return facts
-    change = _largest(result.lumped - result.inertia)
+    change = _largest(result.other - result.inertia) * (1 if result.rods == "exact" else -1)
     share = 100 * change / (largest - least)
-    rods = ", ".join(map(str, result.rods))
+    rods = ", ".join(map(str, result.rod_links))
     label = f"static lumping of {rods}"
-    values = {"lumped_rods": list(result.rods), f"lumping_{key}[{unit}]": change, "lumping[%]": share}
+    values = {"lumped_rods": list(result.rod_links), f"lumping_{key}[{unit}]": change, "lumping[%]": share}
     if abs(change) <= NOISE * largest:
         return [*facts, Fact(label, f"the same reduced {what}", values)]
     text = f"up to {number(change, 4)} {unit}, {number(share, 3)} % of the variable part"

@@ -22,6 +22,7 @@ SUMMARIES = {
     "motion": "tmmcalc.report.motion:motion_summary",
     "transient": "tmmcalc.report.transient:transient_summary",
     "balance": "tmmcalc.report.balance:balance_summary",
+    "train": "tmmcalc.report.train:train_summary",
 }
 
 

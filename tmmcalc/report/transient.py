@@ -14,6 +14,8 @@ import numpy as np
 
 from tmmcalc.machine.transient.results import End, Event
 from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
+from tmmcalc.machine.transient.verdicts import rms
+from tmmcalc.machine.verdicts import SLACK
 from tmmcalc.numerics.panels import Values
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import number
@@ -27,6 +29,7 @@ ENDS: dict[End, str] = {
     "angle": "it has turned by the angle asked for",
     "standstill": "it stands still for good",
     "stall": "the motor stalls",
+    "steady": "it repeats itself from cycle to cycle",
 }
 
 
@@ -173,15 +176,19 @@ def _motor_facts(motion: TimedMotion) -> list[Fact]:
     largest, at = _largest(motion.t, moment)
     if not largest:
         return []
-    rms = math.sqrt(mean_of(motion.t, moment**2))
+    mean, rated = rms(motion.t, moment), motion.rated_moment
     text = f"largest {number(largest)} N*m at t = {number(at, 5)} s"
-    text += f"\nrms over the time {number(rms, 4)} N*m, whose square heats it"
-    values = {"M_motor_largest[N*m]": largest, "M_motor_largest_at_t[s]": at, "M_motor_rms[N*m]": rms}
+    text += f"\nrms over the time {number(mean, 4)} N*m, whose square heats it"
+    values = {"M_motor_largest[N*m]": largest, "M_motor_largest_at_t[s]": at, "M_motor_rms[N*m]": mean}
+    if rated is not None and rated > 0:
+        kept = "does not exceed" if mean <= rated * (1 + SLACK) else "exceeds"
+        text += f"\n{number(mean / rated, 4)} times the rated {number(rated, 4)} N*m: {kept} it"
+        values |= {"M_motor_rated[N*m]": rated, "M_motor_rms_over_rated": mean / rated}
     return [Fact("moment of the motor", text, values)]
 
 
 def _shaft_fact(motion: TimedMotion, k: int) -> Fact:
-    """The largest moment of a shaft, and how many times its mean that is."""
+    """The largest moment of a shaft, and how many times that of the same motion with rigid shafts it is."""
     name, moment = f"M_{k + 1}_{k + 2}", motion.shaft_moment[k]
     largest, at = _largest(motion.t, moment)
     mean = mean_of(motion.t, moment)
@@ -191,10 +198,11 @@ def _shaft_fact(motion: TimedMotion, k: int) -> Fact:
     text += f"\nlargest {number(largest)} N*m at t = {number(at, 5)} s"
     text += f"\nmean over the time {number(mean, 4, abs(largest))} N*m"
     values = {f"{name}_largest[N*m]": largest, f"{name}_largest_at_t[s]": at, f"{name}_mean[N*m]": mean}
-    if abs(mean) > NOTHING * abs(largest):
-        factor = abs(largest / mean)
-        text += f": the largest is {number(factor, 4)} times as much"
-        values[f"{name}_factor"] = factor
+    rigid = motion.rigid_moment[k] if motion.rigid_moment else 0.0
+    if rigid > NOTHING * abs(largest):
+        factor = abs(largest) / rigid
+        text += f"\nif all shafts were rigid {number(rigid)} N*m: dynamic factor {number(factor, 4)}"
+        values |= {f"{name}_rigid[N*m]": rigid, f"{name}_dynamic_factor": factor}
     return Fact(f"shaft {name}", text, values)
 
 

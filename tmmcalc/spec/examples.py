@@ -38,7 +38,6 @@ MISSING = {
     "torque.speed": ("a torque diagram is that of a shaft with its mean speed", 'add speed = "180 rpm"'),
     "torque.harmonics.terms": ("a sum of harmonics has terms", 'add terms = [{ order = 2, sin = "100 N*m" }]'),
     "torque.harmonics.terms.order": ("every harmonic has its order", "add order = 1 (2, 3, ...)"),
-    "transients.duration": ("every motion in time has its longest duration", 'add duration = "5 s"'),
     "transients.load_steps.factor": ("a load step has its load factor", "add factor = 1"),
     "balance.counterweights.link": ("a counterweight is on a link", "add link = 1"),
     "balance.add.order": ("a rotating weight turns with some multiple of the crank's speed", "add order = -1"),
@@ -61,6 +60,7 @@ MISSING = {
     ),
     "rotor.unbalances": ("a rotor has unbalances", "add [[rotor.unbalances]], one for each"),
     "rotor.unbalances.position": ("every unbalance has its place along the axis", 'add position = "120 mm"'),
+    "train.layout": ("a train has its layout", 'add layout = "AI", or several: layout = ["AI", "AIbar"]'),
 }
 
 ARRAYS_OF_TABLES = (
@@ -112,6 +112,7 @@ LISTS = {
     "engine.orders": ("a list of orders", "orders = [1, 2, 4, 6]"),
     "rotor.bearings": ("the places of the two bearings", 'bearings = [0, "400 mm"]'),
     "rotor.planes": ("the places of the two correction planes", 'planes = ["50 mm", "350 mm"]'),
+    "train.modules": ("the modules of the two stages", 'modules = ["2 mm", "3.5 mm"]'),
 }
 
 # Tables that are written in one line.

@@ -19,7 +19,6 @@ from .syntax import read_toml, too_deep
 if TYPE_CHECKING:
     from .files import Rows
 
-NAMING = {"loads", "motor", "torque"}  # the tables that may name files
 LARGEST_FILE = 10_000_000  # bytes; a spec of a hundred links has some ten thousand
 
 # Lists of tables whose elements have a name: the key that holds it, and the words for a message.
@@ -100,11 +99,21 @@ def _checked(data: dict[str, Any], text: str, file: str, changed: list[Path], fo
 
 
 def _read_files(data: dict[str, Any], folder: FilePath) -> tuple[list[Finding], dict[Path, Rows]]:
-    if not NAMING & data.keys():
+    if not _names_files(data):
         return [], {}
     from .files import read_files  # late: most specs name no files
 
     return read_files(data, folder)
+
+
+def _names_files(data: dict[str, Any]) -> bool:
+    """Whether a load or the torque diagram has a file, or the motor a catalogue; what is misplaced has none."""
+    loads, motor = data.get("loads"), data.get("motor")
+    curved = [*(loads if isinstance(loads, list) else ()), data.get("torque")]
+    curves = [table.get("table") for table in curved if isinstance(table, dict)]
+    return any(isinstance(curve, dict) and "file" in curve for curve in curves) or (
+        isinstance(motor, dict) and "catalogue" in motor
+    )
 
 
 class _Lines:

@@ -7,7 +7,6 @@ without a name get one here.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from typing import TYPE_CHECKING, Literal
 
 from tmmcalc.linkage.loading import (
@@ -30,6 +29,7 @@ from tmmcalc.linkage.loading import (
 
 from .joints import RevoluteTable
 from .linkage import Points, link_points, place
+from .names import load_names, spring_names
 from .units import unit_direction
 
 if TYPE_CHECKING:
@@ -48,11 +48,15 @@ def to_loading(spec: Spec) -> Loading:
     """Return what acts on the linkage of a checked spec: SI, points and directions complex."""
     mechanism = spec.linkage
     points = link_points(mechanism)
+    names = load_names([load.name for load in spec.loads], [load.link for load in spec.loads])
     return Loading(
         bodies=tuple(_body(link) for link in mechanism.links if link.mass is not None),
         gravity=mechanism.gravity * unit_direction(mechanism.gravity_direction),
-        loads=tuple(_load(table, name, points) for table, name in zip(spec.loads, _names(spec.loads), strict=True)),
-        springs=tuple(_spring(table, f"spring {i}", points) for i, table in enumerate(spec.springs, 1)),
+        loads=tuple(_load(table, name, points) for table, name in zip(spec.loads, names, strict=True)),
+        springs=tuple(
+            _spring(table, name, points)
+            for table, name in zip(spec.springs, spring_names([s.name for s in spec.springs]), strict=True)
+        ),
         pairs=tuple(_pair(joint) for joint in mechanism.joints if _is_sized(joint)),
         drive=_drive(spec.drive),
     )
@@ -61,18 +65,6 @@ def to_loading(spec: Spec) -> Loading:
 def _body(link: LinkTable) -> Body:
     x, y = link.center or (0.0, 0.0)
     return Body(link.id, link.mass or 0.0, link.inertia or 0.0, complex(x, y))
-
-
-def _names(loads: Iterable[LoadTable]) -> list[str]:
-    """Names of the loads: their own, or Q and the link, with a prime for each name that is taken."""
-    names: list[str] = []
-    own = {load.name for load in loads}
-    for load in loads:
-        name = load.name or f"Q{load.link}"
-        while load.name is None and (name in own or name in names):
-            name += "'"
-        names.append(name)
-    return names
 
 
 def _load(table: LoadTable, name: str, points: Points) -> Load:
@@ -147,7 +139,7 @@ def _spring(table: SpringTable, name: str, points: Points) -> Spring:
     ends = [place(p, points[k]) for p, k in zip(table.points, table.links, strict=True)] if table.points else [0j, 0j]
     free = table.free_length if table.kind == "linear" else table.free_angle
     return Spring(
-        name=table.name or name,
+        name=name,
         kind=table.kind,
         links=(first, second),
         points=(ends[0], ends[1]),

@@ -22,7 +22,9 @@ from tmmcalc.machine.model import (
     TransientTask,
 )
 from tmmcalc.machine.motors.catalogue import find, load_catalogue
-from tmmcalc.machine.motors.model import CharacteristicKind, Motor, gd2
+from tmmcalc.machine.motors.model import CharacteristicKind, Motor, gd2, with_lag
+
+from .names import shaft_names, transient_names
 
 if TYPE_CHECKING:
     from tmmcalc.machine.transient.scenario import Brake, Scenario
@@ -34,7 +36,7 @@ if TYPE_CHECKING:
 
 CHOOSE = "choose"
 _USUAL: dict[str, CharacteristicKind] = {"induction": "parabolic", "shunt": "shunt", "series": "series"}
-_SAME = ("kind", "power", "speed", "overload", "start", "inertia", "time_constant", "efficiency", "voltage")
+_SAME = ("kind", "power", "speed", "overload", "start", "inertia", "efficiency", "voltage")
 _OWN = ("resistance", "constant")
 
 
@@ -45,9 +47,8 @@ def to_motor(spec: Spec) -> MotorChoice | None:
         return None
     if table.name == CHOOSE:
         own = load_catalogue(table.catalogue) if table.catalogue is not None else ()
-        lag = table.time_constant or 0.0
-        return MotorChoice(None, table.characteristic or "parabolic", lag, own, table.synchronous_speed)
-    motor = _motor(table)
+        return MotorChoice(None, table.characteristic or "parabolic", _lag(table), own, table.synchronous_speed)
+    motor = with_lag(_motor(table), _lag(table))
     return MotorChoice(motor, table.characteristic or _USUAL[motor.kind], motor.time_constant)
 
 
@@ -58,6 +59,11 @@ def _motor(table: MotorTable) -> Motor:
         found = find(table.name, load_catalogue(table.catalogue) if table.catalogue is not None else None)
         return replace(found, **given)
     return Motor(name=table.name or "motor", **given)
+
+
+def _lag(table: MotorTable) -> float | None:
+    """The time constant; None: by the formula."""
+    return None if table.time_constant == "auto" else table.time_constant or 0.0
 
 
 def _data(table: MotorTable) -> dict[str, Any]:
@@ -87,7 +93,7 @@ def to_shafts(spec: Spec) -> tuple[DriveShaft, ...]:
 
     return tuple(
         DriveShaft(
-            name=table.name or f"shaft {i}",
+            name=name,
             shaft=Shaft(
                 stiffness=math.inf if table.stiffness is None else table.stiffness,
                 damping=table.damping,
@@ -96,7 +102,7 @@ def to_shafts(spec: Spec) -> tuple[DriveShaft, ...]:
             ),
             inertia=table.inertia or 0.0,
         )
-        for i, table in enumerate(spec.shafts, 1)
+        for table, name in zip(spec.shafts, shaft_names([table.name for table in spec.shafts]), strict=True)
     )
 
 
@@ -181,23 +187,17 @@ def to_scenarios(spec: Spec) -> tuple[TransientTask, ...]:
             Method(table.method, table.step, table.tolerance),
             table.begin == "steady",
         )
-        for table, name in zip(spec.transients, _transient_names(spec.transients), strict=True)
+        for table, name in zip(spec.transients, transient_names([t.name for t in spec.transients]), strict=True)
     )
 
 
-def _transient_names(tables: list[TransientTable]) -> list[str]:
-    """Names of the motions: their own, or "transient", "transient 2", ..."""
-    free = "transient" not in [table.name for table in tables]
-    return [table.name or ("transient" if i == 1 and free else f"transient {i}") for i, table in enumerate(tables, 1)]
-
-
 def _scenario(table: TransientTable, name: str) -> Scenario:
-    from tmmcalc.machine.transient.scenario import LoadStep, Scenario
+    from tmmcalc.machine.transient.scenario import LONGEST, LoadStep, Scenario
 
     steps = (LoadStep(step.factor, step.time, step.speed, step.quiet) for step in table.load_steps)
     return Scenario(
         name=name,
-        duration=table.duration,
+        duration=table.duration or LONGEST,
         speed=table.start_speed,
         angle=table.start_angle,
         settled=table.begin == "steady",
@@ -208,6 +208,7 @@ def _scenario(table: TransientTable, name: str) -> Scenario:
         targets=tuple(table.targets),
         end_speed=table.end_speed,
         end_angle=table.end_angle,
+        until_steady=table.duration is None,
     )
 
 

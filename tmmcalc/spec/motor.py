@@ -8,7 +8,7 @@ from .quantities import AngularSpeed, Inertia, Moment, Number, Quantity
 from .table import Table
 
 Power = Annotated[float, Quantity("power", at_least_zero=True, nonzero=True)]
-Time = Annotated[float, Quantity("time", at_least_zero=True)]
+TimeConstant = Annotated[float | Literal["auto"], Quantity("time", at_least_zero=True, word="auto")]
 FlywheelMoment = Annotated[float, Quantity("flywheel moment", at_least_zero=True)]
 CurveSpeed = Annotated[float, Quantity("angular speed", at_least_zero=True)]
 Overload = Annotated[float, Number("an overload ratio", "2.2", above=1)]
@@ -50,7 +50,10 @@ class MotorTable(Table):
     flywheel_moment: FlywheelMoment | None = Field(
         default=None, description="Flywheel moment GD^2 of the rotor in kgf*m^2, in place of inertia."
     )
-    time_constant: Time | None = Field(default=None, description="Electromagnetic time constant; 0 without lag.")
+    time_constant: TimeConstant | None = Field(
+        default=None,
+        description='Electromagnetic time constant; 0 without lag, "auto": by the critical slip of an induction motor.',
+    )
     efficiency: Efficiency | None = Field(default=None, description="Rated efficiency; a series motor needs it.")
     voltage: Voltage | None = Field(default=None, description="Voltage of a direct-current motor.")
     resistance: Resistance | None = Field(

@@ -3,6 +3,7 @@
     mechanism.links[2].points.C=[1.0, 0]        an element by its index, from 0
     mechanism.links[id=3].mass=50               an element by one of its values
     mechanism.joints[name=D0].guide.angle="5 deg"
+    loads[name=Q5].factor=1.2                   a name that the spec leaves out and the program gives
 
 The value is TOML, so a quantity with a unit keeps its quotes.
 """
@@ -81,6 +82,8 @@ def _resolve(here: Any, step: Step, path: Path, assignment: str) -> str | int:
 
 def _find(here: list[Any], where: _Where, path: Path, assignment: str) -> int:
     values = [item.get(where.key) if isinstance(item, dict) else None for item in here]
+    if where.key == "name":
+        values = _named(path, here, values)
     found = [index for index, value in enumerate(values) if type(value) is type(where.value) and value == where.value]
     if len(found) == 1:
         return found[0]
@@ -91,6 +94,17 @@ def _find(here: list[Any], where: _Where, path: Path, assignment: str) -> int:
         f"{show_path(path)} has {count} with {where.key} = {show(where.value)}",
         f"there are: {known}",
     )
+
+
+def _named(path: Path, here: list[Any], names: list[Any]) -> list[Any]:
+    """The names with those that elements without one get; as they are where something else stands in the list."""
+    from .names import NUMBERED, load_names  # late: few overrides go by a name
+
+    if not all(isinstance(item, dict) for item in here) or not all(isinstance(name, str | None) for name in names):
+        return names
+    if path == ("loads",):
+        return load_names(names, [item.get("link") for item in here])
+    return NUMBERED[str(path[0])](names) if len(path) == 1 and path[0] in NUMBERED else names
 
 
 def _read(assignment: str) -> tuple[list[Step], object]:

@@ -25,13 +25,15 @@ _NUMBER_PATTERN = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?"
 _QUOTIENT = rf"\s*(?P<above>{_NUMBER_PATTERN})\s*/\s*(?P<below>{_NUMBER_PATTERN})\s*"
 
 
-class _Reader:
+class Reader:
     """What pydantic asks of an annotation: a function for the value, a JSON Schema for the editor."""
 
     def read(self, value: object) -> Any:
+        """Return the value; raise UnitError with the fault in plain words."""
         raise NotImplementedError
 
     def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema of the value."""
         raise NotImplementedError
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
@@ -43,7 +45,7 @@ class _Reader:
         return self.describe()
 
 
-class Quantity(_Reader):
+class Quantity(Reader):
     """A number with a unit of one of ``dimensions``, or ``word`` if that is allowed in its place."""
 
     def __init__(
@@ -103,7 +105,7 @@ class Quantity(_Reader):
         return rf"^\s*{number}\s*({'|'.join(_unit_pattern(unit) for unit in units)})\s*$"
 
 
-class Number(_Reader):
+class Number(Reader):
     """A number without a unit, within limits; a quotient in quotes such as ``"1/25"`` is one as well."""
 
     def __init__(
@@ -183,7 +185,7 @@ class PolarForm:
         return [place.real, place.imag]
 
 
-class Name(_Reader):
+class Name(Reader):
     """A name of a point or joint: a Latin letter, then letters, digits, ``_`` or ``'``."""
 
     def __init__(self, noun: str) -> None:
@@ -224,7 +226,7 @@ class Words(Name):
         return {"type": "string", "pattern": f"^{self.PATTERN}$", "description": f"Name of a {self.noun}."}
 
 
-class Label(_Reader):
+class Label(Reader):
     """A position of the grid: its number, or its label, such as ``"6'"`` for the first one added after 6."""
 
     PATTERN = "(0|[1-9][0-9]{0,6})'*"
@@ -242,7 +244,7 @@ class Label(_Reader):
         return {"anyOf": kinds, "description": "Number or label of a position."}
 
 
-class QualityGrade(_Reader):
+class QualityGrade(Reader):
     """A balance quality grade in mm/s: ``"G6.3"``, or its number."""
 
     PATTERN = r"\s*G\s*([0-9]+\.?[0-9]*|\.[0-9]+)\s*"

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from .shafts import ShaftTable
     from .springs import SpringTable
     from .torque import TorqueTable
+    from .train import TrainTable
     from .transients import TransientTable
     from .transmission import TransmissionTable
 else:
@@ -39,6 +40,7 @@ else:
     ShaftTable = late("shafts", "ShaftTable")
     SpringTable = late("springs", "SpringTable")
     TorqueTable = late("torque", "TorqueTable")
+    TrainTable = late("train", "TrainTable")
     TransientTable = late("transients", "TransientTable")
     TransmissionTable = late("transmission", "TransmissionTable")
 
@@ -66,6 +68,7 @@ class Spec(Table):
     balance: BalanceTable | None = Field(default=None, description="Balancing of the linkage.")
     engine: EngineTable | None = Field(default=None, description="Balance of an engine with several cranks.")
     rotor: RotorTable | None = Field(default=None, description="Static and two-plane balancing of a rotor.")
+    train: TrainTable | None = Field(default=None, description="The gear train: layout, ratio, tooth numbers.")
 
     @property
     def linkage(self) -> MechanismTable:

@@ -47,7 +47,10 @@ class TransientTable(Table):
     """One motion in time: how it begins, what is switched, what ends it, how it is integrated."""
 
     name: TransientName | None = Field(default=None, description='Name, unique (default: "transient", "transient 2").')
-    duration: Duration = Field(description="The motion ends here at the latest.")
+    duration: Duration | None = Field(
+        default=None,
+        description="The motion ends here at the latest (default: when it repeats itself from cycle to cycle).",
+    )
     start_speed: Speed = Field(default=0.0, description="Speed of the crank at the beginning.")
     begin: Literal["steady"] | None = Field(
         default=None, alias="from", description='"steady": begin in the steady motion, at position 0.'
@@ -68,7 +71,7 @@ class TransientTable(Table):
     standstill: Literal["stop", "pass"] = Field(
         default="stop", description="At rest the load only resists, or may drive the crank backwards."
     )
-    method: Literal["auto", "merson", "rk4", "RK45", "DOP853", "LSODA", "Radau", "BDF"] = Field(
+    method: Literal["auto", "merson", "rk4", "collocation", "RK45", "DOP853", "LSODA", "Radau", "BDF"] = Field(
         default="auto", description="Method of integration; auto picks by stiffness."
     )
     step: Duration | None = Field(default=None, description="Fixed step of rk4, or of merson.")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
+from fractions import Fraction
 from functools import cache
 from types import UnionType
 from typing import Any, Union, get_args, get_origin, get_type_hints
@@ -41,6 +42,8 @@ def plain(value: Any, arrays: dict[str, np.ndarray] | None = None, path: str = "
         return {str(k): plain(v, arrays, f"{path}.{k}") for k, v in value.items() if v is not None}
     if isinstance(value, tuple | list):
         return [plain(v, arrays, f"{path}.{k}") for k, v in enumerate(value)]
+    if isinstance(value, Fraction):
+        return str(value)
     return [value.real, value.imag] if isinstance(value, complex) else value
 
 
@@ -71,6 +74,8 @@ def restore(kind: Any, data: Any, arrays: Mapping[str, np.ndarray] | None = None
         return tuple(restore(a, v, arrays, f"{path}.{k}") for k, (a, v) in enumerate(zip(kinds, data, strict=True)))
     if origin is dict:
         return {k: restore(args[1], v, arrays, f"{path}.{k}") for k, v in data.items()}
+    if kind is Fraction:
+        return Fraction(data)
     return complex(*data) if kind is complex else data
 
 

@@ -28,13 +28,31 @@ def inputs(spec: Spec) -> Given:
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Flywheel:
     """All methods, and the wheel itself."""
     from tmmcalc.machine.flywheel.task import solve_flywheel
-    from tmmcalc.stages.shaft import constant_inertia, driver, mean_speed, shaft_ratio
+    from tmmcalc.stages.shaft import (
+        constant_inertia,
+        driver,
+        equal_steps,
+        mean_speed,
+        motor_ratio,
+        sense,
+        shaft_ratio,
+    )
 
     task, wish, gears, motion = given
     at_hand = constant_inertia(upstream, gears, motion)
     moved = driver(upstream, wish, gears, motion)
-    cycle, speed = upstream["reduction"].cycle, mean_speed(upstream, motion)
-    return solve_flywheel(cycle, at_hand, task, moved, speed, shaft_ratio(task, upstream["power"]))
+    reduction, power = upstream["reduction"], upstream["power"]
+    return solve_flywheel(
+        reduction.cycle,
+        at_hand,
+        task,
+        moved,
+        mean_speed(upstream, motion),
+        shaft_ratio(task, power, gears),
+        motor_ratio=motor_ratio(power, gears),
+        steps=equal_steps(reduction),
+        sense=sense(reduction),
+    )
 
 
 def dump(result: Flywheel) -> Record:

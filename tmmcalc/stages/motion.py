@@ -37,7 +37,7 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
     return solve_motion(
         reduction.cycle,
         reduction.idle,
-        constant_inertia(upstream, gears, task, flywheel_inertia(upstream, wheel)),
+        constant_inertia(upstream, gears, task, flywheel_inertia(upstream, wheel, gears)),
         driver(upstream, wish, gears, task),
         mean_speed(upstream, task),
         (reduction.labels, reduction.phi, theta),

@@ -28,6 +28,7 @@ def inputs(spec: Spec) -> tuple[MotorChoice | None, Gears]:
 def solve(given: tuple[MotorChoice | None, Gears], upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Power:
     """Work and power of the cycle, and how the motor stands to them."""
     from tmmcalc.machine.power import WorkPart, chosen_motor, duty_of, solve_power
+    from tmmcalc.stages.shaft import sense
 
     wish, gears = given
     reduction: Reduction = upstream["reduction"]
@@ -36,19 +37,20 @@ def solve(given: tuple[MotorChoice | None, Gears], upstream: Mapping[str, Any], 
         WorkPart(c.name, c.kind, c.work, float(all_of_it))
         for c, all_of_it in zip(reduction.contributions, turnover, strict=True)
     )
-    power = solve_power(reduction.cycle, parts, gears.efficiency)
+    power = solve_power(reduction.cycle, parts, gears.efficiency, sense(reduction))
     if wish is None:
         return power
     speed = reduction.cycle.speed
     if wish.motor is not None:
         ratio = gears.ratio or wish.motor.speed / speed
-        return replace(power, duty=duty_of(power, wish.motor, ratio, (), False))
+        return replace(power, duty=duty_of(power, wish.motor, ratio, (), False, wish.characteristic))
     from tmmcalc.machine.motors.catalogue import load_catalogue
+    from tmmcalc.machine.motors.model import with_lag
 
     choice = chosen_motor(power, wish.catalogue or load_catalogue(), speed, gears.ratio, wish.synchronous)
-    motor = replace(choice.motor, time_constant=wish.time_constant)
+    motor = with_lag(choice.motor, wish.time_constant)
     ratio = gears.ratio or motor.speed / speed
-    return replace(power, duty=duty_of(power, motor, ratio, choice.reasons, True))
+    return replace(power, duty=duty_of(power, motor, ratio, choice.reasons, True, wish.characteristic))
 
 
 def dump(result: Power) -> Record:

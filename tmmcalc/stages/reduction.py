@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.linkage.reduction.columns import columns
+from tmmcalc.linkage.reduction.columns import EFFICIENCY, cells, columns
 from tmmcalc.linkage.reduction.results import Reduction
 from tmmcalc.machine.model import TorqueTask
 from tmmcalc.pipeline.stage import Record, Table
@@ -39,8 +39,8 @@ def inputs(spec: Spec) -> Given:
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Reduction:
     """Reduce everything to the input link."""
     if isinstance(given, TorqueTask):
-        from tmmcalc.linkage.reduction.diagram import reduced_diagram
         from tmmcalc.machine.diagram.task import cycle_of
+        from tmmcalc.stages.diagram import reduced_diagram
 
         return reduced_diagram(given.name, cycle_of(given))
     from tmmcalc.linkage.reduction.reduce import solve_reduction  # a stored result is loaded without it
@@ -61,6 +61,12 @@ def load(record: Record) -> Reduction:
 
 
 def table(result: Reduction) -> Table:
-    """All columns, one row a position."""
+    """All columns, one row a position; one with blanks is written as text."""
     chosen = columns(result)
-    return Table(["i", *(c.header for c in chosen)], [np.array(result.labels), *(c.make() for c in chosen)])
+    written = [_written(cells(result, c)) if c.name == EFFICIENCY else c.make() for c in chosen]
+    return Table(["i", *(c.header for c in chosen)], [np.array(result.labels), *written])
+
+
+def _written(values: list[float | str]) -> np.ndarray:
+    """The cells as texts of full precision (n,)."""
+    return np.array([value if isinstance(value, str) else repr(value) for value in values])

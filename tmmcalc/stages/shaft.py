@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
+
+import numpy as np
 
 from tmmcalc.linkage.reduction.results import Reduction
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
 from tmmcalc.machine.flywheel.task import Flywheel
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
 from tmmcalc.machine.power import Power
+
+EQUAL = 1e-9  # relative difference of steps that count as equal
 
 
 def driver(upstream: Mapping[str, Any], wish: MotorChoice | None, gears: Gears, task: MotionTask) -> Driver | None:
@@ -30,17 +35,32 @@ def constant_inertia(
     return ConstantInertia(rotor, gears.inertia, task.inertia, flywheel)
 
 
-def shaft_ratio(task: FlywheelTask, power: Power) -> float:
+def sense(reduction: Reduction) -> float:
+    """1, or -1 where the input turns clockwise: places are told by its coordinate."""
+    return math.copysign(1.0, reduction.phi[-1] - reduction.phi[0])
+
+
+def equal_steps(reduction: Reduction) -> int | None:
+    """Number of equal steps of the positions over the whole cycle; None if they differ, or are too few."""
+    steps, n = np.abs(np.diff(reduction.phi)), len(reduction.phi) - 1
+    step = reduction.cycle.period / max(n, 1)
+    return n if n > 2 and float(np.max(np.abs(steps - step))) < EQUAL * step else None
+
+
+def motor_ratio(power: Power, gears: Gears) -> float | None:
+    """Speed of the motor's shaft over that of the input shaft; None if there is none."""
+    return power.duty.ratio if power.duty is not None else gears.ratio
+
+
+def shaft_ratio(task: FlywheelTask, power: Power, gears: Gears) -> float:
     """Speed of the flywheel's shaft over that of the input shaft."""
-    if task.shaft == "motor" and power.duty is not None:
-        return power.duty.ratio
-    return task.ratio or 1.0
+    return (motor_ratio(power, gears) if task.shaft == "motor" else task.ratio) or 1.0
 
 
-def flywheel_inertia(upstream: Mapping[str, Any], wheel: FlywheelTask | None) -> float:
+def flywheel_inertia(upstream: Mapping[str, Any], wheel: FlywheelTask | None, gears: Gears) -> float:
     """Inertia at the input shaft of the flywheel that is there, or else of the one that was found [kg*m^2]."""
     if wheel is not None and wheel.inertia:
-        return wheel.inertia * shaft_ratio(wheel, upstream["power"]) ** 2
+        return wheel.inertia * shaft_ratio(wheel, upstream["power"], gears) ** 2
     found: Flywheel | None = upstream.get("flywheel")
     return found.addition if found is not None else 0.0
 

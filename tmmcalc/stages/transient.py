@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tmmcalc.errors import NoSolutionError
 from tmmcalc.machine.model import DriveShaft, FlywheelTask, Gears, MotionTask, MotorChoice, TransientTask
 from tmmcalc.machine.transient.columns import timed_columns
 from tmmcalc.machine.transient.timed import TimedMotions
@@ -15,12 +17,15 @@ from tmmcalc.pipeline.stage import Record, Table
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
+    from tmmcalc.linkage.loading import Loading
+    from tmmcalc.linkage.model import Mechanism
     from tmmcalc.linkage.reduction.results import Reduction
     from tmmcalc.machine.cycle import Cycle
     from tmmcalc.machine.motors.characteristics import Characteristic
     from tmmcalc.machine.power import MotorDuty
     from tmmcalc.spec import Spec
 
+Linkage = tuple["Mechanism", "Loading", str]
 Given = tuple[
     tuple[TransientTask, ...],
     tuple[DriveShaft, ...],
@@ -28,11 +33,17 @@ Given = tuple[
     Gears,
     MotionTask,
     FlywheelTask | None,
+    Linkage | None,
 ]
+
+POSITIONAL = (
+    '[motion] drive = "positional" holds for the steady motion; motions in time take the motor, also for the steady '
+    "motion that they begin in"
+)
 
 
 def inputs(spec: Spec) -> Given:
-    """The scenarios, the shafts, the motor, the gears, the constant inertia, a flywheel that is there."""
+    """The scenarios, shafts, motor, gears, constant inertia, a flywheel, a linkage that may turn back."""
     from tmmcalc.spec.machine import to_flywheel, to_gears, to_motion, to_motor, to_scenarios, to_shafts
 
     return (
@@ -42,7 +53,18 @@ def inputs(spec: Spec) -> Given:
         to_gears(spec),
         to_motion(spec),
         to_flywheel(spec),
+        _linkage(spec),
     )
+
+
+def _linkage(spec: Spec) -> Linkage | None:
+    """The linkage whose friction is reduced again where a motion may turn the crank back."""
+    if spec.mechanism is None or all(transient.standstill == "stop" for transient in spec.transients):
+        return None
+    from tmmcalc.stages.reduction import inputs as reduced
+
+    given = reduced(spec)
+    return given if isinstance(given, tuple) else None
 
 
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> TimedMotions:
@@ -50,22 +72,38 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
     from tmmcalc.machine.transient.task import Machine, solve_transients
     from tmmcalc.stages.shaft import constant_inertia, driver, flywheel_inertia, mean_speed
 
-    tasks, shafts, wish, gears, motion, wheel = given
+    tasks, shafts, wish, gears, motion, wheel, linkage = given
     reduction, duty = upstream["reduction"], upstream["power"].duty
     wish = _whole_curve(wish, duty)
-    moved = driver(upstream, wish, gears, motion)
+    moved = driver(upstream, wish, gears, replace(motion, positional=False))
+    rubs = any(part.kind == "friction" for part in reduction.contributions)
     machine = Machine(
         cycle=reduction.cycle,
-        idle=_idle(reduction),
-        inertia=constant_inertia(upstream, gears, motion, flywheel_inertia(upstream, wheel)),
+        idle=_idle(reduction, tasks),
+        inertia=constant_inertia(upstream, gears, motion, flywheel_inertia(upstream, wheel, gears)),
         motor=_on_motor_shaft(duty, wish, gears),
         reduced=moved.characteristic if moved is not None else None,
         time_constant=moved.time_constant if moved is not None else 0.0,
         ratio=duty.ratio if duty is not None else 1.0,
         shafts=shafts,
         wheel_at_motor=wheel is not None and wheel.shaft == "motor",
+        back=partial(back_of, linkage, reduction) if rubs else None,
+        notes=(POSITIONAL,) if motion.positional and moved is not None else (),
     )
     return solve_transients(machine, tasks, mean_speed(upstream, motion))
+
+
+def back_of(linkage: Linkage | None, reduction: Reduction) -> tuple[Cycle, Cycle | None]:
+    """Both cycles of the crank turned back; it is never asked for where it may not turn back."""
+    if linkage is None:
+        return reduction.cycle, reduction.idle
+    from tmmcalc.linkage.kinematics import solve_kinematics
+    from tmmcalc.linkage.reduction.reduce import solve_back
+    from tmmcalc.linkage.structure import solve_structure
+
+    mechanism, loading, rods = linkage
+    cycle, idle = solve_back(mechanism, loading, solve_kinematics(mechanism, solve_structure(mechanism)), rods)
+    return cycle, idle if reduction.idle is not None else cycle
 
 
 def _whole_curve(wish: MotorChoice | None, duty: MotorDuty | None) -> MotorChoice | None:
@@ -80,10 +118,27 @@ def _whole_curve(wish: MotorChoice | None, duty: MotorDuty | None) -> MotorChoic
     return replace(wish, characteristic="kloss") if duty.motor.kind == "induction" else wish
 
 
-def _idle(reduction: Reduction) -> Cycle | None:
-    """The cycle that a load factor of zero leaves: without technological loads there is nothing to switch off."""
-    loads = any(part.kind == "load" for part in reduction.contributions)
-    return reduction.idle if loads else reduction.cycle
+def _idle(reduction: Reduction, tasks: Sequence[TransientTask]) -> Cycle | None:
+    """The cycle that a load factor of zero leaves: without technological loads there is nothing to switch off.
+
+    Raises `NoSolutionError` for a load factor other than one where friction locks the machine without its loads.
+    """
+    kinds = {part.kind for part in reduction.contributions}
+    if "load" not in kinds:
+        return reduction.cycle
+    if reduction.idle is None and "friction" in kinds:
+        for task in tasks:
+            factor = next((step.factor for step in task.scenario.load if step.factor != 1), None)
+            if factor is not None:
+                raise NoSolutionError(
+                    f"the load factor {factor:g} has no meaning: without its loads friction locks the machine, so that "
+                    "there is no idle run to go from",
+                    where=f"transient motion, scenario {task.scenario.name}",
+                    value=factor,
+                    limit=1.0,
+                    remedy="keep load = 1 and leave load_steps out, or lessen the friction coefficients",
+                )
+    return reduction.idle
 
 
 def _on_motor_shaft(duty: MotorDuty | None, wish: MotorChoice | None, gears: Gears) -> Characteristic | None:

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from tmmcalc.spec import Spec
 
 TURN = 2 * math.pi
+SLIDES = "the input is a driven slider: its motion is no cycle"
 
 
 def structure(spec: Spec) -> str | None:
@@ -45,6 +46,8 @@ def power(spec: Spec) -> str | None:
 
 def flywheel(spec: Spec) -> str | None:
     """A flywheel is asked for by the unevenness that it has to keep."""
+    if _slides(spec):
+        return SLIDES
     if spec.flywheel is None:
         return "no [flywheel]: no unevenness to keep"
     if spec.flywheel.delta is None:
@@ -54,6 +57,8 @@ def flywheel(spec: Spec) -> str | None:
 
 def motion(spec: Spec) -> str | None:
     """The speed varies where kinetic energy is stored and something acts; without a drive it is that of the input."""
+    if _slides(spec):
+        return SLIDES
     begun = any(transient.begin == "steady" for transient in spec.transients)
     if spec.motor is None and spec.motion is None and spec.flywheel is None and not begun:
         return "no [motor]: the speed is constant"
@@ -79,6 +84,11 @@ def balance(spec: Spec) -> str | None:
     return "no masses: nothing shakes the foundation" if not _masses(spec) else _acyclic(spec)
 
 
+def train(spec: Spec) -> str | None:
+    """Tooth numbers are those of a train that is asked for."""
+    return "no [train]: no tooth numbers are asked for" if spec.train is None else None
+
+
 def shakes(spec: Spec) -> bool:
     """Whether the spec has a linkage with masses whose crank turns fully."""
     return _masses(spec) and _acyclic(spec) is None
@@ -94,12 +104,16 @@ def _masses(spec: Spec) -> bool:
     return spec.mechanism is not None and any(link.mass or link.inertia for link in spec.mechanism.links)
 
 
+def _slides(spec: Spec) -> bool:
+    joints, driven = (spec.mechanism.joints, spec.mechanism.input.joint) if spec.mechanism is not None else ((), "")
+    return any(joint.name == driven and joint.kind == "prismatic" for joint in joints)
+
+
 def _acyclic(spec: Spec) -> str | None:
     if spec.mechanism is None:
         return structure(spec)
-    drive = next((joint for joint in spec.mechanism.joints if joint.name == spec.mechanism.input.joint), None)
-    if drive is not None and drive.kind == "prismatic":
-        return "the input is a driven slider: its motion is no cycle"
+    if _slides(spec):
+        return SLIDES
     span = spec.mechanism.grid.span
     if span is not None and abs(span - TURN) > 1e-9:
         return "grid.span is not a full turn: the motion is no cycle"

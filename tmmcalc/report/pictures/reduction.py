@@ -42,7 +42,7 @@ def reduction_figure(result: Reduction) -> Figure:
         diagram.draw(axes, ticks=25)
     title = "with the work $A$\n" + ("of a cycle" if result.whole else "over the range")
     diagrams[0].legend(panels[0], 1, title=title, **BESIDE)
-    _draw_lumped(panels[1], result, diagrams[1])
+    _draw_other(panels[1], result, diagrams[1])
     bottom(panels, result.turns)
     settle(figure)
     for axes, diagram in zip(panels, diagrams, strict=True):
@@ -108,15 +108,16 @@ def _slope(result: Reduction) -> Diagram:
     return _diagram(result, symbol, unit, (Line("", with_limits(panels, slope), result.slope, CURVES[0], marks),))
 
 
-def _draw_lumped(axes: Axes, result: Reduction, diagram: Diagram) -> None:
-    """The inertia with the rods lumped statically, at the positions alone; nothing where it is the same."""
-    lumped, factor = result.lumped, diagram.scale[0]
-    if lumped is None or np.max(np.abs(lumped - result.inertia)) <= NOISE * np.max(lumped):
+def _draw_other(axes: Axes, result: Reduction, diagram: Diagram) -> None:
+    """The inertia with the rods the other way, at the positions alone; nothing where it is the same."""
+    other, factor = result.other, diagram.scale[0]
+    if other is None or np.max(np.abs(other - result.inertia)) <= NOISE * np.max(other):
         return
-    rods = ", ".join(map(str, result.rods))
-    label = f"link{'s' if len(result.rods) > 1 else ''} {rods} lumped\nin the pins"
-    axes.plot(coordinate(result.turns, result.phi), lumped * factor, label=label, **LUMPED)
-    handles = [Line2D([], [], label="exact", linewidth=1.3, **CURVES[0]), Line2D([], [], label=label, **LUMPED)]
+    rods = ", ".join(map(str, result.rod_links))
+    lumped = f"link{'s' if len(result.rod_links) > 1 else ''} {rods} lumped\nin the pins"
+    own, label = ("exact", lumped) if result.rods == "exact" else (lumped, "exact")
+    axes.plot(coordinate(result.turns, result.phi), other * factor, label=label, **LUMPED)
+    handles = [Line2D([], [], label=own, linewidth=1.3, **CURVES[0]), Line2D([], [], label=label, **LUMPED)]
     axes.legend(handles=handles, handlelength=3, **BESIDE)
 
 

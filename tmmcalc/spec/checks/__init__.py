@@ -71,6 +71,7 @@ _OF_TABLE = {
     "balance": ("balance",),
     "engine": ("engine",),
     "rotor": ("rotor",),
+    "train": ("train",),
 }
 
 

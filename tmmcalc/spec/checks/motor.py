@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from tmmcalc.spec.findings import Finding
@@ -45,6 +46,8 @@ _OF_KIND = {
     "shunt": ("shunt",),
     "series": ("series",),
 }
+# What is missing for the characteristic as well, which tells it.
+_TOLD = tuple((key, form) for form in ("parabolic", "linear", "kloss") for way in _NEEDS[form] for key in way)
 _LEAST_BARE = 20.0  # W: a smaller bare power is kW in disguise
 _SPEEDS = ("speed", "synchronous_speed", "no_load_speed")
 
@@ -143,6 +146,28 @@ def _kind_is(kind: str) -> str:
     return f'kind = "{kind}"'
 
 
+def check_lag(outline: Outline) -> Iterator[Finding]:
+    """The time constant by the formula asks for the critical slip of an induction motor."""
+    motor = subtable(outline.document, "motor")
+    if motor.get("time_constant") != "auto":
+        return
+    kind = word(motor, "kind", "induction")
+    if kind in _USUAL and kind != "induction":
+        yield Finding(
+            ("motor", "time_constant"),
+            f'"auto" is for an induction motor, not for {_article(kind)} one: it follows from the critical slip',
+            'write a time, such as "20 ms"',
+        )
+        return
+    for key in ("synchronous_speed", "overload") if "power" in motor else ():
+        if key not in motor and (key, word(motor, "characteristic", "parabolic")) not in _TOLD:
+            yield Finding(
+                ("motor", key),
+                f'missing key: time_constant = "auto" follows from the critical slip, which needs {key}',
+                f"add {key} = {_EXAMPLES[key]}",
+            )
+
+
 def check_bare_numbers(outline: Outline) -> Iterator[Finding]:
     """Speeds in rpm and a power in kW say so: their bare numbers stand out."""
     motor = subtable(outline.document, "motor")
@@ -170,6 +195,21 @@ def check_order(outline: Outline) -> Iterator[Finding]:
             )
 
 
+def check_circuit(outline: Outline) -> Iterator[Finding]:
+    """A shunt motor runs slower under load than its voltage and its constant let it run without."""
+    motor = subtable(outline.document, "motor")
+    rated = amount(motor.get("speed"), "angular speed")
+    voltage, constant = amount(motor.get("voltage"), "voltage"), amount(motor.get("constant"), "motor constant")
+    if rated is None or not voltage or not constant or constant < 0 or rated < voltage / constant:
+        return
+    yield Finding(
+        ("motor", "constant"),
+        f"no-load speed U/k = {voltage / constant * 30 / math.pi:.6g} rpm is not above the rated speed "
+        f"{show(motor['speed'])}",
+        "check voltage and constant: a shunt motor of 220 V and 1.4 V*s/rad runs at 1500 rpm without load",
+    )
+
+
 def check_curve(outline: Outline) -> Iterator[Finding]:
     """A characteristic by points has one moment for each speed, and its speeds ascend."""
     table = subtable(subtable(outline.document, "motor"), "table")
@@ -190,4 +230,4 @@ def check_curve(outline: Outline) -> Iterator[Finding]:
         )
 
 
-CHECKS = (check_source, check_characteristic, check_bare_numbers, check_order, check_curve)
+CHECKS = (check_source, check_characteristic, check_lag, check_bare_numbers, check_order, check_circuit, check_curve)

@@ -1,0 +1,61 @@
+"""Groups of commands whose modules are imported when a command runs, not for ``--help``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib import import_module
+from typing import Any, ClassVar
+
+import typer
+from typer.core import TyperGroup
+
+
+class LateGroup(TyperGroup):
+    """A group whose commands are loaded late from a static table of module and help by name.
+
+    The module has a function ``command``, or an application ``group`` that is a group in its turn.
+    """
+
+    table: ClassVar[Mapping[str, tuple[str, str]]] = {}
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        """Names in the order of work."""
+        return list(self.table)
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        """Import the module of one command and build it."""
+        if cmd_name not in self.table:
+            return None
+        body = import_module(self.table[cmd_name][0])
+        if hasattr(body, "group"):
+            built = typer.main.get_command(body.group)
+            built.name = cmd_name
+            return built
+        command = typer.Typer(add_completion=False, rich_markup_mode=None)
+        command.command(name=cmd_name)(body.command)
+        return typer.main.get_command(command)
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """Refuse an unknown command with the nearest known one, without importing any."""
+        known = not args or args[0] in self.table or args[0].startswith("-")
+        if not known and not ctx.resilient_parsing:  # resilient: the shell asks for completions
+            from tmmcalc.errors import UsageError
+
+            raise UsageError(f"no command is called {args[0]!r}", remedy=_what_was_meant(args[0], self.table, ctx))
+        return super().resolve_command(ctx, args)
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        """List the commands from the table."""
+        with formatter.section("Commands"):
+            formatter.write_dl([(name, text) for name, (_, text) in self.table.items()])
+
+
+def _what_was_meant(name: str, table: Mapping[str, tuple[str, str]], ctx: Any) -> str:
+    from difflib import get_close_matches
+
+    if name.endswith(".toml"):
+        first = "run" if "run" in table else next(iter(table))
+        return f"the command comes first: {ctx.command_path} {first} {name}"
+    close = get_close_matches(name, table, 1)
+    hint = f"did you mean {close[0]}? " if close else ""
+    return f"{hint}commands: {', '.join(table)}"

@@ -1,0 +1,96 @@
+"""The columns of tooth sets: wheels, proportion of modules, ratio and its error, and what the constraints look at."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from tmmcalc.columns import degrees
+from tmmcalc.gears.model import ToothSets, TrainTask, Values
+from tmmcalc.gears.search import measures
+from tmmcalc.gears.train import Request, Trains, Variant
+
+NO, YES = "no", "yes"
+
+
+def set_columns(variant: Variant) -> dict[str, np.ndarray]:
+    """Every column of the sets of a variant by its header, in the order of a reader's interest."""
+    request, sets = variant.request, variant.sets
+    task = request.task
+    columns: dict[str, np.ndarray] = {f"z_{wheel}": sets.of(wheel) for wheel in sets.scheme.wheels}
+    if sets.scheme.branched and sets.scheme.stages > 1:
+        columns |= {f"mu_{stage + 1}": sets.modules[:, stage] for stage in range(sets.scheme.stages)}
+    ratio, error = ratios(request, sets)
+    columns |= {request.kind: ratio, "error[%]": 100 * error, "coprime": _said(measures.coprime_meshes(sets))}
+    if variant.textbook is not None and request.method == "complete":
+        columns["textbook"] = _said(variant.textbook)
+    columns |= dict(_of_branches(task, sets))
+    if task.module is not None and len(sets):
+        columns["a_12[m]"] = measures.distance(task, sets)
+        if sets.scheme.branched:
+            columns["D[m]"] = measures.diameter(task, sets)
+    return columns
+
+
+def ratios(request: Request, sets: ToothSets) -> tuple[Values, Values]:
+    """The ratio of its kind and its relative deviation, each rounded once where integers of 64 bits hold it.
+
+    A carrier that drives is without limit where it stands still itself: such sets are outside every tolerance.
+    """
+    numerator, denominator = measures.tooth_ratio(sets)
+    if request.kind in ("i_1H", "i_H1"):
+        numerator = denominator + request.scheme.sign * numerator
+    if request.kind == "i_H1":
+        numerator, denominator = denominator, numerator
+    p, q = request.nominal.numerator, request.nominal.denominator
+    largest = max(int(abs(part).max(initial=1)) for part in (numerator, denominator))
+    if max(abs(p), q) * largest < 2**62:
+        return numerator / denominator, (numerator * q - p * denominator) / (p * denominator)
+    pairs = zip(numerator.tolist(), denominator.tolist(), strict=True)
+    return numerator / denominator, np.array([(n * q - p * d) / (p * d) for n, d in pairs])
+
+
+def _of_branches(task: TrainTask, sets: ToothSets) -> Iterator[tuple[str, np.ndarray]]:
+    """What planets and a common axis ask for."""
+    if not sets.scheme.branched:
+        return
+    if sets.planets > 2 and task.demands.gap is not None:
+        # the room beyond the gap asked for; with the gap it is what a caliper would find
+        yield "gap[module]", measures.room(task, sets) + float(task.demands.gap if sets.layout != "2A-AA" else 0)
+    if task.demands.largest_angle is not None:
+        yield "alpha_max[deg]", degrees(sets.angles.max(axis=1))
+    elif sets.layout in ("coaxial", "AA", "AI"):
+        yield "e", (sets.of("1") + sets.of("2")) // sets.modules[:, 1]
+    if sets.planets > 1:
+        number = measures.assembly_number(sets)
+        yield "assembly", number.astype(np.int64) if task.demands.assembly else number
+
+
+def _said(mask: np.ndarray) -> np.ndarray:
+    return np.where(mask, YES, NO)
+
+
+def stacked(trains: Trains) -> dict[str, np.ndarray]:
+    """The columns of all variants, one after the other; what a layout has not is blank in its rows."""
+    tables = [{**_named(variant), **set_columns(variant)} for variant in trains.variants if len(variant.sets)]
+    headers = dict.fromkeys(header for table in tables for header in table)
+    ordered = sorted(headers, key=lambda header: not header.startswith(("layout", "planets", "z_")))
+    return {header: _column([table.get(header) for table in tables], tables) for header in ordered}
+
+
+def _named(variant: Variant) -> dict[str, np.ndarray]:
+    count = len(variant.sets)
+    return {"layout": np.full(count, variant.request.task.layout), "planets": np.full(count, variant.sets.planets)}
+
+
+def _column(parts: list[np.ndarray | None], tables: list[dict[str, np.ndarray]]) -> np.ndarray:
+    """One column; of parts that are absent or texts it is text."""
+    if all(part is not None for part in parts):
+        return np.concatenate([part for part in parts if part is not None])
+    blanks = (np.full(len(table["layout"]), "") for table in tables)
+    texts = [
+        blank if part is None else np.array([str(v) for v in part.tolist()])
+        for part, blank in zip(parts, blanks, strict=True)
+    ]
+    return np.concatenate(texts)

@@ -1,0 +1,199 @@
+"""Permissible stresses of a wheel by its material: endurance limits, safety and load factors (steps 2 to 5 of 9.1).
+
+    sigma_HP = sigma_Hlim / S_H                       D.4.4, D.4.5
+    sigma_FP = sigma_Flim^0 K_FC / (S_F' S_F'')       D.4.3, D.4.7, D.4.6
+
+Long life: K_HL = K_FL = 1. A hardness outside the rows of all tables that give a limit is an error; outside one of
+two it is a warning.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from tmmcalc.errors import UsageError
+from tmmcalc.gears.strength.coefficient import Coefficient
+from tmmcalc.gears.strength.hardness import Hardness
+from tmmcalc.gears.strength.material import Material
+from tmmcalc.gears.strength.steels import check_steel, known, latin, steel_key
+from tmmcalc.gears.strength.tables import (
+    ANY,
+    BendingRow,
+    BlankSafety,
+    ContactRow,
+    ContactSafety,
+    LoadSides,
+    table,
+)
+from tmmcalc.records import record
+
+MPA = 1e6  # [Pa]
+GIVEN = "given"
+USUAL_SAFETY = 1.75  # S_F' of most rows of D.4.3, for a limit that is given
+
+
+@record
+class Endurance:
+    """Permissible stresses of one wheel."""
+
+    permissible_contact: float  # [Pa]
+    permissible_bending: float  # [Pa]
+    coefficients: tuple[Coefficient, ...] = ()
+    warnings: tuple[str, ...] = ()
+
+
+class _Limit(NamedTuple):
+    value: float  # [Pa]
+    source: str
+    row: BendingRow | ContactRow | None = None
+
+
+def endurance(material: Material, load: str, of: str) -> Endurance:
+    """Permissible stresses of a wheel that is loaded "one-sided" or "two-sided"; ``of`` names it in messages.
+
+    Raises `UsageError` for a steel, treatment or hardness that the tables do not have. Textbook D.4.3 to D.4.7.
+
+    >>> from tmmcalc.gears.strength.hardness import Hardness
+    >>> found = endurance(Material("improved", Hardness(300, "HB"), "40Kh"), "two-sided", "wheel 1")
+    >>> round(found.permissible_contact / 1e6, 1), round(found.permissible_bending / 1e6, 1)
+    (609.1, 200.6)
+    """
+    contact, bending = _contact_limit(material, of), _bending_limit(material, of)
+    warnings = _check_range(material, [contact.row, bending.row], of)
+    safety = next(row for row in table(ContactSafety) if row.structure == material.built)
+    s_H = safety.severe if material.failure == "severe" else safety.ordinary
+    s_F1, s_F1_source = _first_safety(material, bending)
+    blank = next(row for row in table(BlankSafety) if (row.blank, row.wear) == (material.blank, material.wear))
+    sides = next(r for r in table(LoadSides) if r.load == load and (ANY in r.treatments or _treated(r, material)))
+    sigma_HP = contact.value / s_H
+    sigma_FP = bending.value * sides.factor / (s_F1 * blank.high)
+    widest = f"; the largest of {blank.low:g} to {blank.high:g}" if blank.low < blank.high else ""
+    coefficients = (
+        Coefficient(of, "sigma_Hlim", contact.value, "Pa", contact.source),
+        Coefficient(of, "S_H", s_H, "-", f"{safety.source}: {material.built}, {material.failure} consequences"),
+        Coefficient(of, "sigma_HP", sigma_HP, "Pa", "sigma_Hlim/S_H"),
+        Coefficient(of, "sigma_Flim^0", bending.value, "Pa", bending.source),
+        Coefficient(of, "S_F'", s_F1, "-", s_F1_source),
+        Coefficient(of, "S_F''", blank.high, "-", f"{blank.source}: {blank.blank}, wear {blank.wear}{widest}"),
+        Coefficient(of, "K_FC", sides.factor, "-", f"{sides.source}: {load} load"),
+        Coefficient(of, "sigma_FP", sigma_FP, "Pa", "sigma_Flim^0 K_FC/(S_F' S_F'')"),
+    )
+    return Endurance(sigma_HP, sigma_FP, coefficients, warnings)
+
+
+def _treated(row: BendingRow | ContactRow | LoadSides, material: Material) -> bool:
+    return material.treatment in row.treatments
+
+
+def _contact_limit(material: Material, of: str) -> _Limit:
+    if material.contact_limit is not None:
+        return _Limit(material.contact_limit, GIVEN)
+    row = next((row for row in table(ContactRow) if _treated(row, material)), None)
+    if row is None:
+        raise UsageError(
+            f"Table D.4.4 has no contact limit for {material.treatment} wheels",
+            where=of,
+            remedy="give contact_limit (sigma_Hlim)",
+        )
+    value = row.slope_mpa * _on(material.hardness, row.scale, material.treatment, of) + row.offset_mpa
+    return _Limit(value * MPA, f"{row.source} at {material.hardness}", row)
+
+
+def _bending_limit(material: Material, of: str) -> _Limit:
+    if material.bending_limit is not None:
+        return _Limit(material.bending_limit, GIVEN)
+    row = _bending_row(material, of)
+    value = row.base_protected_mpa if material.protected else row.base_mpa
+    at = ""
+    if row.slope_of == "surface":
+        value += row.slope_mpa * _on(material.hardness, row.scale, material.treatment, of)
+        at = f" at {material.hardness}"
+    elif row.slope_of == "core":
+        if material.core is None:
+            raise UsageError(
+                "the bending limit of a nitrided wheel depends on the hardness of its core",
+                where=of,
+                remedy='give core, such as "30 HRC"',
+            )
+        value += row.slope_mpa * _on(material.core, "HRC", "the core of nitrided", of)
+        at = f" with a core of {material.core}"
+    return _Limit(value * MPA, f"{row.source}, row {row.row}{at}", row)
+
+
+def _bending_row(material: Material, of: str) -> BendingRow:
+    """The row of D.4.3 that is named, or that has the steel; raises `UsageError` if there is none."""
+    rows = [row for row in table(BendingRow) if _treated(row, material)]
+    if material.row is not None:
+        named = next((row for row in rows if row.row == material.row), None)
+        if named is None:
+            said = ", ".join(row.row for row in rows) or "none"
+            what = f"{material.row!r} is not a row of Table D.4.3 for {material.treatment} wheels"
+            raise UsageError(what, where=of, remedy=f"rows: {said}")
+        return named
+    if any(row.steels == (ANY,) for row in rows):
+        return rows[0]
+    key = check_steel(material.steel, of, "name a row of the table, or give bending_limit (sigma_Flim^0)")
+    found = next((row for row in rows if key in row.steels), None)
+    if found is None:
+        steels = ", ".join(latin(steel) for row in rows for steel in row.steels) or "none"
+        raise UsageError(
+            f"Table D.4.3 has no bending limit of {latin(key)} for {material.treatment} wheels",
+            where=of,
+            remedy=f"{latin(key)} is {_either(known()[key])} there; {material.treatment} are {steels}; "
+            "or give bending_limit (sigma_Flim^0)",
+        )
+    return found
+
+
+def _first_safety(material: Material, bending: _Limit) -> tuple[float, str]:
+    if isinstance(bending.row, BendingRow):
+        row = bending.row
+        return (row.safety_protected if material.protected else row.safety), f"{row.source}, row {row.row}"
+    return USUAL_SAFETY, "of most rows of Table D.4.3, for a limit that is given"
+
+
+def _on(hardness: Hardness, scale: str, what: str, of: str) -> float:
+    """The number on the scale of a row; raises `UsageError` for another scale."""
+    if hardness.scale != scale:
+        raise UsageError(
+            f"the hardness of {what} wheels is told in {scale}; {hardness} is given",
+            where=of,
+            remedy=f"give it in {scale}",
+        )
+    return hardness.value
+
+
+def _check_range(material: Material, rows: list[BendingRow | ContactRow | None], of: str) -> tuple[str, ...]:
+    """Warnings for a row that the hardness is out of; an error if it is out of all of them."""
+    ranged = [row for row in rows if row is not None and row.scale]
+    out = [row for row in ranged if not _in_range(material, row, of)]
+    if out and len(out) == len(ranged):
+        raise UsageError(
+            f"a hardness of {material.hardness} is outside the tables: {material.treatment} wheels have "
+            f"{_either([*dict.fromkeys(map(_range, out))])}",
+            where=of,
+            value=material.hardness.value,
+            remedy="change the hardness or the treatment, or give contact_limit and bending_limit",
+        )
+    told = [f"{of}: a hardness of {material.hardness} is out of {_range(row)} ({row.source})" for row in out]
+    for row in ranged:
+        if isinstance(row, BendingRow) and material.row is None and steel_key(material.steel) in row.doubtful:
+            designation = latin(steel_key(material.steel))
+            told.append(f"{of}: the designation {designation} is doubtful in the print of Table D.4.3")
+    return tuple(told)
+
+
+def _either(words: Sequence[str]) -> str:
+    return " or ".join(words)
+
+
+def _in_range(material: Material, row: BendingRow | ContactRow, of: str) -> bool:
+    value = _on(material.hardness, row.scale, material.treatment, of)
+    return (row.low is None or row.low <= value) and (row.high is None or value <= row.high)
+
+
+def _range(row: BendingRow | ContactRow) -> str:
+    if row.low is None:
+        return f"{row.scale} {row.high:g} at most"
+    return f"{row.scale} {row.low:g} to {row.high:g}" if row.high is not None else f"{row.scale} {row.low:g} at least"

@@ -1,0 +1,134 @@
+"""The synthesis of one or several layouts: tooth sets, which of them the textbook finds, and what would help."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from fractions import Fraction
+from typing import Literal
+
+import numpy as np
+
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.gears.layouts import Layout
+from tmmcalc.gears.model import Interval, ToothSets, TrainTask
+from tmmcalc.gears.search.measures import block_of
+from tmmcalc.gears.search.relaxation import Relaxation, relaxations
+from tmmcalc.gears.search.search import KEPT, Synthesis, synthesise
+from tmmcalc.gears.stepping import stepped
+from tmmcalc.gears.trace import found_by_textbook
+from tmmcalc.records import record
+
+Told = Callable[[float, str], None]  # part of the work that is done, a few words
+
+
+@record
+class Request:
+    """What is asked of one layout with one number of planets."""
+
+    task: TrainTask
+    kind: str  # of the ratio: u, i_1H, i_H1, i_14
+    nominal: Fraction  # ratio of that kind
+    admitted: Interval  # ratios of that kind
+    relative: bool = True  # whether the tolerance was put as a part of the ratio
+    method: Literal["complete", "textbook"] = "complete"
+    keep: int = KEPT  # most sets that are held
+    remarks: tuple[str, ...] = ()  # what is unusual about the task
+
+    @property
+    def scheme(self) -> Layout:
+        """The layout itself."""
+        return self.task.scheme
+
+    @property
+    def title(self) -> str:
+        """The layout in a sentence, with the number of planets."""
+        parallel = "planets" if self.scheme.planetary else "layshafts"
+        branches = f" with {self.task.planets} {parallel if self.task.planets > 1 else parallel[:-1]}"
+        return f"{self.task.layout}{branches if self.scheme.branched else ''}"
+
+
+@record
+class Variant:
+    """The tooth sets of one layout with one number of planets."""
+
+    request: Request
+    synthesis: Synthesis
+    textbook: np.ndarray | None  # whether the textbook's program finds each set (n,); None: it has none for this task
+    relaxations: tuple[Relaxation, ...] = ()  # changes that would give sets, if there are none
+
+    @property
+    def sets(self) -> ToothSets:
+        """The sets that are held."""
+        return self.synthesis.sets
+
+
+@record
+class Trains:
+    """The variants in the order in which they were asked for."""
+
+    variants: tuple[Variant, ...]
+
+
+def solve_train(requests: tuple[Request, ...], tell: Told | None = None) -> Trains:
+    """The tooth sets of every request; raises `NoSolutionError` if none has any, with what would help."""
+    variants = tuple(_solve(request, tell) for request in requests)
+    if not any(variant.synthesis.count for variant in variants):
+        raise _no_solution(variants)
+    return Trains(variants)
+
+
+def _solve(request: Request, tell: Told | None) -> Variant:
+    title = request.title
+
+    def progress(part: float, count: int) -> None:
+        if tell is not None:
+            tell(part, f"{title}: {count} tooth sets")
+
+    by_program = request.method == "textbook"
+    synthesis = _stepped(request) if by_program else synthesise(request.task, request.keep, progress)
+    if synthesis.count:
+        return Variant(request, synthesis, found_by_textbook(request.task, synthesis.sets))
+    if tell is not None:
+        tell(1.0, f"{title}: no tooth set; seeking the least change that gives one")
+    return Variant(request, synthesis, None, relaxations(request.task))
+
+
+def _stepped(request: Request) -> Synthesis:
+    """The sets of the textbook's programs, without those that break a constraint which the programs do not know."""
+    from tmmcalc.gears.search.constraints import sieve
+    from tmmcalc.gears.search.tally import Tally
+
+    tally, found = Tally(), []
+    for proportion, sets in _programs(request.task):
+        tally.begin(len(sets))
+        block = replace(block_of(sets).join(row=np.arange(len(sets))), proportion=proportion)
+        found.append((sets, sieve(request.task, block, tally)["row"]))
+    teeth, modules, angles = (
+        np.concatenate([getattr(sets, name)[rows] for sets, rows in found]) for name in ("teeth", "modules", "angles")
+    )
+    keep, task = request.keep, request.task
+    sets = ToothSets(task.layout, teeth[:keep], modules[:keep], angles[:keep], task.planets)
+    return Synthesis(sets, len(teeth), tally.candidates, {name: n for name, n in tally.removed.items() if n})
+
+
+def _programs(task: TrainTask) -> Iterator[tuple[tuple[int, ...], ToothSets]]:
+    """The sets of each proportion of modules; planets that overlap whatever the teeth leave none."""
+    for proportion in task.proportions:
+        try:
+            yield proportion, stepped(replace(task, proportions=(proportion,))).sets
+        except NoSolutionError:
+            scheme = task.scheme
+            teeth = np.zeros((0, len(scheme.wheels)), np.int64)
+            modules, angles = np.zeros((0, scheme.stages), np.int64), np.zeros((0, len(scheme.meshes)))
+            yield proportion, ToothSets(task.layout, teeth, modules, angles, task.planets)
+
+
+def _no_solution(variants: tuple[Variant, ...]) -> NoSolutionError:
+    from tmmcalc.gears.advice import remedies, why_none
+
+    message = "\n  ".join(line for variant in variants for line in why_none(variant))
+    advice = [f"{variant.request.title}: {text}" for variant in variants for text in remedies(variant)]
+    if len(variants) == 1:
+        advice = remedies(variants[0])
+    return NoSolutionError(message, where="train", remedy="\n  -> ".join(advice))

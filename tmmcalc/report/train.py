@@ -1,0 +1,182 @@
+"""The documents of the train stage: of every variant what was asked, what the constraints removed, the tooth sets."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from tmmcalc.gears.advice import CALLED, remedies, removals, why_none
+from tmmcalc.gears.columns import YES, set_columns, stacked
+from tmmcalc.gears.model import Interval
+from tmmcalc.gears.train import Request, Trains, Variant
+from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.numbers import number
+
+ROWS, FEW = 20, 5  # rows of the table; of the summary of a whole run
+LISTED = 6  # proportions of modules that are named one by one
+
+LEGEND = {
+    "m_1:m_2": "m_1:m_2 modules of the stages",
+    "assembly": "assembly the whole number of its condition",
+    "gap[module]": "gap between the tips of neighbouring planets",
+    "alpha_max[deg]": "alpha_max largest operating pressure angle",
+    "e": "Z1 + Z2 = e m_2, m_1 and m_2 in lowest terms",
+    "textbook": "textbook whether its stepping finds the set",
+}
+
+
+def train_summary(result: Trains, title: str) -> Document:
+    """Facts, notes and the first few sets of every variant; of several variants each is a part."""
+    return train_document(result, title, rows=FEW)
+
+
+def train_document(result: Trains, title: str, *, rows: int = ROWS, everything: bool = False) -> Document:
+    """Facts, notes and the first ``rows`` sets of every variant; with ``everything`` all sets in one table instead."""
+    shown = 0 if everything else rows
+    parts = tuple(_variant_document(variant, shown) for variant in result.variants)
+    document = replace(parts[0], title=title) if len(parts) == 1 else Document(title, parts=parts)
+    if not everything:
+        return document
+    return replace(document, table=_view(stacked(result)))
+
+
+def _variant_document(variant: Variant, rows: int) -> Document:
+    view = _shown(variant, rows) if rows and len(variant.sets) else None
+    facts = (
+        *_task_facts(variant.request),
+        *_removal_facts(variant),
+        *_set_facts(variant, rows),
+        *([] if view is None else [_legend_fact(view)]),
+    )
+    more = "--format csv prints all of them"
+    return Document(variant.request.title, facts, tuple(_notes(variant)), view, wide=True, more=more)
+
+
+def _task_facts(request: Request) -> Iterator[Fact]:
+    """Layout, ratio, limits of teeth, modules."""
+    task, scheme = request.task, request.scheme
+    called = f" ({scheme.designation})" if scheme.designation not in (scheme.key, "unfolded", "coaxial") else ""
+    values: dict[str, Any] = {"layout": scheme.key}
+    if scheme.branched:
+        values["planets"] = task.planets
+    yield Fact("layout", f"{scheme.key}{called}: {scheme.title}", values)
+    yield Fact("ratio", *_ratio(request))
+    limits = task.limits
+    text = f"{limits.least} to {limits.largest}"
+    values = {"z_min": limits.least, "z_max": limits.largest}
+    if not scheme.branched:
+        text += f", pinions to {limits.largest_pinion}"
+        values["z_pinion_max"] = limits.largest_pinion
+    if scheme.rings:
+        text += f", rings {limits.least_ring} to {limits.largest_ring}"
+        values |= {"ring_min": limits.least_ring, "ring_max": limits.largest_ring}
+    if limits.largest_sum is not None:
+        text += f", Z1 + Z2 to {limits.largest_sum}"
+        values["sum_max"] = limits.largest_sum
+    yield Fact("numbers of teeth", text, values)
+    if scheme.branched and scheme.stages > 1:
+        yield _modules_fact(task.proportions)
+
+
+def _ratio(request: Request) -> tuple[str, dict[str, Any]]:
+    """The ratio as it was asked for, and the tooth ratios that this admits."""
+    kind, nominal = request.kind, float(request.nominal)
+    text = f"{kind} = {number(nominal, 10)}, {_interval(request.admitted)} admitted"
+    values = {
+        "ratio_kind": kind,
+        "ratio": nominal,
+        "ratio_exact": str(request.nominal),
+        "ratio_admitted": _ends(request.admitted),
+    }
+    if kind not in ("u", "i_14"):
+        text += f"\nU = {number(float(request.task.nominal), 10)}, {_interval(request.task.ratio)}"
+        values["U_admitted"] = _ends(request.task.ratio)
+    return text, values
+
+
+def _interval(interval: Interval) -> str:
+    return f"{number(float(interval.low), 10)} to {number(float(interval.high), 10)}"
+
+
+def _ends(interval: Interval) -> list[float]:
+    return [float(interval.low), float(interval.high)]
+
+
+def _modules_fact(proportions: tuple[tuple[int, ...], ...]) -> Fact:
+    named = [":".join(map(str, each)) for each in proportions]
+    text = ", ".join(named)
+    if len(named) > LISTED:
+        text = f"{len(named)} proportions, {named[0]} to {named[-1]}"
+    return Fact("modules m_1:m_2", text, {"module_ratios": [list(each) for each in proportions]})
+
+
+def _removal_facts(variant: Variant) -> Iterator[Fact]:
+    """The candidates, and what each constraint removed of those that came to it."""
+    synthesis = variant.synthesis
+    steps = removals(variant)
+    by_program = variant.request.method == "textbook"
+    what = "found by the textbook's program" if by_program else "combinations of wheels"
+    yield Fact(
+        "candidates",
+        f"{synthesis.candidates} {what}",
+        {"candidates": synthesis.candidates, "removed": {name: removed for name, removed, _ in steps}},
+    )
+    for name, removed, left in steps:
+        yield Fact(f"- {CALLED[name]}", f"removed {removed} of {left}")
+
+
+def _set_facts(variant: Variant, rows: int) -> Iterator[Fact]:
+    """How many sets there are, and how many of them are held, coprime, in the textbook's way, in the table."""
+    synthesis, held = variant.synthesis, len(variant.sets)
+    values: dict[str, Any] = {"count": synthesis.count, "held": held}
+    if not held:
+        yield Fact("tooth sets", "none", values)
+        return
+    columns = set_columns(variant)
+    of_them = "" if synthesis.complete else f" of the {held} held"
+    lines = [f"{synthesis.count}"]
+    for header, words in (("coprime", "with coprime meshes"), ("textbook", "found by the textbook's stepping")):
+        if header in columns:
+            values[header] = int(np.count_nonzero(columns[header] == YES))
+            lines.append(f"{values[header]}{of_them} {words}")
+    yield Fact("tooth sets", "\n".join(lines), values)
+    if 0 < rows < held:
+        yield Fact("rows", f"the first {rows} of {held} by Z1 + Z2; --rows for more, --format csv for all")
+
+
+def _shown(variant: Variant, rows: int) -> View:
+    """The first rows, the proportion of modules in one column."""
+    columns: dict[str, np.ndarray] = {}
+    every = {header: column[:rows] for header, column in set_columns(variant).items()}
+    for header, column in every.items():
+        if header == "mu_1":
+            pairs = zip(column.tolist(), every["mu_2"].tolist(), strict=True)
+            columns["m_1:m_2"] = np.array([f"{first}:{second}" for first, second in pairs])
+        elif header != "mu_2":
+            columns[header] = column
+    return _view(columns)
+
+
+def _view(columns: dict[str, np.ndarray]) -> View:
+    return View(list(columns), [column.tolist() for column in columns.values()])
+
+
+def _legend_fact(view: View) -> Fact:
+    """What stands in the table."""
+    lines = [text for header, text in LEGEND.items() if header in view.headers]
+    return Fact("in the table", "\n".join(["error of the ratio against the one asked for", *lines]))
+
+
+def _notes(variant: Variant) -> Iterator[str]:
+    """What is unusual, what is not held, and where there is nothing what would help."""
+    request, synthesis = variant.request, variant.synthesis
+    for remark in request.remarks:
+        yield f"warning: {request.title}: {remark}"
+    if not synthesis.count:
+        yield f"warning: {'; '.join(why_none(variant))}; what would help: {'; '.join(remedies(variant))}"
+    if not synthesis.complete:
+        text = f"the {len(variant.sets)} sets with the least Z1 + Z2 are held"
+        yield f"note: {text}, {synthesis.count} are counted; a larger keep holds more"
