@@ -151,6 +151,20 @@ def test_failing_stage_leaves_earlier_files_valid_and_writes_nothing(tmp_path: P
     assert shown(go(replace(SPEC, radius=0.3), tmp_path))[0] == ("geometry", "loaded")
 
 
+def test_a_run_that_keeps_going_leaves_out_what_reads_the_failed_stage(tmp_path: Path):
+    go(SPEC, tmp_path)
+    result = go(replace(SPEC, broken=True), tmp_path, keep_going=True)
+    assert [(event.stage, event.kind) for event in result.events if event.stage != "spare"] == [
+        ("geometry", "loaded"),
+        ("path", "failed"),
+        ("energy", "left out"),
+    ]
+    assert Event("energy", "left out", "it reads path") in result.events
+    assert isinstance(result.failures["path"], AssemblyError)
+    assert not {"path", "energy"} & set(result.results)
+    assert not [file for file in result.files if file.stem in ("path", "energy")]
+
+
 def test_left_out_stage_is_told_with_its_reason(tmp_path: Path):
     result = go(replace(SPEC, speed=None), tmp_path)
     assert result.events[-1] == Event("energy", "left out", "no [motor]: speed is constant")

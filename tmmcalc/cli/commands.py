@@ -21,4 +21,6 @@ COMMANDS = {
 
 GEARS = {
     "synth": ("tmmcalc.cli.gears.synth", "Every set of tooth numbers within the constraints."),
+    "strength": ("tmmcalc.cli.gears.strength", "Modules and face widths of all tooth sets."),
+    "compare": ("tmmcalc.cli.gears.compare", "Mass, inertia, size, efficiency; the best train."),
 }

@@ -70,6 +70,8 @@ def show_event(event: Event) -> None:
         show_damage(event)
     elif event.kind == "left out":
         say(f"{event.stage}: left out ({event.message})", "dim")
+    elif event.kind == "failed":
+        say(f"{event.stage}: {event.message}", "red")
     else:
         say(f"{event.stage}: {event.kind} in {event.seconds * 1000:.0f} ms ({event.message})", "dim")
 

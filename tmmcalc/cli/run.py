@@ -43,11 +43,12 @@ def command(
 ) -> None:
     """Run every stage that the spec has, layer by layer; print the summaries, leave all tables as files.
 
-    Stages whose inputs are unchanged are loaded, not computed.
+    Stages whose inputs are unchanged are loaded, not computed. A stage without a solution ends only those that read
+    it; its error comes last.
 
     Example: tmmcalc run my.toml -o my.out
     """
-    job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
+    job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or (), keep_going=True)
     scene = job.spec()
     result = job.run(scene, target)
     from tmmcalc.report.summary import run_document

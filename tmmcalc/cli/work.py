@@ -8,7 +8,7 @@ from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.cli.messages import say, show_damage, show_event, whoever_reads
+from tmmcalc.cli.messages import say, show_damage, show_error, show_event, whoever_reads
 from tmmcalc.cli.options import Format
 from tmmcalc.errors import LimitError, UsageError
 from tmmcalc.records import record
@@ -34,6 +34,7 @@ class Job:
     quiet: bool = False
     overrides: Sequence[str] = ()
     settings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    keep_going: bool = False
 
     def spec(self) -> Spec:
         """Read the spec with its overrides."""
@@ -85,6 +86,7 @@ class Job:
             settings=self.settings,
             on_start=on_start,
             on_event=on_event,
+            keep_going=self.keep_going,
         )
 
     def _check_depfile(self, file: Path) -> None:
@@ -102,12 +104,22 @@ class Job:
         show(document, form)
         if result.files and not self.quiet:
             say(f"files in {self.folder}: {', '.join(file.name for file in result.files)}", "dim")
+        _raise(result)
         warnings = _warnings(document)
         if warnings and self.strict:
             count = f"{len(warnings)} warning{'s' if len(warnings) > 1 else ''}"
             raise LimitError(
                 "\n  ".join((count, *warnings)), where="--strict", remedy="mend the causes, or leave --strict out"
             )
+
+
+def _raise(result: RunResult) -> None:
+    """The errors of stages without a result: the first ends the command, the others are said before it."""
+    errors = list(result.failures.values())
+    for error in errors[1:]:
+        show_error(error)
+    if errors:
+        raise errors[0]
 
 
 def check_place(file: Path, where: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -13,13 +14,15 @@ from tmmcalc.records import record
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from tmmcalc.errors import TmmError
+
 
 @record
 class Event:
     """What became of a stage."""
 
     stage: str
-    kind: Literal["loaded", "computed", "left out", "damaged"]
+    kind: Literal["loaded", "computed", "left out", "damaged", "failed"]
     message: str
     seconds: float = 0.0  # run time of the stage, files included
 
@@ -74,6 +77,7 @@ class RunResult:
     plan: Plan
     events: tuple[Event, ...]
     files: tuple[Path, ...]
+    failures: Mapping[str, TmmError] = field(default_factory=dict)  # of stages without a result, if it kept going
 
     @property
     def results(self) -> Results:

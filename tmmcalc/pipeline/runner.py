@@ -11,11 +11,11 @@ from dataclasses import replace
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.errors import UsageError
+from tmmcalc.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.pipeline.outcome import Event, Outcome, RunResult
 from tmmcalc.pipeline.plain import plain_record
 from tmmcalc.pipeline.plan import Plan, known_stage, plan
-from tmmcalc.pipeline.stage import Stage, resolve
+from tmmcalc.pipeline.stage import Stage, of_scene, resolve
 from tmmcalc.pipeline.stages import STAGES
 
 if TYPE_CHECKING:
@@ -37,6 +37,7 @@ def run(
     settings: Settings | None = None,
     on_start: Callable[[str], None] | None = None,
     on_event: Callable[[Event], None] | None = None,
+    keep_going: bool = False,
     stages: Mapping[str, Stage] = STAGES,
 ) -> RunResult:
     """Run every stage that ``target`` needs (None: all that the scene has) and return their results.
@@ -44,11 +45,14 @@ def run(
     With ``out`` each stage leaves its files there, and one whose files are valid is loaded, not computed.
     ``fresh`` computes all; ``from_stage`` that stage and all after it. ``csv``: True, False, or None for up
     to 2000 rows. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``on_start`` is
-    called with the name of a stage before it runs, ``on_event`` as soon as it is done.
+    called with the name of a stage before it runs, ``on_event`` as soon as it is done. ``keep_going``: a stage without
+    a solution ends only those that read it, and is told in ``failures``.
 
     Raises UsageError for an unknown stage or option, a target that the scene leaves out, and files that
-    cannot be read or written; and what a stage raises. The files of earlier stages stay valid.
+    cannot be read or written; and what a stage raises, unless it is to keep going. The files of earlier stages stay
+    valid.
     """
+    stages = of_scene(stages, spec)
     scene = plan(spec, target, stages)
     options = _options(settings or {}, stages)
     forced = _forced(fresh, from_stage, stages)
@@ -56,14 +60,15 @@ def run(
     archive = _archive(out, csv)
     work = _Run(spec, options, forced, archive, on_event)
     for step in scene.steps:
-        if step.runs:
+        if not step.runs:
+            if step.asked:
+                work.tell(Event(step.stage, "left out", step.reason))
+        elif not work.spoilt(stages[step.stage]):
             if on_start is not None:
                 on_start(step.stage)
-            work.do(stages[step.stage])
-        elif step.asked:
-            work.tell(Event(step.stage, "left out", step.reason))
-    files = () if archive is None else archive.files(scene.running)
-    return RunResult(work.outcomes, scene, tuple(work.events), files)
+            work.do(stages[step.stage], keep_going)
+    files = () if archive is None else archive.files(work.outcomes)
+    return RunResult(work.outcomes, scene, tuple(work.events), files, work.failures)
 
 
 class _Run:
@@ -84,6 +89,8 @@ class _Run:
         self.on_event = on_event
         self.outcomes: dict[str, Outcome] = {}
         self.events: list[Event] = []
+        self.failures: dict[str, TmmError] = {}
+        self._lost: set[str] = set()
 
     def tell(self, event: Event) -> None:
         self.events.append(event)
@@ -92,11 +99,27 @@ class _Run:
         if self.on_event is not None:
             self.on_event(event)
 
-    def do(self, stage: Stage) -> None:
+    def spoilt(self, stage: Stage) -> bool:
+        """Whether a result that the stage reads could not be had; then tell so."""
+        missing = [name for name in (*stage.needs, *stage.uses) if name in self._lost]
+        if missing:
+            self._lost.add(stage.name)
+            self.tell(Event(stage.name, "left out", f"it reads {', '.join(missing)}"))
+        return bool(missing)
+
+    def do(self, stage: Stage, keep_going: bool) -> None:
         """Load or compute a stage, store it, and tell what was done."""
         began = perf_counter()
         inputs = resolve(stage.inputs)(self.spec)
-        outcome, event = self._outcome(stage, inputs)
+        try:
+            outcome, event = self._outcome(stage, inputs)
+        except TmmError as error:
+            if not keep_going or error.exit_code < NoSolutionError.exit_code:
+                raise
+            self.failures[stage.name] = error
+            self._lost.add(stage.name)
+            self.tell(Event(stage.name, "failed", "no result: the error stands at the end", perf_counter() - began))
+            return
         self.outcomes[stage.name] = outcome
         self.tell(replace(event, seconds=perf_counter() - began))
 
