@@ -17,7 +17,9 @@ from time import perf_counter
 from typing import Any
 
 import numpy as np
+from bench_gears import gears
 from random_mechanisms import build
+from timing import bar_text, median_time
 
 import tmmcalc
 from tmmcalc.linkage.chain import Chain, compile_chain
@@ -58,7 +60,7 @@ app(["x"])
 
 def main() -> None:
     """Print all tables."""
-    missed = [*startup(), *kinematics(), *forces(), *machine(), *project()]
+    missed = [*startup(), *kinematics(), *forces(), *machine(), *project(), *gears()]
     growth()
     memory()
     print(f"\n{len(missed)} bars missed{': ' if missed else ''}{'; '.join(missed)}")
@@ -85,7 +87,7 @@ def _pair(name: str, command: list[str], yardstick: str, bar: float | None) -> l
     pairs = [(_process(command), _process(other)) for _ in range(ROUNDS)]
     ours, theirs = (statistics.median(column) * 1e3 for column in zip(*pairs, strict=True))
     ratio = statistics.median(a / b for a, b in pairs)
-    print(f"  {name:<36} {ours:6.0f} ms  {theirs:6.0f} ms  {ratio:6.2f}  {_bar(ratio, bar) if bar else ''}")
+    print(f"  {name:<36} {ours:6.0f} ms  {theirs:6.0f} ms  {ratio:6.2f}  {bar_text(ratio, bar) if bar else ''}")
     return [name] if bar and ratio > bar else []
 
 
@@ -94,21 +96,6 @@ def _process(argv: list[str]) -> float:
     start = perf_counter()
     subprocess.run(argv, check=True, stdout=subprocess.DEVNULL, env=environment)
     return perf_counter() - start
-
-
-def _bar(value: float, bar: float) -> str:
-    return f"{bar:6g} {'' if value <= bar else 'MISSED'}"
-
-
-def _time(work: Callable[[], object], least: float = 0.4) -> float:
-    """Median seconds of one call, over at least 5 calls and ``least`` seconds."""
-    work()
-    times: list[float] = []
-    while len(times) < 5 or sum(times) < least:
-        start = perf_counter()
-        work()
-        times.append(perf_counter() - start)
-    return statistics.median(times)
 
 
 def _shaper() -> Chain:
@@ -124,12 +111,12 @@ def kinematics() -> list[str]:
     print("                               time      per position     bar")
     for n, bar in ((360, 0.3), (3_600, None), (36_000, 8.0), (360_000, None)):
         x = np.linspace(0.0, 2 * np.pi, n)
-        ms = _time(lambda x=x: _in_time(trace(chain, x))) * 1e3
-        print(f"  {n:>7} positions           {ms:8.3f} ms  {ms / n * 1e6:8.1f} ns  {_bar(ms, bar) if bar else ''}")
+        ms = median_time(lambda x=x: _in_time(trace(chain, x))) * 1e3
+        print(f"  {n:>7} positions           {ms:8.3f} ms  {ms / n * 1e6:8.1f} ns  {bar_text(ms, bar) if bar else ''}")
         if bar and ms > bar:
             missed.append(f"six-bar at {n}")
     spec = tmmcalc.load_spec(SHAPER)
-    ms = _time(lambda: tmmcalc.solve_kinematics(spec)) * 1e3
+    ms = median_time(lambda: tmmcalc.solve_kinematics(spec)) * 1e3
     print(f"  whole stage, 24 positions    {ms:8.3f} ms  (structure, assembly intervals, extremes, error estimate)")
     return missed
 
@@ -153,8 +140,8 @@ def forces() -> list[str]:
     print("\nforces with friction, press (pins A, B, guide), whole stage")
     for n, bar in ((12, None), (360, 3.0), (36_000, 100.0)):
         given = _solved("press", n)
-        ms = _time(lambda given=given: solve_forces(*given)) * 1e3
-        print(f"  {n:>7} positions           {ms:8.2f} ms  {_bar(ms, bar) if bar else ''}")
+        ms = median_time(lambda given=given: solve_forces(*given)) * 1e3
+        print(f"  {n:>7} positions           {ms:8.2f} ms  {bar_text(ms, bar) if bar else ''}")
         if bar and ms > bar:
             missed.append(f"forces at {n}")
     return missed
@@ -180,8 +167,8 @@ def machine() -> list[str]:
     missed = []
     print("\nmachine, piston compressor")
     for name, work, bar in rows:
-        ms = _time(work) * 1e3
-        print(f"  {name:<40} {ms:8.2f} ms  {_bar(ms, bar) if bar else ''}")
+        ms = median_time(work) * 1e3
+        print(f"  {name:<40} {ms:8.2f} ms  {bar_text(ms, bar) if bar else ''}")
         if bar and ms > bar:
             missed.append(name)
     return missed
@@ -193,8 +180,8 @@ def project() -> list[str]:
     print("\nwhole projects, all stages in one process")
     for name in ("press", "shaper", "piston-compressor"):
         spec = tmmcalc.load_spec(CONFIGS / f"{name}.toml")
-        ms = _time(lambda spec=spec: tmmcalc.run(spec)) * 1e3
-        print(f"  {name:<28} {ms:8.1f} ms  {_bar(ms, 300.0)}")
+        ms = median_time(lambda spec=spec: tmmcalc.run(spec)) * 1e3
+        print(f"  {name:<28} {ms:8.1f} ms  {bar_text(ms, 300.0)}")
         if ms > 300.0:
             missed.append(f"project {name}")
     return missed
@@ -204,7 +191,7 @@ def growth() -> None:
     """Time against the number of positions and of dyads: both must be linear."""
     chain = _shaper()
     sizes = np.array([4_000, 16_000, 64_000, 256_000])
-    times = [_time(lambda n=n: trace(chain, np.linspace(0.0, 6.2, n))) for n in sizes]
+    times = [median_time(lambda n=n: trace(chain, np.linspace(0.0, 6.2, n))) for n in sizes]
     slope = np.polyfit(np.log(sizes), np.log(times), 1)[0]
     print(f"\ngrowth with positions: time ~ n^{slope:.2f}")
     kinds = ("RRR", "RRP", "RPR", "RRP")
@@ -215,7 +202,7 @@ def growth() -> None:
         x = np.full(3_600, mechanism.input.start)
         long_chain = compile_chain(mechanism, solve_structure(mechanism), {})
         with np.errstate(invalid="ignore"):
-            spent.append(_time(lambda c=long_chain, x=x: trace(c, x)) * 1e3)
+            spent.append(median_time(lambda c=long_chain, x=x: trace(c, x)) * 1e3)
     line = np.polyfit(counts, spent, 1)
     print(
         "growth with dyads, 3 600 positions: "

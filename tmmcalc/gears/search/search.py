@@ -41,19 +41,15 @@ def synthesise(task: TrainTask, keep: int = KEPT, progress: Progress | None = No
     first constraint that it breaks.
     """
     tally = Tally()
-    held: list[np.ndarray] = []
-    count = rows = 0
+    held = _Held(keep)
+    count = 0
     for done, block in _found(task, tally):
         count += len(block)
-        rows += len(block)
-        held.append(_rows(task, block))
-        if rows > 2 * keep + 1000:
-            held = [_smallest(held, keep)]
-            rows = len(held[0])
+        held.add(_rows(task, block))
         if progress is not None:
             progress(done, count)
     removed = {name: number for name, number in tally.removed.items() if number}
-    return Synthesis(_sets(task, _smallest(held, keep) if held else None), count, tally.candidates, removed)
+    return Synthesis(_sets(task, held.rows()), count, tally.candidates, removed)
 
 
 def _found(task: TrainTask, tally: Tally) -> Iterator[tuple[float, Block]]:
@@ -73,12 +69,35 @@ def _rows(task: TrainTask, block: Block) -> np.ndarray:
     return np.stack([*wheels, *(np.full(len(block), part) for part in parts)], axis=1)
 
 
-def _smallest(held: list[np.ndarray], keep: int) -> np.ndarray:
-    """The first rows by Z1 + Z2, then by tooth numbers and proportion."""
-    rows = np.concatenate(held)
-    keys = (*(rows[:, k] for k in reversed(range(rows.shape[1]))), rows[:, 0] + rows[:, 1])
-    ordered: np.ndarray = rows[np.lexsort(keys)[:keep]]
-    return ordered
+class _Held:
+    """The first ``keep`` rows by Z1 + Z2, then by tooth numbers and proportion; twice as many are in memory at most."""
+
+    def __init__(self, keep: int) -> None:
+        self.keep = keep
+        self._parts: list[np.ndarray] = []
+        self._number = 0
+        self._largest: int | None = None  # Z1 + Z2 beyond which no row can be among the first
+
+    def add(self, rows: np.ndarray) -> None:
+        """Further rows."""
+        if self._largest is not None:
+            rows = rows[rows[:, 0] + rows[:, 1] <= self._largest]
+        self._parts.append(rows)
+        self._number += len(rows)
+        if self._number > 2 * self.keep + 1000:
+            first = self._first()
+            self._parts, self._number = [first], len(first)
+            self._largest = int(first[-1, 0] + first[-1, 1]) if len(first) else -1
+
+    def rows(self) -> np.ndarray | None:
+        """The rows in order, None without any."""
+        return self._first() if self._parts else None
+
+    def _first(self) -> np.ndarray:
+        rows = np.concatenate(self._parts)
+        keys = (*(rows[:, k] for k in reversed(range(rows.shape[1]))), rows[:, 0] + rows[:, 1])
+        ordered: np.ndarray = rows[np.lexsort(keys)[: self.keep]]
+        return ordered
 
 
 def _sets(task: TrainTask, rows: np.ndarray | None) -> ToothSets:
