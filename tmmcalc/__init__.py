@@ -19,13 +19,17 @@ if TYPE_CHECKING:
     from tmmcalc.api import (
         run,
         solve_balance,
+        solve_criteria,
         solve_flywheel,
         solve_forces,
+        solve_gearing,
         solve_kinematics,
         solve_motion,
         solve_power,
         solve_reduction,
+        solve_strength,
         solve_structure,
+        solve_train,
         solve_transients,
     )
     from tmmcalc.errors import (
@@ -39,6 +43,15 @@ if TYPE_CHECKING:
         TmmError,
         UsageError,
     )
+    from tmmcalc.gears.gearing import Gearing
+    from tmmcalc.gears.model import Demands, Interval, Limits, ToothSets, TrainTask
+    from tmmcalc.gears.network.builder import Train, network_of
+    from tmmcalc.gears.network.efficiency import DriveEfficiency
+    from tmmcalc.gears.network.model import Mesh, Network
+    from tmmcalc.gears.search.search import Synthesis, synthesise
+    from tmmcalc.gears.selection.results import Selection
+    from tmmcalc.gears.sizing import Sizing
+    from tmmcalc.gears.train import Trains
     from tmmcalc.linkage.dyad import DyadMotion, solve_dyad
     from tmmcalc.linkage.dyads import PRP, RPP, RPR, RRP, RRR
     from tmmcalc.linkage.forces.results import Forces
@@ -85,23 +98,30 @@ __all__ = [
     "Constant",
     "Coupling",
     "Cycle",
+    "Demands",
+    "DriveEfficiency",
     "DyadMotion",
     "Flywheel",
     "Forces",
     "GearDrive",
+    "Gearing",
     "Grid",
     "Guide",
     "Indicator",
     "Input",
+    "Interval",
     "Joint",
     "Kinematics",
     "LimitError",
+    "Limits",
     "Link",
     "Load",
     "Loading",
     "Mechanism",
+    "Mesh",
     "Method",
     "Motion",
+    "Network",
     "NoSolutionError",
     "Output",
     "Pair",
@@ -110,36 +130,73 @@ __all__ = [
     "Power",
     "Quadratic",
     "Reduction",
+    "Selection",
     "SingularityError",
+    "Sizing",
     "Spec",
     "SpecError",
     "Spring",
     "Structure",
     "StructureError",
+    "Synthesis",
     "Tabulated",
     "TimedMotions",
     "TmmError",
+    "ToothSets",
+    "Train",
+    "TrainTask",
+    "Trains",
     "UsageError",
     "Viscous",
     "Window",
     "__version__",
     "load_spec",
+    "network_of",
     "parse_spec",
     "run",
     "solve_balance",
+    "solve_criteria",
     "solve_dyad",
     "solve_flywheel",
     "solve_forces",
+    "solve_gearing",
     "solve_kinematics",
     "solve_motion",
     "solve_power",
     "solve_reduction",
+    "solve_strength",
     "solve_structure",
+    "solve_train",
     "solve_transients",
+    "synthesise",
 ]
 
 _HOMES = {
     "tmmcalc.api": ("run", *(name for name in __all__ if name.startswith("solve_") and name != "solve_dyad")),
+    "tmmcalc.gears.gearing": ("Gearing",),
+    "tmmcalc.gears.model": (
+        "Demands",
+        "Interval",
+        "Limits",
+        "ToothSets",
+        "TrainTask",
+    ),
+    "tmmcalc.gears.network.builder": (
+        "Train",
+        "network_of",
+    ),
+    "tmmcalc.gears.network.efficiency": ("DriveEfficiency",),
+    "tmmcalc.gears.network.model": (
+        "Mesh",
+        "Network",
+    ),
+    "tmmcalc.gears.search.search": (
+        "Synthesis",
+        "synthesise",
+    ),
+    "tmmcalc.gears.selection.results": ("Selection",),
+    "tmmcalc.gears.sizing": ("Sizing",),
+    "tmmcalc.gears.train": ("Trains",),
     "tmmcalc.linkage.dyad": ("DyadMotion", "solve_dyad"),
     "tmmcalc.linkage.dyads": ("PRP", "RPP", "RPR", "RRP", "RRR"),
     "tmmcalc.linkage.forces.results": ("Forces",),

@@ -13,6 +13,10 @@ from tmmcalc.linkage.structure import Structure
 from tmmcalc.linkage.structure import solve_structure as _structure
 
 if TYPE_CHECKING:
+    from tmmcalc.gears.gearing import Gearing
+    from tmmcalc.gears.selection.results import Selection
+    from tmmcalc.gears.sizing import Sizing
+    from tmmcalc.gears.train import Trains
     from tmmcalc.linkage.forces.results import Forces
     from tmmcalc.linkage.loading import Loading
     from tmmcalc.linkage.reduction.results import Reduction
@@ -88,6 +92,26 @@ def solve_transients(spec: Spec) -> TimedMotions:
 def solve_balance(spec: Spec) -> Balances:
     """Shaking forces of the linkage, the engine and the rotor of a spec, and what balancing leaves of them."""
     return _solved(spec, "balance")
+
+
+def solve_train(spec: Spec) -> Trains:
+    """All tooth sets of the gear trains of a spec; raises `NoSolutionError` with what stands in the way of any."""
+    return _solved(spec, "train")
+
+
+def solve_strength(spec: Spec) -> Sizing:
+    """Modules and face widths of all tooth sets of a spec by the endurance of their teeth."""
+    return _solved(spec, "strength")
+
+
+def solve_criteria(spec: Spec) -> Selection:
+    """Mass, inertia, size, efficiency of the gear trains of a spec, their Pareto front and the best of them."""
+    return _solved(spec, "criteria")
+
+
+def solve_gearing(spec: Spec) -> Gearing:
+    """Speeds, torques, power flow and efficiency of the train that a spec writes as members and meshes."""
+    return _solved(spec, "gearing")
 
 
 def run(

@@ -11,11 +11,12 @@ import pytest
 
 from tmmcalc.cli.commands import COMMANDS
 from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.spec import templates
 
 from .conftest import CONFIGS, Cli
 from .scenes import ENGINE, ROTOR, TORQUE
 
-READY = sorted(file.stem for file in CONFIGS.glob("*.toml"))
+READY = templates.names()
 
 
 def test_help_lists_every_command_in_the_order_of_work(cli: Cli) -> None:

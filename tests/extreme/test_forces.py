@@ -26,7 +26,7 @@ def inside(slider: Slider, forces: Forces) -> np.ndarray:
     return np.tan(slider.lean(np.asarray(forces.phi)[rows(forces)]))
 
 
-@pytest.mark.parametrize("below", [0.5, 1e-2, 1e-4, 1e-5, 1e-7])
+@pytest.mark.parametrize("below", [0.5, 1e-2, 1e-4, 1e-5, 1e-7, 1e-9])
 def test_friction_below_the_brink(below: float) -> None:
     """On the slider N = -t Q/(1 - f t): with 1 - f t = 1e-7 one rounding of t is a billionth of the force."""
     slider, friction = Slider(r=0.16), 0.75 * (1 - below)
@@ -36,12 +36,39 @@ def test_friction_below_the_brink(below: float) -> None:
     lean = inside(slider, forces)
     expected = -100 * lean / (1 - friction * lean)
     assert forces.normal[GUIDE][rows(forces)] == pytest.approx(expected, rel=1e-14 + 2e-15 / below)
-    if below >= 1e-4:
-        largest = math.hypot(1, friction) * np.max(np.abs(expected))
-        assert forces.pairs[GUIDE].force.value == pytest.approx(largest, rel=1e-10)
-        assert forces.pairs[GUIDE].force.x == pytest.approx(math.pi / 2, abs=1e-9)
+    largest = math.hypot(1, friction) * np.max(np.abs(expected))
+    assert forces.pairs[GUIDE].force.value == pytest.approx(largest, rel=1e-10 + 2e-15 / below)
+    assert forces.pairs[GUIDE].force.x == pytest.approx(math.pi / 2, abs=1e-8)
+    assert forces.drive_extremes[1].value == pytest.approx(np.max(forces.drive), rel=1e-8 + 2 * below)
     assert np.max(np.abs(forces.equilibrium)) < 1e-14
     assert np.max(np.abs(forces.virtual)) < 1e-13
+    near = [grade for grade in forces.grades if "near to self-locking at 90 deg" in grade.message]
+    assert len(near) == (below < 5e-3)
+    assert forces.error >= 1e-16 / below
+
+
+@pytest.mark.parametrize("below", [1e-5, 1e-6])
+def test_largest_force_is_never_above_that_of_its_place(below: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Panels that do not resolve the pole swing beyond it: what stands at the place named comes from the statics."""
+    monkeypatch.setattr("tmmcalc.linkage.forces.forces.ROUNDS", 1)
+    slider, friction = Slider(r=0.16), 0.75 * (1 - below)
+    changes = (f"mechanism.joints[name=B0].friction={friction!r}",)
+    forces = solved("self-locking", *changes, target="forces").results["forces"]
+    largest = forces.pairs[GUIDE].force
+    lean = math.tan(float(slider.lean(np.array([largest.x]))[0]))
+    assert largest.value == pytest.approx(math.hypot(1, friction) * 100 * lean / (1 - friction * lean), rel=1e-8)
+
+
+def test_a_brink_too_near_to_tell() -> None:
+    friction = 0.75 * (1 + 1e-9)
+    with pytest.raises(NoSolutionError, match="the brink lies within 1e-08 of this friction"):
+        solved("self-locking", f"mechanism.joints[name=B0].friction={friction!r}", target="forces")
+
+
+@pytest.mark.parametrize(("beyond", "words"), [(1e-6, "up to 1 - 1e-06 times"), (0.1, "up to 0.9091 times")])
+def test_the_part_of_the_friction_that_moves_is_told_from_one(beyond: float, words: str) -> None:
+    with pytest.raises(NoSolutionError, match=words):
+        solved("self-locking", f"mechanism.joints[name=B0].friction={0.75 * (1 + beyond)!r}", target="forces")
 
 
 def test_work_of_friction_at_the_brink() -> None:

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares, minimize
 
-from linkage.balanced import PRESS, SCENES, TURN, Array, Scene, chain_of, derivative, scene
+from linkage.balanced import PRESS, SCENES, TURN, Array, Scene, derivative, scene
 from linkage.scenes import crank_slider, four_bar, yoke
 from tmmcalc import UsageError
 from tmmcalc.linkage.balance.circle import enclosing_circle, smallest_circle
@@ -19,16 +19,14 @@ from tmmcalc.linkage.balance.minimax import minimax_counterweight
 from tmmcalc.linkage.balance.schemes import (
     Balance,
     RotatingWeight,
-    axes_against_moment,
-    crank_body,
     lanchester,
     least_squares_counterweight,
     rotating_weights,
     with_weights,
 )
-from tmmcalc.linkage.balance.shaking import Shaking, shaking
+from tmmcalc.linkage.balance.shaking import Shaking, crank_angle, crank_pivot, shaking
 from tmmcalc.linkage.loading import Body
-from tmmcalc.machine.balancing.weights import as_made, sized
+from tmmcalc.machine.balancing.weights import Weight, sized
 from tmmcalc.numerics.fourier import Series
 
 SPEED = -6.0
@@ -159,6 +157,12 @@ def test_the_smallest_circle_around_random_curves(seed: int) -> None:
     assert circle.gap <= 1e-13 * circle.radius
 
 
+def on_crank(case: Scene, weight: Weight) -> Body:
+    """The weight as a point mass of the crank; its angle counts from O->A."""
+    arm = weight.radius * np.exp(1j * (weight.angle + crank_angle(case.chain)))
+    return Body(case.chain.structure.input_link, weight.mass, 0.0, complex(crank_pivot(case.chain) + arm))
+
+
 @every_scene
 @pytest.mark.parametrize("acceleration", [0.0, 15.0])
 @pytest.mark.parametrize("scheme", [least_squares_counterweight, minimax_counterweight])
@@ -172,7 +176,7 @@ def test_a_real_mass_on_the_crank_leaves_what_was_promised(
     case = make()
     found = shaking(case.chain, case.bodies, X, SPEED, acceleration)
     promised = scheme(found)
-    body = crank_body(case.chain, promised.weights[0], **choice)
+    body = on_crank(case, sized(promised.weights[0].moment, **choice))
     again = shaking(case.chain, (*case.bodies, body), X, SPEED, acceleration)
     assert np.max(np.abs(again.force - promised.force)) < 1e-12 * found.scale
     assert np.max(np.abs(again.turned - promised.turned)) < 1e-12 * found.scale
@@ -192,8 +196,10 @@ def test_a_real_mass_on_the_crank_leaves_what_was_promised(
 def test_weights_on_geared_shafts(make: Callable[[], Scene], highest: int, acceleration: float) -> None:
     """The weights as points that turn: their forces and moments by differentiating their places twice."""
     found = solved(make, acceleration)
-    axes = axes_against_moment(found, (1, -1, 2, -2)[: 2 * highest])
-    balance = lanchester(found, highest, axes)
+    drawn = np.random.default_rng(highest)
+    axes = {k: complex(*drawn.normal(size=2)) for k in (-1, 2, -2)}  # shafts beside the crank
+    pairs = lanchester(found, highest)
+    balance = with_weights(found, [replace(w, axis=axes.get(w.order, found.pivot)) for w in pairs.weights])
     n = 128
     phi = np.arange(n) * TURN / n
     force, moment = found.series.at(phi), found.moment_series.at(phi).real
@@ -213,26 +219,6 @@ def test_weights_on_geared_shafts(make: Callable[[], Scene], highest: int, accel
     removed = sum(abs(found.series.coefficient(w.order)) ** 2 for w in balance.weights)
     assert balance.after.rms**2 + removed == pytest.approx(found.size.rms**2, rel=1e-12)
     assert np.max(np.abs(balance.force - balance.series.at(found.phi))) < 1e-12 * found.scale
-
-
-@pytest.mark.parametrize("name", ["four-bar", "crossed four-bar", "crank-slider", "shaper", "v-engine", "slotted"])
-def test_axes_that_cancel_the_moment(name: str) -> None:
-    found = solved(SCENES[name])
-    orders = (1, -1, 2, -2)
-    axes = axes_against_moment(found, orders)
-    plain, placed = lanchester(found, 2), lanchester(found, 2, axes)
-    whole = max(found.moment_size.largest, plain.moment_after.largest)
-    for k in (1, 2):
-        assert abs(plain.moment_series.coefficient(k)) > 1e-9 * whole
-        assert abs(placed.moment_series.coefficient(k)) < 1e-13 * whole
-    assert placed.moment_after.rms < plain.moment_after.rms
-    assert placed.after.rms == pytest.approx(plain.after.rms, rel=1e-14)
-    assert axes[1] == found.pivot
-    shift = np.array([axes[k] - found.pivot for k in (2, -2)])
-    ratio = found.series.coefficient(2) / np.conj(found.series.coefficient(-2))
-    for z in (1, 1j):  # displacements that change nothing: the found ones have no part along them
-        idle = np.array([z, np.conj(z) * ratio])
-        assert abs(np.vdot(idle, shift).real) < 1e-12 * np.linalg.norm(idle) * np.linalg.norm(shift)
 
 
 def test_a_scotch_yoke_needs_the_pair_and_no_more() -> None:
@@ -281,21 +267,7 @@ def test_faulty_questions_are_refused() -> None:
         rotating_weights(found, (1, 0))
     with pytest.raises(UsageError, match="not different whole numbers"):
         rotating_weights(found, (1, 1))
-    with pytest.raises(UsageError, match="no axis of its own"):
-        lanchester(found, axes={1: 0.5j})
-    chain = chain_of(four_bar(0.1, 0.3, 0.25, 0.3))
-    with pytest.raises(UsageError, match="order -1"):
-        crank_body(chain, lanchester(found).weights[1], mass=1.0)
-    weight = lanchester(found).weights[0]
+    moment = lanchester(found).weights[0].moment
     for wrong in ({}, {"mass": 1.0, "radius": 0.1}, {"mass": 0.0}, {"radius": -0.1}, {"radius": math.inf}):
         with pytest.raises(UsageError, match=r"choose the mass or the radius|not positive"):
-            crank_body(chain, weight, **wrong)
-
-
-def test_weights_as_they_are_made() -> None:
-    weight = sized(0.0314 * np.exp(1j * 0.51), radius=0.1)
-    made = as_made(weight, 0.005, math.radians(5))
-    assert made.mass == pytest.approx(0.315)
-    assert made.angle == pytest.approx(math.radians(30))
-    assert as_made(weight, 0.01).angle == weight.angle
-    assert replace(made, mass=2.0).moment == pytest.approx(0.2 * np.exp(1j * math.radians(30)))
+            sized(moment, **wrong)

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import brentq
+from scipy.special import ellipe
 
 from machine.flywheel.scenes import press_cycle
 from machine.motion import CASES, TURN, Constant, cycle_of, of_pieces, upsetter, upsetter_functions
@@ -41,6 +42,29 @@ def test_kinetic_energy_is_conserved_without_moments() -> None:
     assert np.max(np.abs(regime.driving)) == 0.0
     assert regime.stable is None
     assert regime.multipliers == (1 + 0j,)
+
+
+@pytest.mark.parametrize("ratio", [1e-4, 1e-6, 1e-8])
+def test_hardly_any_inertia_where_the_links_stand_still(ratio: float) -> None:
+    """omega = c/sqrt(ratio + sin^2) peaks twice; panels that follow rounding alone would be thousands."""
+    cycle = cycle_of(lambda x: (np.sin(x) ** 2, np.sin(2 * x), 0 * x))
+    root = math.sqrt(1 + 1 / ratio)
+    fastest = 10 * 2 * root / (root + 1)
+    regime = positional(cycle, ratio, 10.0)
+    assert regime.panels.count < 200
+    assert regime.delta == pytest.approx(2 / ratio / (root + 1) ** 2, rel=1e-12)
+    exact = fastest / np.sqrt(1 + np.sin(regime.panels.x) ** 2 / ratio)
+    off = float(np.max(np.abs(regime.omega / exact - 1)))
+    assert off <= regime.error
+    assert off < 2e-16 / ratio
+    assert regime.cycle_time == pytest.approx(4 * ellipe(-1 / ratio) / fastest, rel=2e-16 / ratio)
+
+
+def test_the_place_of_a_stop_is_the_coordinate_of_the_input() -> None:
+    cycle = cycle_of(lambda x: (0 * x, 0 * x, 200 * np.sin(x - 1)))
+    for sense, told in ((1.0, f"stop at {math.degrees(1):.6g} deg"), (-1.0, f"stop at {-math.degrees(1):.6g} deg")):
+        with pytest.raises(NoSolutionError, match=told):
+            positional(cycle, 1.0, 5.0, sense=sense)
 
 
 def test_energy_beside_a_huge_flywheel() -> None:

@@ -12,6 +12,7 @@ from scipy.integrate import solve_ivp
 
 from machine.motion import CASES, TURN, Kloss, Lossy, of_pieces, upsetter, upsetter_functions, upsetter_motor
 from tmmcalc.errors import NoSolutionError
+from tmmcalc.machine import settling
 from tmmcalc.machine.onemass import OneMass
 from tmmcalc.machine.settling import Halt, followed, settled
 from tmmcalc.machine.stall import stall_inertia
@@ -86,6 +87,47 @@ def test_a_machine_that_stops_in_a_later_cycle() -> None:
     assert halt.stall
     assert 0 < halt.theta <= 1.001
     assert isinstance(settled(OneMass(load, threshold * 1.001, motor)), Orbit)
+
+
+def test_many_cycles_to_a_stop_are_followed_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Just below the threshold the machine creeps on; a cycle solved from the last one is that of panel after panel."""
+    load, motor = of_pieces([-290.0, 0.0], [0.0, TURN / 2, TURN]), Kloss(10.7, 10.0, 8.0, pull_out=160.0, slip=0.25)
+    machine = OneMass(load, 12.8, motor)  # 13.142 kg*m^2 carry it
+    alone: list[int] = []
+    piecewise = settling._turn
+
+    def counted(machine: OneMass, y: np.ndarray, turn: int) -> Any:
+        alone.append(turn)
+        return piecewise(machine, y, turn)
+
+    monkeypatch.setattr(settling, "_turn", counted)
+    halt = followed(machine)
+    assert isinstance(halt, Halt)
+    assert halt.turn > 8
+    assert len(alone) <= 5
+    assert (alone[0], alone[-1]) == (1, halt.turn)
+    first = len(alone)
+    monkeypatch.setattr(settling, "_again", lambda *_: None)
+    slowly = followed(machine)
+    assert isinstance(slowly, Halt)
+    assert alone[first:] == list(range(1, slowly.turn + 1))
+    assert (slowly.stall, slowly.turn) == (halt.stall, halt.turn)
+    assert slowly.theta == pytest.approx(halt.theta, rel=1e-6)
+
+
+@pytest.mark.parametrize(("sense", "told"), [(1.0, "stalls at 6"), (-1.0, "stalls at -6")])
+def test_the_angle_is_the_coordinate_of_the_input(sense: float, told: str) -> None:
+    load, motor = (
+        of_pieces([0.0, -700.0, 0.0], [0.0, 1.0, 2.0, TURN]),
+        Kloss(10.7, 10.0, 8.0, pull_out=160.0, slip=0.25),
+    )
+    with pytest.raises(NoSolutionError, match=told) as caught:
+        driven(load, 0.5, motor, sense=sense)
+    degrees = float(caught.value.message.split(" deg")[0].split()[-1])
+    halt = followed(OneMass(load, 0.5, motor))
+    assert isinstance(halt, Halt)
+    assert 1.0 < halt.theta < 2.0
+    assert degrees == pytest.approx(sense * math.degrees(halt.theta), rel=1e-5)
 
 
 @pytest.mark.parametrize("constant", [3.3, 4.0, 30.6, 1e3])

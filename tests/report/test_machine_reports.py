@@ -37,6 +37,7 @@ from tmmcalc.report.plaintext import lines
 from tmmcalc.report.power import power_document, power_summary
 from tmmcalc.report.summary import run_document
 from tmmcalc.spec import load_spec
+from tmmcalc.spec.loader import parse_spec
 
 CASES = {c["id"]: c for c in json.loads((Path(__file__).parents[1] / "cases" / "dynamics.json").read_text())}
 RPM = math.pi / 30
@@ -113,10 +114,54 @@ class TestPower:
         assert "left for the machine that it drives" in text(document, "mean power")
         assert "P_required[W]" not in values(document)
 
-    def test_loads_that_drive_on_the_way_help_a_working_machine(self) -> None:
-        parts = (WorkPart("Q", "load", -100.0), WorkPart("back", "load", 20.0), WorkPart("k", "friction", -20.0))
-        document = power_summary(solve_power(steps((-100 / TURN,)), parts), "t")
-        assert text(document, "efficiency") == "0.8 = (A_c + A_d)/(A_c + A_d + A_F)"
+    @pytest.mark.parametrize(
+        ("works", "machine", "eta", "formula"),
+        [
+            ((20.0, -100.0, -20.0), "working", 100 / 120, "A_c/(A_c + A_F)"),  # the drive puts in 100 J beside the 20
+            ((320.0, -355.0, -6.0), "engine", 355 / 361, "A_c/(A_c + A_F)"),  # a drive gives the 41 J that are lacking
+            ((320.0, -300.0, -6.0), "engine", 314 / 320, "(A_d + A_F)/A_d"),  # 14 J are left beside the 300
+            ((320.0, -314.0, -6.0), "engine", 314 / 320, "A_c/(A_c + A_F)"),  # nothing is left or lacking
+        ],
+    )
+    def test_loads_that_drive_and_loads_that_resist(
+        self, works: tuple[float, float, float], machine: str, eta: float, formula: str
+    ) -> None:
+        """Efficiency is useful work over work put in, and the loads that put more in than a drive make an engine."""
+        names = (("gas", "load"), ("Q", "load"), ("k", "friction"))
+        parts = tuple(WorkPart(*name, work) for name, work in zip(names, works, strict=True))
+        result = solve_power(steps((sum(works) / TURN,)), parts)
+        found = values(power_summary(result, "t"))
+        assert (found["machine"], found["eta"]) == (machine, pytest.approx(eta, rel=1e-14))
+        assert text(power_summary(result, "t"), "efficiency").endswith(f"= {formula}")
+        assert (result.motor_power is None) == (sum(works) > 0)
+
+    def test_a_diagram_and_the_moment_that_balances_it(self) -> None:
+        """M = 140 + 100 sin(theta) N*m at 10 rad/s: 1400 W that the load of the engine takes."""
+        law = "[torque]\nname = 'gas'\nspeed = 10\nformula = '140 + 100*sin(theta)'\ninertia = 5\nbalanced = true\n"
+        results = run(parse_spec(law + "[motion]\n")).results
+        document = power_document(results["power"], "t")
+        found = values(document)
+        assert found["work_gas[J]"] == pytest.approx(140 * TURN)
+        assert found["work_balancing_moment[J]"] == pytest.approx(-140 * TURN)
+        assert (found["machine"], found["P_mean[W]"]) == ("engine", pytest.approx(1400))
+        assert found["M_balancing[N*m]"] == pytest.approx(-140)
+        assert "the load of the engine" in text(document, "balancing moment")
+        assert "P_required[W]" not in found
+        reduction = results["reduction"]
+        assert np.allclose(reduction.total, 100 * np.sin(reduction.phi), atol=1e-11)
+        driven = motion_summary(results["motion"], "t")
+        assert values(driven)["M_d_mean[N*m]"] == 0
+        assert "balancing moment of -140 N*m: nothing is left to drive" in text(driven, "driven by")
+
+    def test_a_motor_that_misses_the_speed_of_the_spec(self) -> None:
+        motor = "[motor]\npower = '1 kW'\nspeed = '955 rpm'\nsynchronous_speed = '1000 rpm'\ninertia = 0.01\n"
+        law = "[torque]\nspeed = '50 rpm'\nformula = '-10'\ninertia = 5\n"
+        fine, off = (
+            power_summary(run(parse_spec(f"{law}{motor}[transmission]\nratio = {ratio}\n")).results["power"], "t")
+            for ratio in (19.1, 10)
+        )
+        assert fine.notes == ()
+        assert off.notes[0].startswith("warning: at its rated speed the motor turns the input with 95.5 rpm")
 
     def test_the_name_plate_and_the_duty(self) -> None:
         motor = self.motor(overload=2.5, start=1.9, inertia=0.02, source="a catalogue, p. 6")
@@ -189,8 +234,8 @@ class TestPower:
         power = solve_power(steps((-5 / TURN,)), twins)
         document = power_document(power, "t")
         assert values(document)["work_k_damper[J]"] == -5
-        assert text(document, "work of k (damping)") == "-5 J a cycle"
-        assert text(document, "work of an arm") == "0 J a cycle"
+        assert text(document, "work of k (damping)") == f"-5 J a cycle, {-50 / TURN:.7g} W"
+        assert text(document, "work of an arm") == "0 J a cycle, 0 W"
         assert values(document)["work_an_arm[J]"] == 1e-15
         assert not any(key.startswith("work_") for key in values(power_summary(power, "t")))
 

@@ -14,6 +14,12 @@ def test_shaper_is_there() -> None:
     assert templates.description("shaper").startswith("Shaper: a crank and slotted link")
 
 
+@pytest.mark.parametrize("name", templates.names())
+def test_the_schema_is_looked_for_beside_the_spec(name: str) -> None:
+    assert templates.text(name).splitlines()[0] == "#:schema ./tmmcalc.schema.json"
+    assert templates.text(name).splitlines()[1:] == templates.path(name).read_text(encoding="utf-8").splitlines()[1:]
+
+
 @pytest.mark.parametrize("name", ["shapr", "../pyproject", "/etc/passwd", "shaper.toml", ""])
 def test_unknown_name(name: str) -> None:
     with pytest.raises(UsageError, match="there is no ready spec") as caught:

@@ -43,21 +43,77 @@ def test_forces_import_no_machine_and_no_balance() -> None:
     assert not within(names, "tmmcalc.machine", "tmmcalc.linkage.balance", "tmmcalc.linkage.reduction", "scipy")
 
 
+@pytest.mark.parametrize("target", ["forces", "reduction"])
+def test_a_scene_without_friction_imports_none(target: str) -> None:
+    friction = ("tmmcalc.linkage.forces.friction", "tmmcalc.linkage.forces.locking")
+    assert not within(imported("press.toml", target, NO_FRICTION), *friction)
+    assert within(imported("press.toml", target), *friction) == set(friction)
+
+
+@pytest.mark.parametrize("target", ["forces", "reduction"])
+def test_pairs_without_friction_import_none(target: str) -> None:
+    names = imported("press.toml", target, NO_FRICTION)
+    assert within(names, "tmmcalc.linkage.forces.kinetostatics")
+    assert not within(names, "tmmcalc.linkage.forces.friction", "tmmcalc.linkage.forces.locking")
+
+
 def test_reduction_imports_no_motion() -> None:
     names = imported("shaper.toml", "reduction")
     machine = ("flywheel", "motion", "steady", "positional", "transient", "balancing", "power")
     assert not within(names, *(f"tmmcalc.machine.{name}" for name in machine), "tmmcalc.linkage.balance", "scipy")
 
 
-def test_a_scene_without_a_motor_imports_no_search_of_one_and_no_transients() -> None:
+def test_a_scene_without_a_motor_imports_no_characteristic_and_no_transients() -> None:
     names = imported("press.toml")
-    assert not within(names, "tmmcalc.machine.motors.choice", "tmmcalc.machine.transient.simulate")
+    motors = ("catalogue", "characteristics", "choice", "direct_current", "gearing", "table")
+    assert not within(
+        names, *(f"tmmcalc.machine.motors.{name}" for name in motors), "tmmcalc.machine.transient.simulate"
+    )
     assert not within(names, "tmmcalc.machine.transient.run", "tmmcalc.spec.motor", "tmmcalc.spec.shafts")
+
+
+@pytest.mark.parametrize("target", ["reduction", "balance"])
+def test_stages_that_ask_for_no_motor_import_none(target: str) -> None:
+    assert not within(imported("press.toml", target), "tmmcalc.machine.motors")
+
+
+def test_power_imports_no_flywheel_and_no_motion() -> None:
+    names = imported("press.toml", "power")
+    machine = ("flywheel", "motion", "onemass", "positional", "recurrence", "regime", "settling", "stall", "steady")
+    assert not within(names, *(f"tmmcalc.machine.{name}" for name in machine), "tmmcalc.numerics.collocation")
+
+
+def test_positional_motion_imports_no_regime_under_a_motor() -> None:
+    names = imported("press.toml", "motion")
+    assert within(names, "tmmcalc.machine.positional", "tmmcalc.machine.flywheel.positional")
+    under_motor = ("steady", "stall", "settling", "resisted", "flywheel.required", "flywheel.search", "flywheel.drive")
+    assert not within(names, *(f"tmmcalc.machine.{name}" for name in under_motor))
+
+
+def test_motion_without_a_flywheel_imports_none_and_no_recurrence() -> None:
+    names = imported("extreme/inertia-ratio.toml", "motion")
+    assert within(names, "tmmcalc.machine.positional")
+    assert not within(names, "tmmcalc.machine.flywheel", "tmmcalc.machine.recurrence", "tmmcalc.machine.steady")
+
+
+def test_balance_of_a_linkage_imports_no_engine_and_no_rotor() -> None:
+    names = imported("press.toml", "balance")
+    parts = ("task", "engines", "rotors", "firing", "cylinders", "grades")
+    assert within(names, "tmmcalc.linkage.balance.task")
+    assert not within(names, *(f"tmmcalc.machine.balancing.{part}" for part in parts))
+
+
+@pytest.mark.parametrize("file", ["rotor.toml", "in-line-engine.toml"])
+def test_balance_without_a_linkage_imports_none(file: str) -> None:
+    names = imported(file)
+    assert within(names, "tmmcalc.machine.balancing.task")
+    assert not within(names, "tmmcalc.linkage.balance", "tmmcalc.linkage.kinematics", "tmmcalc.machine.motors")
 
 
 def test_a_scene_without_masses_imports_no_motion_and_no_balance() -> None:
     names = imported("extreme/massless.toml")
-    left_out = ("machine.motion", "machine.positional", "machine.transient", "machine.balancing", "linkage.balance")
+    machine = ("motion", "positional", "onemass", "regime", "recurrence", "flywheel", "transient", "balancing")
+    left_out = (*(f"machine.{name}" for name in machine), "linkage.balance")
     assert not within(names, *(f"tmmcalc.{name}" for name in left_out), "scipy")
 
 
@@ -73,10 +129,14 @@ def test_an_ordinary_project_runs_without_scipy(file: str) -> None:
 
 
 NOT_COMPUTED = [  # what is left out, the functions that compute it, spec, overrides, last stage
-    ("friction", ["linkage.forces.cut:solve", "linkage.forces.drive:solve"], "press", NO_FRICTION, "forces"),
-    ("friction", ["linkage.forces.cut:solve", "linkage.forces.drive:solve"], "press", NO_FRICTION, "reduction"),
+    ("friction", ["linkage.forces.friction:solve"], "press", NO_FRICTION, "forces"),
+    ("friction", ["linkage.forces.friction:solve"], "press", NO_FRICTION, "reduction"),
+    ("reduced inertia", ["linkage.reduction.causes:reduced_inertia"], "extreme/massless", (), "reduction"),
+    ("rods in two masses", ["linkage.reduction.reduce:lumped"], "extreme/massless", (), "reduction"),
     ("loads of inertia", ["linkage.forces.kinetostatics:inertia"], "extreme/massless", (), "forces"),
-    ("the motor's regime", ["machine.steady:driven", "machine.motion:driven"], "press", (), "motion"),
+    ("the motor's regime", ["machine.steady:driven"], "press", (), "motion"),
+    ("a resistance", ["machine.resisted:resisted"], "press", (), "motion"),
+    ("the textbook's recurrence", ["machine.recurrence:on_nodes"], "press", (), "motion"),
     ("the motor's choice", ["machine.power:chosen_motor"], "shaper", (), "power"),
     ("the motor's choice", ["machine.power:chosen_motor", "machine.power:duty_of"], "press", (), "power"),
     ("an engine", ["machine.balancing.task:solve_engine"], "press", (), "balance"),
@@ -107,7 +167,7 @@ def test_the_refusals_refuse(monkeypatch: pytest.MonkeyPatch) -> None:
     """The same functions are asked where the scene has the part."""
     press = tmmcalc.load_spec(CONFIGS / "press.toml")
     tmmcalc.run(press, target="forces")
-    monkeypatch.setattr(import_module("tmmcalc.linkage.forces.cut"), "solve", refusing("friction"))
+    monkeypatch.setattr(import_module("tmmcalc.linkage.forces.friction"), "solve", refusing("friction"))
     with pytest.raises(AssertionError, match="friction is computed"):
         tmmcalc.run(press, target="forces")
 

@@ -231,7 +231,7 @@ def test_what_would_help_does(key: str) -> None:
 def followed(text: str, key: str, line: str) -> str:
     """The spec with the change that a line of advice names."""
     change = line.partition(" gives ")[0]
-    value = change.partition("=" if "=" in change else "->")[2].partition("(")[0].strip()
+    value = change.partition("->" if "->" in change else "=")[2].partition("(")[0].strip()
     if key in ("envelope", "centre_distance"):
         value = f'"{value}"'
     if key == "centre_distance":

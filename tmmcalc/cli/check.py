@@ -54,6 +54,8 @@ def _held(spec: Spec) -> Iterator[str]:
         yield f"a rotor with {_count(spec.rotor.unbalances, 'unbalance')}"
     if spec.train is not None:
         yield f"a gear train, {' or '.join(spec.train.layout)}"
+    if spec.gearing is not None:
+        yield f"gearing, {spec.gearing.layout or f'{len(spec.gearing.meshes)} meshes'}"
 
 
 def _count(listed: Sized, noun: str) -> str:

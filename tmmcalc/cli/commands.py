@@ -21,6 +21,7 @@ COMMANDS = {
 
 GEARS = {
     "synth": ("tmmcalc.cli.gears.synth", "Every set of tooth numbers within the constraints."),
+    "planetary": ("tmmcalc.cli.gears.planetary", "Speeds, torques, power flow, efficiency of any train."),
     "strength": ("tmmcalc.cli.gears.strength", "Modules and face widths of all tooth sets."),
     "compare": ("tmmcalc.cli.gears.compare", "Mass, inertia, size, efficiency; the best train."),
 }

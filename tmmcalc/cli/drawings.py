@@ -11,7 +11,7 @@ from tmmcalc.errors import UsageError
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
 
-POSITIONS, POLYGONS = "--positions", "--polygons"
+POSITIONS, POLYGONS, CHOOSE = "--positions", "--polygons", "--choose"
 
 
 class Order(NamedTuple):
@@ -35,6 +35,12 @@ class Order(NamedTuple):
             said = f"{self.flags[flag]!r} names {len(rows)} positions"
             raise UsageError(said, where=flag, remedy="name one of them")
         return rows[0] if rows else None
+
+    @property
+    def choice(self) -> int | None:
+        """The number that --choose gives."""
+        said = self.flags.get(CHOOSE)
+        return None if said is None else int(said)
 
 
 class Drawing(NamedTuple):
@@ -96,6 +102,19 @@ def _balance(order: Order) -> None:
     draw_balance(order.results["balance"], order.file)
 
 
+def _train(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_train
+
+    choose = order.choice
+    draw_train(order.results["train"], order.file, choose=1 if choose is None else choose)
+
+
+def _criteria(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_criteria
+
+    draw_criteria(order.results["criteria"], order.results["train"], order.file, choose=order.choice)
+
+
 DRAWINGS = {
     "kinematics": Drawing(_kinematics, (POSITIONS, POLYGONS)),
     "forces": Drawing(_forces, (POLYGONS,)),
@@ -104,6 +123,8 @@ DRAWINGS = {
     "motion": Drawing(_motion),
     "transient": Drawing(_transient),
     "balance": Drawing(_balance),
+    "train": Drawing(_train, (CHOOSE,)),
+    "criteria": Drawing(_criteria, (CHOOSE,)),
 }
 
 

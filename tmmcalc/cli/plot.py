@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.drawings import DRAWINGS, POLYGONS, POSITIONS, Order, drawing_of
+from tmmcalc.cli.drawings import CHOOSE, DRAWINGS, POLYGONS, POSITIONS, Order, drawing_of
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Quiet, Set, SpecFile
 from tmmcalc.cli.work import Job, check_place
@@ -36,6 +36,16 @@ def command(
         str | None,
         typer.Option(POLYGONS, metavar="POSITION", help="Add the polygons of velocities, or of forces, there."),
     ] = None,
+    choose: Annotated[
+        int | None,
+        typer.Option(
+            CHOOSE,
+            metavar="N",
+            min=0,
+            help="Train to draw: of train the set N as gears synth lists them, of criteria the row N of criteria.csv.",
+            show_default=False,
+        ),
+    ] = None,
     quiet: Quiet = False,
     overrides: Set = None,
 ) -> None:
@@ -45,12 +55,14 @@ def command(
     accelerations. forces: reactions, hodographs, drive; with --polygons load diagrams and force polygons.
     reduction: reduced moments and inertia. flywheel: energy-mass curve with its tangents, work over the cycle, all
     methods. motion: speed and moments over the cycle, the motor's characteristic. transient: speeds and moments over
-    the time. balance: hodographs of the shaking force, what the schemes leave of it, an engine's force and couple. The
-    stage is computed afresh; no stage files are read or written.
+    the time. balance: hodographs of the shaking force, what the schemes leave of it, an engine's force and couple.
+    train: a tooth set to scale from the side and from the end, all sets by size and error, what the constraints
+    removed, curves of ratio, efficiency and module ratio. criteria: inertia against mass with the Pareto front, pairs
+    of criteria, the chosen train to scale. The stage is computed afresh; no stage files are read or written.
 
     Example: tmmcalc plot my.toml kinematics -o my.svg --polygons 6
     """
-    flags = {POSITIONS: positions, POLYGONS: polygons}
+    flags = {POSITIONS: positions, POLYGONS: polygons, CHOOSE: None if choose is None else str(choose)}
     drawing = drawing_of(stage, flags)
     file = out or Path(f"{spec.stem}.svg")
     check_place(file, "plot")

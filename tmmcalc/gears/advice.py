@@ -16,7 +16,7 @@ from tmmcalc.gears.search.relaxation import Relaxation
 if TYPE_CHECKING:
     from tmmcalc.gears.train import Request, Variant
 
-# in the order in which they are put; the ratio of a single planet's train comes before its coaxiality
+# in the order in which they are put; trains with one module begin with the ratio
 ORDER = (
     "largest_sum",
     "coaxiality",
@@ -56,7 +56,7 @@ def removals(variant: Variant) -> list[tuple[str, int, int]]:
     removed = variant.synthesis.removed
     names = list(ORDER)
     if variant.request.task.layout in RATIO_FIRST:
-        names[1:3] = ["ratio", "coaxiality"]
+        names[:3] = ["ratio", "coaxiality", "largest_sum"]
     left, found = variant.synthesis.candidates, []
     for name in (*names, *(name for name in removed if name not in ORDER)):
         if removed.get(name):

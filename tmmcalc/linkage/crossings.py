@@ -11,6 +11,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
@@ -20,6 +21,7 @@ from tmmcalc.numerics.extrema import with_turning_points
 from tmmcalc.numerics.roots import Indices, bracketed
 
 Rates = Callable[[Configuration], list[Real]]
+Flags = NDArray[np.bool_]
 
 STILL = 1e-11  # a rate below this part of its scale is rest
 NEAR = 0.02  # a turning point nearer to zero than this part of the largest value is always looked at
@@ -44,53 +46,71 @@ def crossings(chain: Chain, rates: Rates, scales: list[float], dense: Survey) ->
     scale is zero everywhere and has no crossing.
     """
 
+    def all_at(configuration: Configuration, n: int) -> Real:
+        rows = np.empty((len(scales), n))
+        for row, values in zip(rows, rates(configuration), strict=True):
+            row[:] = values
+        return rows
+
     def f(at: Real, function: Indices) -> Real:
-        rows = [np.broadcast_to(v, at.shape) for v in rates(chain.evaluate(at))]
-        return np.array(rows)[function, np.arange(at.size)]
+        return np.asarray(all_at(chain.evaluate(at), at.size)[function, np.arange(at.size)])
 
-    samples = [np.broadcast_to(v, dense.x.shape) for v in rates(dense.configuration)]
-    parts = [
-        _brackets(f, k, values, dense)
-        for k, (values, scale) in enumerate(zip(samples, scales, strict=True))
-        if float(np.max(np.abs(values))) > STILL * scale
-    ]
+    samples = all_at(dense.configuration, dense.x.size)
+    largest = np.max(np.abs(samples), axis=1)
+    moving = np.flatnonzero(largest > STILL * np.array(scales))
+    parts = _brackets(f, moving, samples[moving], largest[moving], dense) if moving.size else []
     if not parts:
-        return [np.empty(0) for _ in samples]
-    cells = _Brackets(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+        return [np.empty(0) for _ in scales]
+    cells = parts[0] if len(parts) == 1 else _Brackets(*map(np.concatenate, zip(*parts, strict=True)))
     roots = _roots(f, cells) if cells.function.size else np.empty(0)
-    return [roots[cells.function == k] for k in range(len(samples))]
+    return [roots[cells.function == k] for k in range(len(scales))]
 
 
-def _brackets(f: Callable[[Real, Indices], Real], k: int, values: Real, dense: Survey) -> _Brackets:
-    """The cells of function k, short ones between two samples included."""
-    x, largest = dense.x, float(np.max(np.abs(values)))
-    values = np.append(values[:-1], values[0]) if dense.full else values
-    if _nears(values, largest, dense.full):
-        x, values = with_turning_points(
-            lambda at, _: f(at, np.full(at.size, k)),
-            x,
-            values,
-            near=NEAR * largest,
-            period=TURN if dense.full else None,
-            touch=1e-13 * largest,
-        )
-    cell = np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))
-    low, high = x[cell], x[cell + 1]
+def _brackets(
+    f: Callable[[Real, Indices], Real], functions: Indices, values: Real, largest: Real, dense: Survey
+) -> list[_Brackets]:
+    """The cells of the functions (F,) with samples (F, m) and their largest sizes (F,), short cells included."""
+    x, period = dense.x, TURN if dense.full else None
     if dense.full:
+        values = np.concatenate((values[:, :-1], values[:, :1]), axis=1)
+    near = _nears(values, largest, dense.full)
+    parts = [] if near.all() else [_cells(functions[~near], x, values[~near], dense.full)]
+    for j in np.flatnonzero(near):
+        size = float(largest[j])
+        alone = _alone(f, int(functions[j]))
+        more = with_turning_points(alone, x, values[j], near=NEAR * size, period=period, touch=1e-13 * size)
+        parts.append(_cells(functions[j : j + 1], more[0], more[1][None], dense.full))
+    return parts
+
+
+def _alone(f: Callable[[Real, Indices], Real], function: int) -> Callable[[Real, Indices], Real]:
+    """One of the functions by itself."""
+    return lambda at, _: f(at, np.full(at.size, function))
+
+
+def _cells(functions: Indices, x: Real, values: Real, full: bool) -> _Brackets:
+    """The cells of ``x`` (m,) in which the values (F, m) of the functions (F,) change sign."""
+    negative = np.signbit(values)
+    row, cell = np.nonzero(negative[:, 1:] != negative[:, :-1])
+    low, high = x[cell], x[cell + 1]
+    if full:
         x = np.concatenate((x[-2:-1] - TURN, x, x[1:2] + TURN))
-        values = np.concatenate((values[-2:-1], values, values[1:2]))
+        values = np.concatenate((values[:, -2:-1], values, values[:, 1:2]), axis=1)
         cell = cell + 1
-    around = np.clip(cell - POINTS // 2 + 1, 0, max(len(x) - POINTS, 0))[:, None] + np.arange(min(POINTS, len(x)))
-    return _Brackets(np.full(cell.size, k), x[around], values[around], low, high)
+    first = np.clip(cell - POINTS // 2 + 1, 0, max(len(x) - POINTS, 0))
+    around = first[:, None] + np.arange(min(POINTS, len(x)))
+    return _Brackets(functions[row], x[around], values[row[:, None], around], low, high)
 
 
-def _nears(values: Real, largest: float, full: bool) -> bool:
-    """Whether a function may touch zero between two samples: it turns back near to it without changing its sign."""
-    v = np.concatenate((values[-2:-1], values, values[1:2])) if full else np.pad(values, 1, mode="edge")
-    size, step = np.abs(v), np.abs(np.diff(v))
-    crosses = np.signbit(v[1:]) != np.signbit(v[:-1])
-    turns = (size[1:-1] <= size[:-2]) & (size[1:-1] <= size[2:]) & ~(crosses[1:] | crosses[:-1])
-    return bool(np.any(turns & (size[1:-1] < np.maximum(NEAR * largest, np.maximum(step[1:], step[:-1])))))
+def _nears(values: Real, largest: Real, full: bool) -> Flags:
+    """Which functions (F,) may touch zero between two samples: they turn back near to it without changing sign."""
+    before, after = (values[:, -2:-1], values[:, 1:2]) if full else (values[:, :1], values[:, -1:])
+    v = np.concatenate((before, values, after), axis=1)
+    size, step, negative = np.abs(v), np.abs(v[:, 1:] - v[:, :-1]), np.signbit(v)
+    stays = negative[:, 1:] == negative[:, :-1]
+    inner = size[:, 1:-1]
+    turns = (inner <= size[:, :-2]) & (inner <= size[:, 2:]) & stays[:, 1:] & stays[:, :-1]
+    return np.any(turns & (inner < np.maximum(NEAR * largest[:, None], np.maximum(step[:, 1:], step[:, :-1]))), axis=1)
 
 
 def _roots(f: Callable[[Real, Indices], Real], cells: _Brackets) -> Real:

@@ -6,6 +6,8 @@ omega = dtheta/dt is positive, and a positive moment drives. All functions are h
 
 from __future__ import annotations
 
+import math
+
 from tmmcalc.numerics.panels import Panels, Values
 from tmmcalc.records import record
 
@@ -26,8 +28,18 @@ class Cycle:
     quadratic: Values  # [N*m*s^2/rad^2], (K, N)
     speed: float  # mean speed asked for, > 0 [rad/s]
     error: float = 0.0  # estimated relative error of the functions [-]
+    balancing: float = 0.0  # constant part of ``moment`` that was added to close the work of a cycle [N*m]
 
     @property
     def period(self) -> float:
         """Angle of one cycle [rad]: 2 pi, of a four-stroke engine 4 pi."""
         return float(self.panels.edges[-1] - self.panels.edges[0])
+
+
+def place(theta: float, sense: float) -> str:
+    """An angle of the cycle as messages tell it: the coordinate of the input from position 0.
+
+    >>> place(math.pi / 2, -1.0)
+    '-90 deg'
+    """
+    return f"{math.degrees(sense * theta) + 0.0:.6g} deg"

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from tmmcalc.machine.motors.characteristics import Characteristic
-from tmmcalc.machine.motors.gearing import reduced
-from tmmcalc.machine.motors.model import CharacteristicKind, Motor, characteristic
+from typing import TYPE_CHECKING
+
 from tmmcalc.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.motors.characteristics import Characteristic
+    from tmmcalc.machine.motors.model import CharacteristicKind, Motor
 
 
 @record
@@ -14,6 +17,8 @@ class Driver:
 
     characteristic: Characteristic  # reduced to the input shaft
     time_constant: float  # tau_e [s]
+    ratio: float = 1.0  # of the gears: speed of the motor over that of the input
+    efficiency: float = 1.0  # of the gears
 
 
 @record
@@ -24,6 +29,7 @@ class ConstantInertia:
     gears: float = 0.0
     further: float = 0.0
     flywheel: float = 0.0
+    train: str = ""  # the gear train whose inertia that of the gears is; empty: as given
 
     @property
     def total(self) -> float:
@@ -35,4 +41,7 @@ def driver_of(
     motor: Motor, kind: CharacteristicKind, ratio: float, efficiency: float = 1.0, time_constant: float = 0.0
 ) -> Driver:
     """A motor behind gears of the given ratio (motor speed over input speed) and efficiency."""
-    return Driver(reduced(characteristic(motor, kind), ratio, efficiency), time_constant)
+    from tmmcalc.machine.motors.gearing import reduced
+    from tmmcalc.machine.motors.model import characteristic
+
+    return Driver(reduced(characteristic(motor, kind), ratio, efficiency), time_constant, ratio, efficiency)

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
-from tmmcalc.machine.motors.model import CharacteristicKind, Motor
 from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.balancing.cylinders import Cylinder
     from tmmcalc.machine.balancing.rotors import Rotor
+    from tmmcalc.machine.motors.model import CharacteristicKind, Motor
     from tmmcalc.machine.transient.methods import Method
     from tmmcalc.machine.transient.model import Shaft
     from tmmcalc.machine.transient.scenario import Scenario
@@ -70,11 +70,13 @@ class MotorChoice:
 
 @record
 class Gears:
-    """The gears between the motor and the input shaft."""
+    """The gears between the motor and the input shaft; what is None is that of a gear train, if there is one."""
 
     ratio: float | None = None  # motor speed over input speed; None: rated speed over the mean input speed
     efficiency: float = 1.0
-    inertia: float = 0.0  # reduced to the input shaft [kg*m^2]
+    inertia: float | None = None  # reduced to the input shaft [kg*m^2]; None: none
+    ratio_of: str = ""  # the gear train whose ratio that is; empty: as given
+    inertia_of: str = ""  # the gear train whose inertia that is; empty: as given
 
 
 @record

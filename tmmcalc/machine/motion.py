@@ -3,34 +3,24 @@
 from __future__ import annotations
 
 import math
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from tmmcalc.errors import AccuracyError, NoSolutionError
-from tmmcalc.machine import recurrence
+from tmmcalc.machine.asked import INPUT, off_speed
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver
-from tmmcalc.machine.motors.characteristics import Parabolic
-from tmmcalc.machine.motors.gearing import Reduced
+from tmmcalc.machine.motorside import MotorSide, motor_side
 from tmmcalc.machine.positional import positional
-from tmmcalc.machine.recurrence import NodalRegime, Turn
 from tmmcalc.machine.regime import Regime
-from tmmcalc.machine.steady import driven
+from tmmcalc.machine.textbook import Textbook, Turn
 from tmmcalc.machine.verdicts import Verdict, verdicts
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
 
-
-@record
-class Textbook:
-    """The motion by the recurrence (3.57) on the grid of the positions."""
-
-    a: float  # A of the parabola M_d = A - B omega^2 [N*m]
-    b: float  # B [N*m*s^2/rad^2]
-    regime: NodalRegime  # the periodic one, directly
-    turns: tuple[Turn, ...]  # the iteration from the rated speed (3.58)
-    error: float  # largest difference of its speeds from the exact regime, against the mean speed [-]
+if TYPE_CHECKING:
+    from tmmcalc.machine.recurrence import Nodes
 
 
 @record
@@ -53,6 +43,8 @@ class Motion:
     omega_idle: Values | None  # (n,) [rad/s]
     textbook: Textbook | None
     verdicts: tuple[Verdict, ...]
+    balancing: float = 0.0  # moment of a diagram that closes its work before anything drives [N*m]
+    motor: MotorSide | None = None  # the regime at the shaft of the motor; None without one
 
 
 def solve_motion(
@@ -62,14 +54,16 @@ def solve_motion(
     driver: Driver | None,
     speed: float,
     positions: tuple[tuple[str, ...], Values, Values],
+    key: str = INPUT,
 ) -> Motion:
     """The steady motion; ``driver`` None: a constant driving moment at the mean ``speed`` [rad/s].
 
-    ``idle`` is the cycle without technological loads; ``positions`` are labels, phi and theta (n,). Raises
-    `NoSolutionError` where the machine stalls, runs away or its energy does not last for a cycle.
+    ``idle`` is the cycle without technological loads; ``positions`` are labels, phi and theta (n,); ``key`` is where
+    the spec gives the speed of the cycle. Raises `NoSolutionError` where the machine stalls, runs away or its energy does not last for a cycle.
     """
     labels, phi, theta = positions
-    regime = _regime(cycle, inertia, driver, speed)
+    sense = math.copysign(1.0, phi[-1])
+    regime = _regime(cycle, inertia, driver, speed, sense)
     quiet = _idle(idle, inertia, driver, speed)
     at = np.clip(theta, 0.0, cycle.period)
     omega, eps, driving = regime.panels.at(np.stack((regime.omega, regime.acceleration, regime.driving)), at)
@@ -90,14 +84,27 @@ def solve_motion(
         load=load[0] + load[1] * omega + load[2] * omega**2,
         omega_idle=quiet.omega_at(at) if quiet is not None else None,
         textbook=_textbook(cycle, inertia, driver, theta, omega),
-        verdicts=verdicts(regime, driver.characteristic, math.copysign(1.0, phi[-1])) if driver is not None else (),
+        verdicts=_verdicts(cycle, regime, driver, sense, key),
+        balancing=cycle.balancing,
+        motor=motor_side(regime, driver) if driver is not None else None,
     )
 
 
-def _regime(cycle: Cycle, inertia: ConstantInertia, driver: Driver | None, speed: float) -> Regime:
+def _verdicts(cycle: Cycle, regime: Regime, driver: Driver | None, sense: float, key: str) -> tuple[Verdict, ...]:
+    """What there is to say of the regime, warnings first."""
+    found = verdicts(regime, driver.characteristic, sense) if driver is not None else ()
+    off = off_speed(regime.mean, cycle.speed, driver.ratio if driver is not None else None, sense, key)
+    if off is None:
+        return found
+    return tuple(sorted((off, *found), key=lambda verdict: verdict.severity == "note"))
+
+
+def _regime(cycle: Cycle, inertia: ConstantInertia, driver: Driver | None, speed: float, sense: float = 1.0) -> Regime:
     if driver is None:
-        return positional(cycle, inertia.total, speed)
-    return driven(cycle, inertia.total, driver.characteristic, time_constant=driver.time_constant)
+        return positional(cycle, inertia.total, speed, sense=sense)
+    from tmmcalc.machine.steady import driven
+
+    return driven(cycle, inertia.total, driver.characteristic, time_constant=driver.time_constant, sense=sense)
 
 
 def _idle(idle: Cycle | None, inertia: ConstantInertia, driver: Driver | None, speed: float) -> Regime | None:
@@ -118,6 +125,8 @@ def _textbook(
     parabola = _parabola(driver)
     if parabola is None or np.ptp(np.diff(theta)) > 1e-9 * cycle.period / n:
         return None
+    from tmmcalc.machine import recurrence
+
     a, b, rated = parabola
     nodes = recurrence.on_nodes(cycle, inertia.total, a, b, n)
     try:
@@ -128,17 +137,24 @@ def _textbook(
     return Textbook(a, b, regime, _turns(nodes, rated), error)
 
 
-def _turns(nodes: recurrence.Nodes, rated: float) -> tuple[Turn, ...]:
+def _turns(nodes: Nodes, rated: float) -> tuple[Turn, ...]:
     """The iteration turn by turn; none where it does not settle."""
+    from tmmcalc.machine.recurrence import turns
+
     try:
-        return recurrence.turns(nodes, rated)
+        return turns(nodes, rated)
     except AccuracyError:
         return ()
 
 
 def _parabola(driver: Driver | None) -> tuple[float, float, float] | None:
     """A, B and the rated speed of a parabola on the input shaft; of gears with losses that of the driving motor."""
-    motor = driver.characteristic if driver is not None and not driver.time_constant else None
+    if driver is None or driver.time_constant:
+        return None
+    from tmmcalc.machine.motors.characteristics import Parabolic
+    from tmmcalc.machine.motors.gearing import Reduced
+
+    motor = driver.characteristic
     if isinstance(motor, Parabolic):
         return motor.a, motor.b, motor.nominal
     if isinstance(motor, Reduced) and isinstance(motor.base, Parabolic) and motor.nominal is not None:

@@ -14,16 +14,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError
-from tmmcalc.machine.cycle import Cycle
-from tmmcalc.machine.motors.gearing import points_of
-from tmmcalc.numerics.collocation import Kinks, System
-from tmmcalc.numerics.newton import Rates
+from tmmcalc.machine.cycle import Cycle, place
 from tmmcalc.numerics.panels import Panels, Values
 from tmmcalc.numerics.radau import radau
 from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
+    from tmmcalc.numerics.collocation import Kinks, System
+    from tmmcalc.numerics.newton import Rates
 
 VANISHING = 1e-12  # least inertia against the largest: below it the speed has no bound
 IDLE = 1e-3  # of the largest moment of the motor
@@ -41,6 +40,7 @@ class OneMass:
     constant: float  # J_c [kg*m^2]
     characteristic: Characteristic
     lag: float = 0.0  # electromagnetic time constant tau_e [s]
+    sense: float = 1.0  # of the input's motion: -1 clockwise; messages tell places as sense theta
 
     @property
     def states(self) -> int:
@@ -106,6 +106,8 @@ class OneMass:
 
     def _bends(self) -> Values:
         """Speeds (any number,) [rad/s] at the points of a table, and without load if losses of a gearing bend there."""
+        from tmmcalc.machine.motors.gearing import points_of
+
         motor = self.characteristic
         found = list(points_of(motor))
         level = motor.synchronous
@@ -164,16 +166,22 @@ def onto(cycle: Cycle, panels: Panels) -> Cycle:
     return Cycle(panels, inertia, slope, moment, viscous, quadratic, cycle.speed, cycle.error)
 
 
-def check_inertia(cycle: Cycle, constant: float) -> None:
-    """Raise `NoSolutionError` where the total inertia vanishes: nothing would limit the speed there."""
+def vanishing(cycle: Cycle, constant: float) -> tuple[float, float, float] | None:
+    """Least total inertia [kg*m^2], its place [rad] and the largest; None unless the least is mere rounding."""
     if constant > VANISHING * float(np.max(cycle.inertia)):
-        return
+        return None
     (least, at), (most, _) = cycle.panels.extremes(cycle.inertia + constant)
-    if least > VANISHING * most:
+    return (least, at, most) if least <= VANISHING * most else None
+
+
+def check_inertia(cycle: Cycle, constant: float, sense: float = 1.0) -> None:
+    """Raise `NoSolutionError` where the total inertia vanishes: nothing would limit the speed there."""
+    found = vanishing(cycle, constant)
+    if found is None:
         return
+    least, at, most = found
     raise NoSolutionError(
-        f"the reduced inertia is {least:.4g} kg*m^2 at {np.degrees(at):.6g} deg of the cycle: "
-        "nothing bounds the speed there",
+        f"the reduced inertia is {least:.4g} kg*m^2 at {place(at, sense)} of the cycle: nothing bounds the speed there",
         where="steady motion",
         value=least,
         limit=VANISHING * most,

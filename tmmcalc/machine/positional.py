@@ -9,21 +9,20 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
-from tmmcalc.machine.cycle import Cycle
+from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.machine.cycle import Cycle, place
 from tmmcalc.machine.onemass import check_inertia, onto
 from tmmcalc.machine.regime import Regime, regime_of
-from tmmcalc.numerics.collocation import TOLERANCE, Orbit, solve
-from tmmcalc.numerics.newton import Ends, Rates
+from tmmcalc.numerics.collocation import TOLERANCE
 from tmmcalc.numerics.panels import NARROWEST, PASSES, Panels, Values
-from tmmcalc.numerics.radau import radau
 
 WHERE = "steady motion"
 BALANCED = 1e-6  # work that a given driving moment may leave over, against the work of all moments
+CLOSED = 1e-14  # the same, as mere rounding of a diagram that closes by itself
 LEVEL = 1e-15  # relative change of the energy at which its level is found
 LEVELS = 60
-RAISED = 0.2  # to the logarithm of the energy's level, where the first guess of it does not last
-MEAN = 1e-14  # relative deviation of the mean speed
+EPS = float(np.finfo(float).eps)
+ROUNDINGS = 4.0  # of the inertia that its interpolation adds up: finer panels would follow them and not the speed
 
 
 def positional(
@@ -31,12 +30,15 @@ def positional(
     constant_inertia: float,
     speed: float | None = None,
     given_moment: float | Values | None = None,
+    *,
+    sense: float = 1.0,
 ) -> Regime:
     """The regime whose mean speed (omega_max + omega_min)/2 is ``speed`` [rad/s], by default that of the cycle.
 
     The driving moment is constant and closes the work of a cycle, or it is the ``given_moment`` [N*m], a number or a
     function (K, N) on the panels of the cycle. ``constant_inertia`` [kg*m^2] may be zero. With resistances that depend
-    on speed the constant driving moment is found together with the motion. Raises `NoSolutionError` where the energy
+    on speed the constant driving moment is found together with the motion. ``sense`` is -1 where the input turns
+    clockwise: messages tell places by its coordinate. Raises `NoSolutionError` where the energy
     does not last for the cycle (with the angle and the inertia that would do), or where a given moment leaves work
     over; `UsageError` for impossible arguments.
     """
@@ -47,23 +49,26 @@ def positional(
             where=WHERE,
             remedy="the speed is positive, the inertia not negative, both finite",
         )
-    check_inertia(cycle, constant_inertia)
+    check_inertia(cycle, constant_inertia, sense)
     if not np.any(cycle.viscous) and not np.any(cycle.quadratic):
-        return _free(cycle, constant_inertia, mean, _driving(cycle, given_moment))
+        return free(cycle, constant_inertia, mean, _driving(cycle, given_moment), sense)
     if given_moment is not None:
         raise UsageError(
             "with a resistance that depends on speed a given driving moment sets the speed itself",
             where=WHERE,
             remedy="leave the moment out, or give it as a motor's constant characteristic",
         )
-    return _resisted(cycle, constant_inertia, mean)
+    from tmmcalc.machine.resisted import resisted
+
+    return resisted(cycle, constant_inertia, mean, sense)
 
 
 def _driving(cycle: Cycle, given: float | Values | None) -> Values:
     """The driving moment (K, N): the constant one that closes the work of the cycle, or the given one if it does."""
     load = float(cycle.panels.total(cycle.moment))
     if given is None:
-        return np.full(cycle.moment.shape, -load / cycle.period)
+        closed = abs(load) <= CLOSED * float(cycle.panels.total(np.abs(cycle.moment)))
+        return np.full(cycle.moment.shape, 0.0 if closed else -load / cycle.period)
     driving = np.broadcast_to(np.asarray(given, float), cycle.moment.shape)
     surplus = float(cycle.panels.total(driving)) + load
     turnover = float(cycle.panels.total(np.abs(driving) + np.abs(cycle.moment)))
@@ -82,18 +87,19 @@ def _drifts(surplus: float) -> str:
     return "grows without end" if surplus > 0 else "falls to a stand"
 
 
-def _free(cycle: Cycle, constant: float, mean: float, driving: Values) -> Regime:
-    """The regime where nothing depends on the speed."""
+def free(cycle: Cycle, constant: float, mean: float, driving: Values, sense: float) -> Regime:
+    """The regime under the ``driving`` moment (K, N), which closes the work, where nothing depends on the speed."""
     on, moment = cycle, driving
     for meshes in range(1, PASSES + 1):
         inertia = on.inertia + constant
         work = on.panels.primitive(on.moment + moment)[0]
         if meshes == 1:
-            _check_energy(on, work, constant, mean)
+            _check_energy(on, work, constant, mean, sense)
         energy = _level(on.panels, work, inertia, mean) + work
         omega = np.sqrt(2 * energy / inertia)
         tail = on.panels.tail(omega) / np.max(omega)
-        rough = (tail > TOLERANCE) & (on.panels.width > NARROWEST * cycle.period)
+        noise = _rounding(cycle, on.panels) * np.max(omega / inertia, axis=1) / (2 * np.max(omega))
+        rough = (tail > np.maximum(TOLERANCE, noise)) & (on.panels.width > NARROWEST * cycle.period)
         if not rough.any():
             break
         on = onto(cycle, on.panels.split(rough))
@@ -101,7 +107,13 @@ def _free(cycle: Cycle, constant: float, mean: float, driving: Values) -> Regime
     return regime_of(on, constant, omega, moment, (1 + 0j,), float(np.max(tail)), {"newton": 0, "meshes": meshes})
 
 
-def _check_energy(cycle: Cycle, work: Values, constant: float, mean: float) -> None:
+def _rounding(cycle: Cycle, panels: Panels) -> Values:
+    """Rounding (K,) [kg*m^2] of the inertia on finer panels: that of the largest one from which it is interpolated."""
+    whole = np.searchsorted(cycle.panels.edges, (panels.edges[:-1] + panels.edges[1:]) / 2) - 1
+    return ROUNDINGS * EPS * np.max(cycle.inertia, axis=1)[whole]
+
+
+def _check_energy(cycle: Cycle, work: Values, constant: float, mean: float, sense: float) -> None:
     """Raise `NoSolutionError` if the energy at the mean speed does not last for the cycle.
 
     With the least inertia that does, the speed falls to zero once a cycle and rises to twice the mean.
@@ -111,7 +123,7 @@ def _check_energy(cycle: Cycle, work: Values, constant: float, mean: float) -> N
     if constant > need:
         return
     raise NoSolutionError(
-        f"the machine would stop at {np.degrees(at):.6g} deg of the cycle: at a mean speed of {mean:.6g} rad/s "
+        f"the machine would stop at {place(at, sense)} of the cycle: at a mean speed of {mean:.6g} rad/s "
         f"the kinetic energy of {constant:.6g} kg*m^2 does not last",
         where=WHERE,
         value=constant,
@@ -146,80 +158,3 @@ def _faster(inertia_a: float, inertia_b: float, gain: float, mean: float) -> flo
     constant = 4 * mean * mean * inertia_a + 2 * gain
     root = linear * linear + 4 * (inertia_b - inertia_a) * constant
     return 2 * constant / (linear + float(np.sqrt(max(root, 0.0))))
-
-
-def _resisted(cycle: Cycle, constant: float, mean: float) -> Regime:
-    """The regime with resistances that depend on speed: the constant driving moment is a second, constant state."""
-    frozen = cycle.moment + (cycle.viscous + cycle.quadratic * mean) * mean
-    still = Cycle(cycle.panels, cycle.inertia, cycle.slope, frozen, cycle.viscous, cycle.quadratic, mean, cycle.error)
-    start = _free(still, constant, mean, _driving(still, None))
-    orbit = _at_mean(cycle, constant, mean, start)
-    on = onto(cycle, orbit.panels)
-    omega = np.sqrt(2 * orbit.y[0] / (on.inertia + constant))
-    counters = {"newton": orbit.iterations, "meshes": orbit.passes}
-    return regime_of(on, constant, omega, orbit.y[1], (complex(np.exp(orbit.trace)),), orbit.error, counters)
-
-
-def _at_mean(cycle: Cycle, constant: float, mean: float, start: Regime) -> Orbit:
-    """The periodic motion with the mean speed asked for, by the secant in the logarithms of T0 and the mean.
-
-    A level with which the energy does not last for the cycle is too low: the next one lies half-way back.
-    """
-    panels = start.panels
-    energy = (onto(cycle, panels).inertia + constant) * start.omega**2 / 2
-    guess = np.stack((energy, start.driving))
-    log_level, power = float(np.log(panels.ends(energy)[0][0])), 2.0
-    known: list[tuple[float, float]] = []  # logarithms of the level, and of the mean over that asked for
-    for _ in range(LEVELS):
-        try:
-            orbit = _from_level(cycle, constant, panels, guess, float(np.exp(log_level)))
-        except AccuracyError:
-            log_level = (log_level + known[-1][0]) / 2 if known else log_level + RAISED
-            continue
-        omega = np.sqrt(2 * orbit.y[0] / (onto(cycle, orbit.panels).inertia + constant))
-        (slow, _), (fast, _) = orbit.panels.extremes(omega)
-        off = float(np.log((slow + fast) / (2 * mean)))
-        if abs(off) < MEAN:
-            return orbit
-        if known and off != known[-1][1]:
-            power = (log_level - known[-1][0]) / (off - known[-1][1])
-        known.append((log_level, off))
-        log_level -= power * off
-        panels, guess = orbit.panels, orbit.y
-    raise NoSolutionError(
-        f"the kinetic energy of {constant:.6g} kg*m^2 does not last for the cycle at a mean speed of {mean:.6g} rad/s",
-        where=WHERE,
-        value=constant,
-        remedy="more constant inertia (a flywheel), or a higher speed",
-    )
-
-
-def _from_level(cycle: Cycle, constant: float, panels: Panels, guess: Values, level: float) -> Orbit:
-    """The motion that begins with the energy ``level`` [J] and the constant moment that makes it periodic."""
-    # E(end) = E(0) and E(0) = level
-    ends = Ends(np.array([[-1.0, 0.0], [1.0, 0.0]]), np.array([[1.0, 0.0], [0.0, 0.0]]), np.array([0.0, level]))
-    return solve(
-        lambda on: _governed(cycle, constant, on),
-        panels,
-        guess,
-        ends=ends,
-        floor=np.array([0.0, -np.inf]),
-        tolerance=max(TOLERANCE, cycle.error),
-    )
-
-
-def _governed(cycle: Cycle, constant: float, panels: Panels) -> Rates:
-    """The equations of the states (E, M_d) with a driving moment that does not change."""
-    on = onto(cycle, panels)
-    data = np.stack((on.inertia + constant, on.moment, on.viscous, on.quadratic))
-    inertia, moment, viscous, quadratic = data @ radau(panels.order).from_gauss.T
-
-    def rates(y: Values) -> tuple[Values, Values, Values]:
-        omega = np.sqrt(2 * y[0] / inertia)
-        f, jacobian = np.zeros_like(y), np.zeros((2, *y.shape))
-        f[0] = y[1] + moment + (viscous + quadratic * omega) * omega
-        jacobian[0, 0] = (viscous + 2 * quadratic * omega) / (inertia * omega)
-        jacobian[0, 1] = 1.0
-        return f, jacobian, omega[None]
-
-    return rates

@@ -1,8 +1,11 @@
 """Work per cycle, efficiency and power, and the motor that they ask for (textbook 3.35-3.37).
 
 Work of the loads is told apart by its sign over the cycle: what drives, what resists, what friction and dampers
-take. A working machine is driven by a motor and its efficiency is A_c/(A_c + A_F); an engine is driven by its loads,
-and its efficiency is (A_d + A_F)/A_d. Weights and springs give back over a cycle what they take.
+take. If the loads leave work over (A_d + A_c + A_F > 0), the machine that is driven takes it; if they lack some, a
+drive gives it. The efficiency is useful work over work put in: useful is the work against resisting loads and what is
+left over, put in is the work of driving loads and what is lacking. So it is A_c/(A_c + A_F) where work is lacking
+(3.36) and (A_d + A_F)/A_d where some is left (3.37), whatever drives and resists besides. An engine is a machine into
+which its loads put more work than a drive. Weights and springs give back over a cycle what they take.
 """
 
 from __future__ import annotations
@@ -31,7 +34,7 @@ class WorkPart:
     """Work of one cause over a cycle."""
 
     name: str
-    kind: str  # "load", "weight", "spring", "damper", "friction"
+    kind: str  # "load", "weight", "spring", "damper", "friction", "balance"
     work: float  # [J]
     turnover: float = 0.0  # work of its magnitude, which tells work from rounding [J]; 0: not known
 
@@ -49,6 +52,8 @@ class MotorDuty:
     peak_load: float  # largest resisting moment at the motor shaft over its rated moment [-]
     curve: Curve | None = None  # ends of a direct-current motor's characteristic; None: another motor
     contradictions: tuple[str, ...] = ()  # among the data of the motor
+    ratio_of: str = ""  # the gear train whose ratio u is; empty: given, or of the speeds
+    off_speed: str | None = None  # what is wrong with its speed against that of the spec
 
 
 @record
@@ -63,18 +68,20 @@ class Power:
     stored: float  # work of weights and springs over a cycle, 0 but for rounding [J]
     efficiency: float | None  # eta [-]; None where nothing useful is done
     cycle_time: float  # T [s] at the mean speed
-    mean_power: float  # of the drive of a working machine, of the useful output of an engine [W]
+    mean_power: float  # that the loads leave over, or that they lack [W]
     peak_power: tuple[float, float]  # least and largest instant power of all loads [W]
-    mean_moment: float  # driving moment that makes the work of the cycle zero [N*m]; of an engine its load
+    mean_moment: float  # that makes the work of the cycle zero [N*m]: of the drive, or < 0 of what is driven
     peak_moment: float  # largest resisting reduced moment [N*m]
     peak_at: float  # theta there [rad]
     start_moment: float  # resisting reduced moment in position 0, 0 if none resists there [N*m]
     transmission: float  # efficiency of the gears to the motor [-]
-    motor_power: float | None  # required of the motor, P/eta [W]; None for an engine
+    motor_power: float | None  # required of the motor, P/eta [W]; None where the loads leave power over
     duty: MotorDuty | None  # None without a motor
     error: float  # estimated relative error of the work [-]
     counters: dict[str, int]
+    speed: float  # of the input, at which all of this holds [rad/s]
     sense: float = 1.0  # of the input's motion: -1 clockwise; places are sense theta
+    balancing: float = 0.0  # moment of a diagram that closes its work beside the loads [N*m]
 
 
 def moment_at(cycle: Cycle, speed: float) -> Values:
@@ -91,23 +98,20 @@ def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float =
     loads = [part.work for part in parts if part.kind == "load" and abs(part.work) > NOTHING * scale]
     driving, resisting = sum((w for w in loads if w > 0), 0.0), sum((w for w in loads if w < 0), 0.0)
     losses = sum((part.work for part in parts if part.kind in LOSSES), 0.0)
-    machine: Literal["working", "engine", "idle"] = "idle"
-    if loads:
-        machine = "engine" if driving + losses + resisting > 0 else "working"
-    moment = moment_at(cycle, cycle.speed)
+    moment = moment_at(cycle, cycle.speed) - cycle.balancing
     (least, least_at), (largest, _) = cycle.panels.extremes(moment)
     time = cycle.period / cycle.speed
     total = driving + resisting + losses
     total = total if abs(total) > NOTHING * scale else 0.0
     mean_power = abs(total) / time
     return Power(
-        machine=machine,
+        machine=_kind(driving, total) if loads else "idle",
         parts=parts,
         driving=driving,
         resisting=resisting,
         losses=losses,
         stored=sum((part.work for part in parts if part.kind in STORES), 0.0),
-        efficiency=_efficiency(machine, driving, resisting, losses),
+        efficiency=_efficiency(driving, resisting, losses, total),
         cycle_time=time,
         mean_power=mean_power,
         peak_power=(least * cycle.speed, largest * cycle.speed),
@@ -116,20 +120,25 @@ def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float =
         peak_at=least_at,
         start_moment=max(-float(cycle.panels.at(moment, np.zeros(1))[0]), 0.0),
         transmission=transmission,
-        motor_power=mean_power / transmission if machine != "engine" else None,
+        motor_power=mean_power / transmission if total <= 0 and not cycle.balancing else None,
         duty=None,
         error=cycle.error,
         counters={"panels": len(cycle.panels.edges) - 1},
+        speed=cycle.speed,
         sense=sense,
+        balancing=cycle.balancing,
     )
 
 
-def _efficiency(machine: str, driving: float, resisting: float, losses: float) -> float | None:
-    """(3.36) of a working machine, (3.37) of an engine."""
-    if machine == "engine":
-        return (driving + losses) / driving
-    useful = resisting + driving  # what drives on the way helps the motor
-    return useful / (useful + losses) if machine == "working" and useful < 0 else None
+def _kind(driving: float, total: float) -> Literal["working", "engine"]:
+    """Whether the driving loads put more work into the machine than a drive that gives what is lacking."""
+    return "engine" if driving > max(-total, 0.0) else "working"
+
+
+def _efficiency(driving: float, resisting: float, losses: float, total: float) -> float | None:
+    """Useful work over work put in: (3.37) where work is left over, (3.36) where it is lacking."""
+    useful = -resisting + max(total, 0.0)
+    return useful / (driving + max(-total, 0.0)) if useful > 0 else None
 
 
 def duty_of(
@@ -148,7 +157,7 @@ def duty_of(
         chosen,
         reasons,
         (motor.inertia or 0.0) * ratio**2,
-        max(power.mean_moment, 0.0) / rated,
+        max(power.mean_moment - power.balancing, 0.0) / rated,
         power.peak_moment / rated,
         None if kind is None else curve_of(motor, kind),
         () if kind is None else contradictions(motor, kind),
@@ -169,7 +178,8 @@ def chosen_motor(
         raise NoSolutionError(
             "nothing resists over the cycle, so no motor can be chosen by its power",
             where="power",
-            remedy="give the motor by its name or its data, or add the loads that it has to overcome",
+            remedy="give the motor by its name or its data, or add the loads that it has to overcome; where the torque "
+            "diagram is balanced, nothing is left to drive",
         )
     start = power.start_moment / power.transmission
     # a catalogue that knows no starting moments cannot be asked for them

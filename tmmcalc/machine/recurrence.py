@@ -17,6 +17,7 @@ import numpy as np
 
 from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.textbook import NodalRegime, Turn
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
 
@@ -70,26 +71,6 @@ def nodal_tables(cycle: Cycle, n: int, speed: float) -> tuple[Values, Values]:
     before = cycle.panels.at(moment, theta, before=True)
     after[-1], before[0], inertia[-1] = after[0], before[-1], inertia[0]
     return np.where(np.abs(after) >= np.abs(before), after, before), inertia
-
-
-@record
-class Turn:
-    """One cycle of the textbook's iteration (3.58)."""
-
-    first: float  # w_0 [rad/s]
-    last: float  # w_n [rad/s]
-
-
-@record
-class NodalRegime:
-    """Speeds at the nodes over one cycle, periodic or not."""
-
-    omega: Values  # (n + 1,) [rad/s]
-    node_min: int
-    node_max: int
-    delta: float  # coefficient of speed fluctuation over the nodes [-]
-    multiplier: float  # factor of a deviation of w_0^2 after one cycle [-]
-    warning: float  # largest B dphi / J [-]: above 1 the recurrence alternates and the step is too wide
 
 
 def march(nodes: Nodes, start: float) -> NodalRegime:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import cmath
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.numerics.collocation import Orbit
 from tmmcalc.numerics.panels import Panels, Values
 from tmmcalc.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.numerics.collocation import Orbit
 
 LOST = 1e-300  # a multiplier below it counts as zero
 INTERPOLATION = 4e-15  # relative rounding of a function carried from one set of points to another

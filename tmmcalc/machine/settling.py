@@ -14,12 +14,14 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.errors import AccuracyError
+from tmmcalc.machine.cycle import place
 from tmmcalc.machine.onemass import SPEEDS, OneMass, balanced_speed, onto
 from tmmcalc.machine.regime import multipliers
 from tmmcalc.numerics.collocation import TOLERANCE, Orbit, System, initial, solve
 from tmmcalc.numerics.panels import NARROWEST, Panels, Values
 
 TURNS = 300  # cycles followed before the search is given up
+SELDOM = 1.25  # times the cycles followed when the regime was last tried: before that it is not tried again
 LEG = 1e-8  # tolerance of the motion that is followed
 STANDSTILL = 0.005  # of the no-load speed
 SLOW = 0.2  # of the no-load speed: a motion that cannot be followed below it has come to a stand
@@ -115,15 +117,18 @@ def followed(machine: OneMass) -> Orbit | Halt:
     edge = machine.cycle.panels.edges[:1]
     inertia = float(_inertia_at(machine, edge)[0])
     y = np.array([inertia * machine.reference**2 / 2, float(machine.characteristic.moment(machine.reference))])
-    y = y[: machine.states]
+    y, tried = y[: machine.states], 0
+    last: _Leg | None = None
     for turn in range(1, TURNS + 1):
-        leg = _turn(machine, y, turn)
+        leg = (_again(machine, last, y) if last is not None else None) or _turn(machine, y, turn)
         if isinstance(leg, Halt):
             return leg
-        orbit = _joined(machine, leg)
-        if orbit is not None:
-            return orbit
-        y = leg.edges[:, -1]
+        # a machine may creep for hundreds of cycles through where a regime has just been lost: seldom tried is enough
+        if turn > SELDOM * tried:
+            tried, orbit = turn, _joined(machine, leg)
+            if orbit is not None:
+                return orbit
+        last, y = leg, leg.edges[:, -1]
     raise AccuracyError(
         f"the speed still changes after {TURNS} cycles from the no-load speed",
         where="steady motion",
@@ -152,6 +157,19 @@ def _joined(machine: OneMass, leg: _Leg) -> Orbit | None:
         return orbit if _draws(machine, orbit, omega) else None
     apart = np.max(np.abs(omega / machine.speed(orbit.panels, orbit.y[0]) - 1))
     return orbit if apart < NEAR and abs(multipliers(orbit)[0]) < 1 else None
+
+
+def _again(machine: OneMass, last: _Leg, y: Values) -> _Leg | None:
+    """The motion over one more cycle from ``y`` (m,), from the ``last`` one; None if it differs too much from that."""
+    try:
+        found = solve(
+            machine.equations(), last.panels, last.y, ends=initial(y), floor=machine.floor, tolerance=LEG, passes=1
+        )
+    except AccuracyError:
+        return None
+    pace = np.sqrt(2 * found.edges[0] / _inertia_at(machine, found.panels.edges)) / machine.reference
+    goes_on = bool(np.all((pace > STANDSTILL) & (pace < RUNAWAY)))
+    return _Leg(found.panels, found.y, found.edges) if goes_on else None
 
 
 def _turn(machine: OneMass, y: Values, turn: int) -> _Leg | Halt:
@@ -208,7 +226,7 @@ def _stopped(machine: OneMass, theta: float, y: Values, inertia: float, turn: in
     if pace < SLOW or np.all(motor.moment(omega) + load + (viscous + quadratic * omega) * omega < 0):
         return Halt(True, theta, turn)
     raise AccuracyError(
-        f"the motion cannot be followed beyond {np.degrees(theta):.6g} deg of cycle {turn}",
+        f"the motion cannot be followed beyond {place(theta, machine.sense)} of cycle {turn}",
         where="steady motion",
         value=pace * machine.reference,
         remedy="mark the angle as a break of the load if it jumps there, or give the motor a less steep characteristic",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmmcalc.errors import AccuracyError, NoSolutionError
-from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.cycle import Cycle, place
 from tmmcalc.machine.onemass import SPEEDS, OneMass
 from tmmcalc.machine.settling import Guess, Halt, directly, next_to, settled
 from tmmcalc.numerics.collocation import Orbit
@@ -121,7 +121,7 @@ def check_mean_load(machine: OneMass) -> None:
 
 def halted(machine: OneMass, halt: Halt) -> NoSolutionError:
     """The error that tells where a machine stops or runs away, and what would help."""
-    angle = f"{np.degrees(halt.theta):.6g} deg of cycle {halt.turn} from the no-load speed"
+    angle = f"{place(halt.theta, machine.sense)} of cycle {halt.turn} from the no-load speed"
     if not halt.stall:
         return NoSolutionError(
             f"the machine runs away: the loads drive it faster than the motor can brake, {angle}",

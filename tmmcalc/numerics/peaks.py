@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
+from functools import cache
 
 import numpy as np
 
@@ -11,6 +10,8 @@ from tmmcalc.numerics.panels import Panels, Values, rule
 
 TERMS = 7  # of the Taylor polynomial: what is left out is less than 1e-10 between two points
 NEWTON = 3
+_DEGREES = np.arange(TERMS + 1.0)[:, None]
+_FIRST, _SECOND = _DEGREES[1:], (_DEGREES * (_DEGREES - 1))[2:]  # factors of the terms in the derivatives
 
 
 def peaks(on: Panels, values: Values) -> tuple[Values, Values]:
@@ -26,16 +27,17 @@ def peaks(on: Panels, values: Values) -> tuple[Values, Values]:
     """
     r, functions = rule(on.order), np.arange(len(values))
     k, i = np.divmod(np.argmax(values.reshape(len(values), -1), axis=1), on.order)
-    terms = _taylor(values[functions, k], r.slope, i)
+    terms = (_taylor(on.order)[i] @ values[functions, k][:, :, None])[:, :, 0].T
     d = np.zeros(len(values))
     for _ in range(NEWTON):
-        first = _horner([m * term for m, term in enumerate(terms)][1:], d)
-        second = _horner([m * (m - 1) * term for m, term in enumerate(terms)][2:], d)
+        powers = d**_DEGREES
+        first = np.add.reduce(_FIRST * terms[1:] * powers[:-1])
+        second = np.add.reduce(_SECOND * terms[2:] * powers[:-2])
         move = np.where(second < 0, -first / np.where(second < 0, second, 1.0), 0.0)
         d = np.clip(d + move, -1 / on.order, 1 / on.order)
     t = np.clip(r.points[i] + d, 0.0, 1.0)
     low, high = on.ends(values)
-    refined, point = _horner(terms, t - r.points[i]), values[functions, k, i]
+    refined, point = np.add.reduce(terms * (t - r.points[i]) ** _DEGREES), values[functions, k, i]
     found = np.concatenate((refined[:, None], point[:, None], low, high), axis=1)
     inside = (on.edges[k] + np.stack((t, r.points[i])) * on.width[k]).T
     edges = np.broadcast_to(np.concatenate((on.edges[:-1], on.edges[1:])), (len(values), 2 * on.count))
@@ -43,17 +45,10 @@ def peaks(on: Panels, values: Values) -> tuple[Values, Values]:
     return found[functions, best], np.concatenate((inside, edges), axis=1)[functions, best]
 
 
-def _taylor(rows: Values, slope: Values, i: Values) -> list[Values]:
-    """Terms (m,) each of the polynomials of rows (m, N) about their points ``i`` (m,)."""
-    derivatives = [rows]
-    for _ in range(TERMS):
-        derivatives.append(derivatives[-1] @ slope.T)
-    each = np.arange(len(rows))
-    return [row[each, i] / math.factorial(m) for m, row in enumerate(derivatives)]
-
-
-def _horner(terms: Sequence[Values], d: Values) -> Values:
-    value = terms[-1]
-    for term in reversed(terms[:-1]):
-        value = value * d + term
-    return value
+@cache
+def _taylor(order: int) -> Values:
+    """What gives the terms of the polynomial about each point of a panel from its values, (N, TERMS + 1, N)."""
+    slope, rows = rule(order).slope, [np.eye(order)]
+    for m in range(1, TERMS + 1):
+        rows.append(slope @ rows[-1] / m)
+    return np.stack(rows, axis=1)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from tmmcalc.errors import UsageError
-from tmmcalc.pipeline.stage import Stage, resolve
+from tmmcalc.pipeline.stage import Stage, of_scene, resolve
 from tmmcalc.pipeline.stages import STAGES
 from tmmcalc.records import record
 
@@ -46,6 +46,7 @@ def plan(spec: object, target: str | None = None, stages: Mapping[str, Stage] = 
     """
     if target is not None:
         known_stage(target, stages)
+    stages = of_scene(stages, spec)
     asked = set(stages) if target is None else _upstream(target, stages)
     barred = _barred(spec, asked, stages)
     if target in barred:

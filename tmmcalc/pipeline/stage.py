@@ -13,7 +13,7 @@ the only form in which a result is handed on, whether it has just been computed 
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Mapping
-from dataclasses import field
+from dataclasses import field, replace
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -55,8 +55,8 @@ class Table:
 class Stage:
     """One stage of the pipeline; every function is a ``"module:function"`` string.
 
-    ``wanted`` is called while planning, also for scenes that leave the stage out: its module must import
-    little.
+    ``wanted`` and ``spares`` are called while planning, also for scenes that leave the stage out: their module
+    must import little.
     """
 
     name: str
@@ -69,11 +69,22 @@ class Stage:
     wanted: str = ""  # (spec) -> None, or the reason why the scene leaves the stage out; empty: always wanted
     needs: tuple[str, ...] = ()  # the stages whose results it reads
     uses: tuple[str, ...] = ()  # the stages whose results it reads if the scene has them
+    spares: str = ""  # (spec) -> those of ``uses`` that it does without in this scene; empty: none
     settings: Mapping[str, Any] = field(default_factory=dict)  # options of the method and their defaults
 
     def upstream(self, done: Container[str]) -> list[str]:
         """The stages whose results it reads, of those that are done."""
         return [*self.needs, *(name for name in self.uses if name in done)]
+
+
+def of_scene(stages: Mapping[str, Stage], spec: object) -> dict[str, Stage]:
+    """The stages as this scene has them: with those of ``uses`` alone that each reads."""
+    return {name: _of_scene(stage, spec) if stage.spares else stage for name, stage in stages.items()}
+
+
+def _of_scene(stage: Stage, spec: object) -> Stage:
+    spared = resolve(stage.spares)(spec)
+    return replace(stage, uses=tuple(name for name in stage.uses if name not in spared))
 
 
 def resolve(reference: str) -> Callable[..., Any]:

@@ -14,17 +14,22 @@ def _stage(
     *,
     needs: tuple[str, ...] = (),
     uses: tuple[str, ...] = (),
+    spares: bool = False,
     wanted: bool = False,
     settings: Mapping[str, Any] | None = None,
     table: bool = True,
 ) -> Stage:
-    """Declare a stage whose functions live in the module of its name; ``wanted``: not every scene has it."""
+    """Declare a stage whose functions live in the module of its name.
+
+    ``wanted``: not every scene has it; ``spares``: not every scene needs what it uses.
+    """
     home = f"tmmcalc.stages.{name}"
     return Stage(
         name=name,
         title=title,
         needs=needs,
         uses=uses,
+        spares=f"tmmcalc.stages.spared:{name}" if spares else "",
         wanted=f"tmmcalc.stages.wanted:{name}" if wanted else "",
         inputs=f"{home}:inputs",
         solve=f"{home}:solve",
@@ -58,10 +63,28 @@ STAGES: dict[str, Stage] = {
             uses=("kinematics",),
             wanted=True,
         ),
+        _stage("train", "tooth numbers of the gear train: all sets within the constraints", wanted=True),
+        _stage("gearing", "a written train: speeds, torques, power flow, efficiency", wanted=True),
+        _stage(
+            "strength",
+            "modules and face widths of all tooth sets by the endurance of the teeth",
+            needs=("train",),
+            uses=("reduction",),
+            spares=True,
+            wanted=True,
+        ),
+        _stage(
+            "criteria",
+            "the best gear train; its inertia and ratio for the machine",
+            needs=("train", "strength"),
+            wanted=True,
+        ),
         _stage(
             "power",
             "work per cycle, efficiency, power, the motor",
             needs=("reduction",),
+            uses=("criteria",),
+            spares=True,
             wanted=True,
             table=False,
         ),
@@ -69,6 +92,8 @@ STAGES: dict[str, Stage] = {
             "flywheel",
             "the flywheel for the allowed unevenness, by all methods",
             needs=("reduction", "power"),
+            uses=("criteria",),
+            spares=True,
             wanted=True,
             table=False,
         ),
@@ -76,14 +101,16 @@ STAGES: dict[str, Stage] = {
             "motion",
             "steady motion of the machine: speed over the cycle",
             needs=("reduction", "power"),
-            uses=("flywheel",),
+            uses=("criteria", "flywheel"),
+            spares=True,
             wanted=True,
         ),
         _stage(
             "transient",
             "start-up, braking, run-down, load changes in time",
             needs=("reduction", "power"),
-            uses=("flywheel",),
+            uses=("criteria", "flywheel"),
+            spares=True,
             wanted=True,
         ),
         _stage(
@@ -92,6 +119,5 @@ STAGES: dict[str, Stage] = {
             uses=("kinematics",),
             wanted=True,
         ),
-        _stage("train", "tooth numbers of the gear train: all sets within the constraints", wanted=True),
     )
 }

@@ -15,9 +15,8 @@ import numpy as np
 from tmmcalc.machine.flywheel.materials import RECOMMENDED
 from tmmcalc.machine.flywheel.placement import Wheel
 from tmmcalc.machine.flywheel.positional import FlywheelMethod
-from tmmcalc.machine.flywheel.required import RequiredInertia
-from tmmcalc.machine.flywheel.search import Trial
 from tmmcalc.machine.flywheel.task import Flywheel
+from tmmcalc.machine.flywheel.trials import RequiredInertia, Trial
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.motion import inertia_fact, unevenness
 from tmmcalc.report.numbers import angle, number

@@ -13,9 +13,12 @@ from dataclasses import replace
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.machine.columns import motion_columns
 from tmmcalc.machine.driver import ConstantInertia
-from tmmcalc.machine.motion import Motion, Textbook
+from tmmcalc.machine.motion import Motion
+from tmmcalc.machine.motorside import MotorSide
 from tmmcalc.machine.recurrence import BOOK
 from tmmcalc.machine.regime import LOST, Regime
+from tmmcalc.machine.textbook import Textbook
+from tmmcalc.machine.verdicts import SLACK
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import NOISE, number
 from tmmcalc.report.places import Shaft, choose, span_fact
@@ -36,6 +39,7 @@ def motion_summary(result: Motion, title: str) -> Document:
         _speed_fact(shaft, "speed", "omega", regime),
         *_mean_facts(regime),
         *_driving_facts(shaft, regime),
+        *_motor_facts(result.motor),
         _stability_fact(regime),
         *_idle_facts(shaft, result.idle),
         *_textbook_facts(result),
@@ -75,8 +79,11 @@ def unevenness(delta: float, digits: int = 7) -> str:
 def inertia_fact(label: str, key: str, inertia: ConstantInertia) -> Fact:
     """A constant inertia and its parts."""
     parts = {name: getattr(inertia, name) for name in ("rotor", "gears", "further", "flywheel")}
-    text = " + ".join(f"{name} {number(value)}" for name, value in parts.items() if value)
+    whence = {"gears": f" (gear train {inertia.train})" if inertia.train else ""}
+    text = " + ".join(f"{name} {number(value)}{whence.get(name, '')}" for name, value in parts.items() if value)
     values = {f"{key}[kg*m^2]": inertia.total, **{f"J_{name}[kg*m^2]": value for name, value in parts.items() if value}}
+    if inertia.train:
+        values["gear_train"] = inertia.train
     return Fact(label, f"{number(inertia.total)} kg*m^2{f' = {text}' if text else ''}", values)
 
 
@@ -85,7 +92,10 @@ def _driver_fact(result: Motion) -> Fact:
     if result.kind == "motor":
         name = NAMES.get(result.characteristic, result.characteristic)
         return Fact("driven by", f"a motor with the {name} characteristic", values)
-    moment = result.regime.mean_moment
+    moment, balancing = result.regime.mean_moment, result.balancing
+    if balancing:
+        text = f"the diagram with its balancing moment of {number(balancing)} N*m"
+        return Fact("driven by", f"{text}: nothing is left to drive", values | {"M_balancing[N*m]": balancing})
     what = "a constant moment" if moment >= 0 else "its loads, against a constant moment"
     return Fact("driven by", f"{what} that makes the work of a cycle zero", values)
 
@@ -129,6 +139,23 @@ def _driving_facts(shaft: Shaft, regime: Regime) -> list[Fact]:
         replace(fact, text=text, values=values),
         Fact("mean driving power", f"{number(regime.mean_power)} W", {"P_mean[W]": regime.mean_power}),
     ]
+
+
+def _motor_facts(motor: MotorSide | None) -> list[Fact]:
+    """Power and moment at the shaft of the motor, and how they warm it."""
+    if motor is None:
+        return []
+    gears = f", through gears of the efficiency {number(motor.efficiency)}" if motor.efficiency != 1 else ""
+    values = {"P_motor_mean[W]": motor.mean_power, "M_motor_max[N*m]": motor.largest}
+    text = f"mean {number(motor.mean_power)} W{gears}\nlargest moment {number(motor.largest)} N*m"
+    facts = [Fact("at the motor's shaft", text, values)]
+    rms, heating = f"rms moment {number(motor.rms_moment)} N*m", motor.heating
+    values = {"M_motor_rms[N*m]": motor.rms_moment}
+    if heating is None:
+        return [*facts, Fact("heating of the motor", f"{rms}; its rated moment is not known", values)]
+    says = "it overheats" if heating > 1 + SLACK else "it bears that"
+    text = f"{rms}, {number(heating, 4)} of the rated {number(motor.rated_moment or 0.0)} N*m: {says}"
+    return [*facts, Fact("heating of the motor", text, values | {"M_motor_rms/M_N": heating})]
 
 
 def _stability_fact(regime: Regime) -> Fact:

@@ -88,7 +88,9 @@ def _part_fact(result: Power, part: WorkPart) -> Fact:
     twice = sum(other.name == part.name for other in result.parts) > 1
     key = f"{part.name}_{part.kind}" if twice else part.name.replace(" ", "_")
     called = f"{part.name} (damping)" if part.kind == "damper" else part.name
-    text = f"{number(part.work, peak=_scale(result))} J a cycle"
+    scale = _scale(result)
+    power = number(part.work / result.cycle_time, peak=scale / result.cycle_time)
+    text = f"{number(part.work, peak=scale)} J a cycle, {power} W"
     return Fact(f"work of {called}", text, {f"work_{key}[J]": part.work})
 
 
@@ -114,17 +116,15 @@ def _work_facts(result: Power) -> list[Fact]:
 
 
 def _formula(result: Power) -> str:
-    """How the efficiency comes from the work, textbook (3.36) and (3.37)."""
-    if result.machine == "engine":
-        return "(A_d + A_F)/A_d"
-    return "(A_c + A_d)/(A_c + A_d + A_F)" if result.driving else "A_c/(A_c + A_F)"
+    """How the efficiency comes from the work, textbook (3.36) where work is lacking, (3.37) where some is left."""
+    return "(A_d + A_F)/A_d" if result.mean_moment < 0 else "A_c/(A_c + A_F)"
 
 
 def _power_facts(result: Power) -> list[Fact]:
     """Time of a cycle, mean and peak power and moment of the input shaft, and what they ask of a motor."""
     (least, largest), mean = result.peak_power, result.mean_moment
     peak = max(abs(least), abs(largest))
-    whose = "left for the machine that it drives" if result.machine == "engine" else "of the drive"
+    whose = _whose(result)
     shaft = Shaft(np.array([0.0, result.sense]))
     where = f", resisting at {place(shaft, result.peak_at)}" if result.peak_moment else ": nothing ever resists"
     facts = [
@@ -142,12 +142,30 @@ def _power_facts(result: Power) -> list[Fact]:
             {"P_load_min[W]": least, "P_load_max[W]": largest},
         ),
     ]
+    if result.balancing:
+        facts.append(_balancing_fact(result))
     if result.motor_power is not None:
         gears = result.transmission
         over = f", through gears of the efficiency {number(gears)}" if gears != 1 else ""
         values = {"P_required[W]": result.motor_power, "eta_gears": gears}
         facts.append(Fact("required motor power", f"{number(result.motor_power)} W{over}", values))
     return facts
+
+
+def _whose(result: Power) -> str:
+    """Whose the mean power is."""
+    if result.mean_moment < 0:
+        return "left for the machine that it drives"
+    return "lacking: the loads resist more than they drive" if result.machine == "engine" else "of the drive"
+
+
+def _balancing_fact(result: Power) -> Fact:
+    """The moment of a balanced diagram that stands for what is driven, or for the drive."""
+    moment = result.balancing
+    power = moment * result.speed
+    part = "the load of the engine" if moment < 0 else "the drive"
+    text = f"{number(moment)} N*m, {number(power)} W: {part}, which makes the work of a cycle zero"
+    return Fact("balancing moment", text, {"M_balancing[N*m]": moment, "P_balancing[W]": power})
 
 
 def _motor_facts(result: Power) -> list[Fact]:
@@ -163,7 +181,7 @@ def _motor_facts(result: Power) -> list[Fact]:
     rated = duty.motor.nominal_moment * duty.ratio * result.transmission
     text = f"mean {number(duty.mean_load, 4)}, peak {number(duty.peak_load, 4)} of the rated moment"
     facts += [
-        Fact("gear ratio u", f"{number(duty.ratio)}, motor over input shaft", {"u": duty.ratio}),
+        _ratio_fact(duty),
         Fact("rated at the input", f"{number(rated)} N*m", {"M_N_input[N*m]": rated}),
         Fact("load of the motor", text, {"mean_load": duty.mean_load, "peak_load": duty.peak_load}),
     ]
@@ -171,6 +189,13 @@ def _motor_facts(result: Power) -> list[Fact]:
         text = f"{number(duty.rotor)} kg*m^2 = J_R u^2"
         facts.append(Fact("rotor at the input", text, {"J_rotor[kg*m^2]": duty.rotor}))
     return facts
+
+
+def _ratio_fact(duty: MotorDuty) -> Fact:
+    """The ratio of the gears, and whose it is."""
+    whose = f", of gear train {duty.ratio_of}" if duty.ratio_of else ""
+    values = {"u": duty.ratio, **({"u_of": duty.ratio_of} if duty.ratio_of else {})}
+    return Fact("gear ratio u", f"{number(duty.ratio)}, motor over input shaft{whose}", values)
 
 
 def _plate_fact(motor: Motor, chosen: bool) -> Fact:
@@ -201,6 +226,8 @@ def _curve_fact(curve: Curve) -> Fact:
 def _notes(duty: MotorDuty) -> Iterator[str]:
     """What the numbers of the motor mean for the machine."""
     motor = duty.motor
+    if duty.off_speed is not None:
+        yield f"warning: {duty.off_speed}"
     for contradiction in duty.contradictions:
         yield f"warning: the data of the motor contradict each other: {contradiction}"
     if duty.mean_load > 1:

@@ -23,6 +23,9 @@ SUMMARIES = {
     "transient": "tmmcalc.report.transient:transient_summary",
     "balance": "tmmcalc.report.balance:balance_summary",
     "train": "tmmcalc.report.train:train_summary",
+    "gearing": "tmmcalc.report.gearing:gearing_summary",
+    "strength": "tmmcalc.report.strength:strength_summary",
+    "criteria": "tmmcalc.report.criteria:criteria_summary",
 }
 
 

@@ -61,6 +61,11 @@ MISSING = {
     "rotor.unbalances": ("a rotor has unbalances", "add [[rotor.unbalances]], one for each"),
     "rotor.unbalances.position": ("every unbalance has its place along the axis", 'add position = "120 mm"'),
     "train.layout": ("a train has its layout", 'add layout = "AI", or several: layout = ["AI", "AIbar"]'),
+    "gearing.members.name": ("every member has its name, as the meshes have it", 'add name = "planet"'),
+    "gearing.meshes.first": ("a mesh has two members", 'add first = "sun"'),
+    "gearing.meshes.first_teeth": ("every wheel has its number of teeth", "add first_teeth = 18"),
+    "gearing.meshes.second": ("a mesh has two members", 'add second = "planet"'),
+    "gearing.meshes.second_teeth": ("every wheel has its number of teeth", "add second_teeth = 48"),
 }
 
 ARRAYS_OF_TABLES = (
@@ -78,6 +83,8 @@ ARRAYS_OF_TABLES = (
     "balance.add",
     "engine.cylinders",
     "rotor.unbalances",
+    "gearing.members",
+    "gearing.meshes",
 )
 
 # Lists that are not points: what they hold, and an example; with brackets, the lists that are elements of a list.
@@ -112,6 +119,8 @@ LISTS = {
     "engine.orders": ("a list of orders", "orders = [1, 2, 4, 6]"),
     "rotor.bearings": ("the places of the two bearings", 'bearings = [0, "400 mm"]'),
     "rotor.planes": ("the places of the two correction planes", 'planes = ["50 mm", "350 mm"]'),
+    "gearing.teeth": ("a list of numbers of teeth", "teeth = [22, 118, 17, 97]"),
+    "gearing.locked": ("a list of pairs of members", 'locked = [["sun", "H"]]'),
     "train.modules": ("the modules of the two stages", 'modules = ["2 mm", "3.5 mm"]'),
 }
 
@@ -126,6 +135,10 @@ INLINE = {
     "torque.harmonics": 'harmonics = { constant = "20 N*m", terms = [{ order = 2, sin = "100 N*m" }] }',
     "torque.harmonics.terms": 'terms = [{ order = 2, sin = "100 N*m" }]',
     "torque.table": 'table = { theta = ["0 deg", "180 deg"], moment = ["100 N*m", 0] }',
+    "gearing.speeds": 'speeds = { sun = "1500 rpm", ring = 0 }',
+    "gearing.torques": 'torques = { sun = "20 N*m" }',
+    "gearing.load": 'load = { H = "150 N*m" }',
+    "gearing.powers": 'powers = { sun = "4 kW" }',
     "transients.load_steps": 'load_steps = [{ factor = 0.5, time = "3 s" }]',
     "transients.brake": 'brake = { moment = "200 N*m", from = "2 s" }',
     "balance.counterweights": 'counterweights = [{ link = 1, radius = "60 mm" }]',

@@ -21,12 +21,11 @@ from tmmcalc.machine.model import (
     TorqueTask,
     TransientTask,
 )
-from tmmcalc.machine.motors.catalogue import find, load_catalogue
-from tmmcalc.machine.motors.model import CharacteristicKind, Motor, gd2, with_lag
 
 from .names import shaft_names, transient_names
 
 if TYPE_CHECKING:
+    from tmmcalc.machine.motors.model import CharacteristicKind, Motor
     from tmmcalc.machine.transient.scenario import Brake, Scenario
 
     from .motor import MotorTable
@@ -45,6 +44,9 @@ def to_motor(spec: Spec) -> MotorChoice | None:
     table = spec.motor
     if table is None:
         return None
+    from tmmcalc.machine.motors.catalogue import load_catalogue
+    from tmmcalc.machine.motors.model import with_lag
+
     if table.name == CHOOSE:
         own = load_catalogue(table.catalogue) if table.catalogue is not None else ()
         return MotorChoice(None, table.characteristic or "parabolic", _lag(table), own, table.synchronous_speed)
@@ -54,6 +56,9 @@ def to_motor(spec: Spec) -> MotorChoice | None:
 
 def _motor(table: MotorTable) -> Motor:
     """The motor by its name with the data beside it, or by its data alone."""
+    from tmmcalc.machine.motors.catalogue import find, load_catalogue
+    from tmmcalc.machine.motors.model import Motor
+
     given = _data(table)
     if table.name is not None and table.power is None:
         found = find(table.name, load_catalogue(table.catalogue) if table.catalogue is not None else None)
@@ -73,6 +78,8 @@ def _data(table: MotorTable) -> dict[str, Any]:
     if synchronous is not None:
         data["synchronous"] = synchronous
     if table.flywheel_moment is not None:
+        from tmmcalc.machine.motors.model import gd2
+
         data["inertia"] = gd2(table.flywheel_moment)
     if table.table is not None:
         data["points"] = tuple(zip(table.table.speed, table.table.moment, strict=True))
@@ -132,6 +139,11 @@ def to_motion(spec: Spec) -> MotionTask:
         return MotionTask(spec.motor is None)
     positional = spec.motor is None if table.drive is None else table.drive == "positional"
     return MotionTask(positional, table.inertia, table.speed)
+
+
+def speed_key(spec: Spec) -> str:
+    """Where the spec gives the mean speed of the input."""
+    return "mechanism.input.speed" if spec.torque is None else "torque.speed"
 
 
 def to_torque(spec: Spec) -> TorqueTask | None:

@@ -13,9 +13,11 @@ from .table import Table
 
 if TYPE_CHECKING:
     from .balance import BalanceTable
+    from .criteria import CriteriaTable
     from .drive import DriveTable
     from .engine import EngineTable
     from .flywheel import FlywheelTable
+    from .gearing import GearingTable
     from .loads import LoadTable
     from .motion import MotionTable
     from .motor import MotorTable
@@ -23,15 +25,18 @@ if TYPE_CHECKING:
     from .rotor import RotorTable
     from .shafts import ShaftTable
     from .springs import SpringTable
+    from .strength import StrengthTable
     from .torque import TorqueTable
     from .train import TrainTable
     from .transients import TransientTable
     from .transmission import TransmissionTable
 else:
     BalanceTable = late("balance", "BalanceTable")
+    CriteriaTable = late("criteria", "CriteriaTable")
     DriveTable = late("drive", "DriveTable")
     EngineTable = late("engine", "EngineTable")
     FlywheelTable = late("flywheel", "FlywheelTable")
+    GearingTable = late("gearing", "GearingTable")
     LoadTable = late("loads", "LoadTable")
     MotionTable = late("motion", "MotionTable")
     MotorTable = late("motor", "MotorTable")
@@ -39,6 +44,7 @@ else:
     RotorTable = late("rotor", "RotorTable")
     ShaftTable = late("shafts", "ShaftTable")
     SpringTable = late("springs", "SpringTable")
+    StrengthTable = late("strength", "StrengthTable")
     TorqueTable = late("torque", "TorqueTable")
     TrainTable = late("train", "TrainTable")
     TransientTable = late("transients", "TransientTable")
@@ -69,6 +75,13 @@ class Spec(Table):
     engine: EngineTable | None = Field(default=None, description="Balance of an engine with several cranks.")
     rotor: RotorTable | None = Field(default=None, description="Static and two-plane balancing of a rotor.")
     train: TrainTable | None = Field(default=None, description="The gear train: layout, ratio, tooth numbers.")
+    gearing: GearingTable | None = Field(
+        default=None, description="A train of gears that is written out: its meshes, known speeds and torques."
+    )
+    strength: StrengthTable | None = Field(
+        default=None, description="Strength of the train: torque, materials, modules and face widths."
+    )
+    criteria: CriteriaTable | None = Field(default=None, description="By what the best train is chosen.")
 
     @property
     def linkage(self) -> MechanismTable:

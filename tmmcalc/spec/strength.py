@@ -58,7 +58,10 @@ class HardnessForm(_Form):
         """Return the JSON Schema: a text of number and scale, or both in a table."""
         table = {
             "type": "object",
-            "properties": {"value": {"type": "number"}, "scale": {"enum": ["HB", "HRC", "HV"]}},
+            "properties": {
+                "value": {"type": "number", "description": "The number."},
+                "scale": {"enum": ["HB", "HRC", "HV"], "description": "Its scale."},
+            },
             "required": ["value", "scale"],
             "additionalProperties": False,
         }
@@ -161,7 +164,9 @@ class StrengthTable(Table):
         default=None, description="Largest reduced moment, in place of torque (default: that of the reduction)."
     )
     moment_ratio: Ratio | None = Field(
-        default=None, description="Speed of wheel 1 over that of the shaft to which the moment is reduced."
+        default=None,
+        description="Speed of wheel 1 over that of the shaft to which the moment is reduced (default: that of the "
+        "train, whose output is this shaft).",
     )
     material: MaterialTable | None = Field(default=None, description="Material of all wheels.")
     pinion: MaterialTable | None = Field(default=None, description="Material of the pinions, in place of material.")

@@ -9,6 +9,7 @@ from tmmcalc.errors import UsageError
 from .phrases import did_you_mean, listing
 
 _PACKAGE = Path(__file__).resolve().parent.parent
+_DIRECTIVE = "#:schema "  # of the editors: the file that follows describes the spec
 
 
 def folder() -> Path:
@@ -35,14 +36,19 @@ def path(name: str) -> Path:
 
 
 def text(name: str) -> str:
-    """Return the text of a ready spec."""
-    return path(name).read_text(encoding="utf-8")
+    """Return the text of a ready spec; the schema that its first line names stands beside it, as ``init`` writes both.
+
+    >>> text("extreme/slip").splitlines()[0]
+    '#:schema ./tmmcalc.schema.json'
+    """
+    whole = path(name).read_text(encoding="utf-8")
+    return whole.replace(f"{_DIRECTIVE}../", f"{_DIRECTIVE}./", 1) if whole.startswith(_DIRECTIVE) else whole
 
 
 def description(name: str) -> str:
     """Return the one-line description of a ready spec: the first line of its first comment."""
     for line in text(name).splitlines():
-        if line.startswith("#") and not line.startswith("#:schema"):
+        if line.startswith("#") and not line.startswith(_DIRECTIVE):
             return line.lstrip("# ").rstrip()
         if line.strip() and not line.startswith("#"):
             break

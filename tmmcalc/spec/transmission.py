@@ -15,8 +15,12 @@ class TransmissionTable(Table):
 
     ratio: Ratio | None = Field(
         default=None,
-        description="Speed of the motor over that of the crank (default: the product of the ratios of shafts, or rated "
-        "speed over the input's mean speed).",
+        description="Speed of the motor over that of the crank (default: the product of the ratios of shafts, that of "
+        "the best gear train, or rated speed over the input's mean speed).",
     )
     efficiency: Efficiency = Field(default=1.0, description="Efficiency of the gears.")
-    inertia: Inertia = Field(default=0.0, description="Moment of inertia of the gears, reduced to the crank.")
+    inertia: Inertia | None = Field(
+        default=None,
+        description="Moment of inertia of the gears, reduced to the crank (default: that of the best gear train, or "
+        "none).",
+    )

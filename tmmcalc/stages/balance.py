@@ -7,17 +7,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.linkage.balance.columns import columns
-from tmmcalc.linkage.balance.task import BalanceTask, Balancing
-from tmmcalc.machine.balancing.task import BalancedRotor, Engine
-from tmmcalc.machine.model import EngineTask, RotorTask
 from tmmcalc.pipeline.stage import Record, Table
 from tmmcalc.records import record
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.stages.conversion import restore, to_record
 
 if TYPE_CHECKING:
+    from tmmcalc.linkage.balance.task import BalanceTask, Balancing
     from tmmcalc.linkage.loading import Body
     from tmmcalc.linkage.model import Mechanism
+    from tmmcalc.machine.balancing.task import BalancedRotor, Engine
+    from tmmcalc.machine.model import EngineTask, RotorTask
     from tmmcalc.spec import Spec
 
 
@@ -65,18 +64,21 @@ def _linkage(spec: Spec) -> tuple[Mechanism, tuple[Body, ...], BalanceTask] | No
 
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Balances:
     """Shaking forces, and what balancing leaves of them."""
-    from tmmcalc.linkage.balance.task import solve_balance
-    from tmmcalc.machine.balancing.task import solve_engine, solve_rotor
-
-    linkage = None
+    linkage = engine = rotor = None
     if given.linkage is not None:
+        from tmmcalc.linkage.balance.task import solve_balance
+
         mechanism, bodies, task = given.linkage
         linkage = solve_balance(mechanism, bodies, upstream["kinematics"], task)
-    return Balances(
-        linkage,
-        solve_engine(given.engine) if given.engine is not None else None,
-        solve_rotor(given.rotor) if given.rotor is not None else None,
-    )
+    if given.engine is not None:
+        from tmmcalc.machine.balancing.task import solve_engine
+
+        engine = solve_engine(given.engine)
+    if given.rotor is not None:
+        from tmmcalc.machine.balancing.task import solve_rotor
+
+        rotor = solve_rotor(given.rotor)
+    return Balances(linkage, engine, rotor)
 
 
 def dump(result: Balances) -> Record:
@@ -88,14 +90,46 @@ def dump(result: Balances) -> Record:
 
 
 def load(record: Record) -> Balances:
-    """Build the result from its record."""
-    result: Balances = from_record(Balances, record)
-    return result
+    """Build the result from its record; parts that it has not are not even imported."""
+    return Balances(_linkage_in(record), _engine_in(record), _rotor_in(record))
+
+
+def _linkage_in(record: Record) -> Balancing | None:
+    if "linkage" not in record.scalars:
+        return None
+    from tmmcalc.linkage.balance.task import Balancing
+
+    found: Balancing = _part(Balancing, "linkage", record)
+    return found
+
+
+def _engine_in(record: Record) -> Engine | None:
+    if "engine" not in record.scalars:
+        return None
+    from tmmcalc.machine.balancing.task import Engine
+
+    found: Engine = _part(Engine, "engine", record)
+    return found
+
+
+def _rotor_in(record: Record) -> BalancedRotor | None:
+    if "rotor" not in record.scalars:
+        return None
+    from tmmcalc.machine.balancing.task import BalancedRotor
+
+    found: BalancedRotor = _part(BalancedRotor, "rotor", record)
+    return found
+
+
+def _part(kind: type, name: str, record: Record) -> Any:
+    return restore(kind, record.scalars[name], record.arrays, name)
 
 
 def table(result: Balances) -> Table | None:
     """All columns of the linkage, one row a position; None without one."""
     if result.linkage is None:
         return None
+    from tmmcalc.linkage.balance.columns import columns
+
     chosen = columns(result.linkage)
     return Table(["i", *(c.header for c in chosen)], [np.array(result.labels), *(c.make() for c in chosen)])

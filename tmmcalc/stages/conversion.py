@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from fractions import Fraction
 from functools import cache
@@ -11,17 +12,57 @@ from typing import Any, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
 
+from tmmcalc.errors import NoSolutionError
 from tmmcalc.pipeline.stage import Record
 
 LABELS = "labels"  # a field of this name is as long as the table: it goes to the arrays
 
 
 def to_record(result: Any, error: Mapping[str, Any] | None = None) -> Record:
-    """The stored form of a result record: arrays by their dotted path, everything else as nested plain values."""
+    """The stored form of a result record: arrays by their dotted path, everything else as nested plain values.
+
+    Raises `NoSolutionError` if a number of it is not finite.
+    """
     arrays: dict[str, np.ndarray] = {}
     scalars = plain(result, arrays)
+    _check_finite(type(result).__name__.lower(), scalars, arrays)
     counters = scalars.pop("counters", {})
     return Record(scalars, arrays, error or {}, counters)
+
+
+def _check_finite(what: str, scalars: Any, arrays: Mapping[str, np.ndarray]) -> None:
+    """Refuse NaN and inf, which would spread through every later stage without a word."""
+    bad = next((f"{path} is {value:g}" for path, value in _numbers(scalars) if not math.isfinite(value)), None)
+    if bad is None:
+        bad = next((_first_bad(path, array, arrays) for path, array in arrays.items() if not _sound(array)), None)
+    if bad is not None:
+        raise NoSolutionError(
+            f"{bad}: the numbers of this task go beyond what can be computed",
+            where=what,
+            remedy="look for a quantity far from the sizes of a machine, such as a wrong unit or exponent",
+        )
+
+
+def _numbers(value: Any, path: str = "") -> Iterator[tuple[str, float]]:
+    """All floats in nested plain values with their paths."""
+    if isinstance(value, float):
+        yield path, value
+    elif isinstance(value, dict | list):
+        for key, part in value.items() if isinstance(value, dict) else enumerate(value):
+            yield from _numbers(part, f"{path}.{key}" if path else str(key))
+
+
+def _sound(array: np.ndarray) -> bool:
+    return array.dtype.kind not in "fc" or bool(np.isfinite(array).all())
+
+
+def _first_bad(path: str, array: np.ndarray, arrays: Mapping[str, np.ndarray]) -> str:
+    """The first number of an array that is not finite, with the label of its position where it has one."""
+    at = np.argwhere(~np.isfinite(array))[0]
+    labels = arrays.get(LABELS, ())
+    named = array.ndim and array.shape[-1] == len(labels)
+    place = f"at position {labels[at[-1]]}" if named else f"at {at.tolist()}"
+    return f"{path} is {array[tuple(at)]:g} {place}"
 
 
 def from_record(kind: Any, record: Record) -> Any:

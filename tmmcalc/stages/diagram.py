@@ -1,17 +1,23 @@
-"""A torque diagram alone in the form that a reduced linkage has, so that all machine stages take it."""
+"""A torque diagram alone in the form that a reduced linkage has, so that all machine stages take it.
+
+A moment that balances the diagram is a cause of its own beside it: its work and the work of the diagram stand apart.
+"""
 
 from __future__ import annotations
 
 import math
+from typing import Literal
 
 import numpy as np
 
 from tmmcalc.linkage.reduction.results import Contribution, Reduction
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.numerics.panels import Panels, Values
 from tmmcalc.numerics.simpson import simpson
 
 POSITIONS = 24  # equal steps of a turn that are tabulated
+BALANCE = "balancing moment"
 
 
 def reduced_diagram(name: str, cycle: Cycle) -> Reduction:
@@ -19,19 +25,12 @@ def reduced_diagram(name: str, cycle: Cycle) -> Reduction:
     on = cycle.panels
     steps = POSITIONS * max(1, round(cycle.period / (2 * math.pi)))
     theta = np.linspace(0.0, cycle.period, steps + 1)
-    moment = on.at(cycle.moment, theta)
-    moment[-1] = on.at(cycle.moment, theta[-1:], before=True)[0]
-    least, largest = on.extremes(cycle.moment)
-    contribution = Contribution(
-        name,
-        "load",
-        None,
-        0,
-        float(on.total(cycle.moment)),
-        simpson(theta, moment),
-        Extreme(*least),
-        Extreme(*largest),
-    )
+    parts = (cycle.moment - cycle.balancing)[None]
+    named: list[tuple[str, Literal["load", "balance"]]] = [(name, "load")]
+    if cycle.balancing:
+        parts = np.concatenate((parts, np.full_like(parts, cycle.balancing)))
+        named.append((BALANCE, "balance"))
+    moment = np.stack([_tabulated(on, part, theta) for part in parts])
     inertia = float(cycle.inertia.flat[0])
     return Reduction(
         labels=tuple(map(str, range(steps + 1))),
@@ -39,12 +38,15 @@ def reduced_diagram(name: str, cycle: Cycle) -> Reduction:
         turns=True,
         whole=True,
         speed=cycle.speed,
-        contributions=(contribution,),
-        moment=moment[None],
-        total=moment,
+        contributions=tuple(
+            _contribution(*what, on, part, simpson(theta, row))
+            for what, part, row in zip(named, parts, moment, strict=True)
+        ),
+        moment=moment,
+        total=moment.sum(axis=0),
         inertia=np.full(steps + 1, inertia),
         slope=np.zeros(steps + 1),
-        parts=cycle.moment[None],
+        parts=parts,
         cycle=cycle,
         idle=None,
         inertia_range=(Extreme(inertia, 0.0), Extreme(inertia, 0.0)),
@@ -54,3 +56,17 @@ def reduced_diagram(name: str, cycle: Cycle) -> Reduction:
         grades=(),
         counters={"panels": on.count, "points": on.x.size},
     )
+
+
+def _tabulated(on: Panels, part: Values, theta: Values) -> Values:
+    """A moment (K, N) at the positions ``theta`` (n,), at the last one from within the cycle."""
+    moment = on.at(part, theta)
+    moment[-1] = on.at(part, theta[-1:], before=True)[0]
+    return moment
+
+
+def _contribution(
+    name: str, kind: Literal["load", "balance"], on: Panels, part: Values, by_simpson: float
+) -> Contribution:
+    least, largest = on.extremes(part)
+    return Contribution(name, kind, None, 0, float(on.total(part)), by_simpson, Extreme(*least), Extreme(*largest))

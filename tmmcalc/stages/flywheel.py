@@ -32,6 +32,7 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
         constant_inertia,
         driver,
         equal_steps,
+        geared,
         mean_speed,
         motor_ratio,
         sense,
@@ -39,6 +40,7 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
     )
 
     task, wish, gears, motion = given
+    gears = geared(upstream, gears)
     at_hand = constant_inertia(upstream, gears, motion)
     moved = driver(upstream, wish, gears, motion)
     reduction, power = upstream["reduction"], upstream["power"]

@@ -16,22 +16,23 @@ from tmmcalc.stages.conversion import from_record, to_record
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
 
-Given = tuple[MotorChoice | None, Gears, MotionTask, FlywheelTask | None]
+Given = tuple[MotorChoice | None, Gears, MotionTask, FlywheelTask | None, str]
 
 
 def inputs(spec: Spec) -> Given:
-    """The motor, the gears, the constant inertia, a flywheel that is there."""
-    from tmmcalc.spec.machine import to_flywheel, to_gears, to_motion, to_motor
+    """The motor, the gears, the constant inertia, a flywheel that is there, where the spec gives the speed."""
+    from tmmcalc.spec.machine import speed_key, to_flywheel, to_gears, to_motion, to_motor
 
-    return to_motor(spec), to_gears(spec), to_motion(spec), to_flywheel(spec)
+    return to_motor(spec), to_gears(spec), to_motion(spec), to_flywheel(spec), speed_key(spec)
 
 
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Motion:
     """The regime with the flywheel that is there, or else the one that was found."""
     from tmmcalc.machine.motion import solve_motion
-    from tmmcalc.stages.shaft import constant_inertia, driver, flywheel_inertia, mean_speed
+    from tmmcalc.stages.shaft import constant_inertia, driver, flywheel_inertia, geared, mean_speed
 
-    wish, gears, task, wheel = given
+    wish, gears, task, wheel, key = given
+    gears = geared(upstream, gears)
     reduction = upstream["reduction"]
     theta = np.abs(reduction.phi - reduction.phi[0])
     return solve_motion(
@@ -41,6 +42,7 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
         driver(upstream, wish, gears, task),
         mean_speed(upstream, task),
         (reduction.labels, reduction.phi, theta),
+        key,
     )
 
 

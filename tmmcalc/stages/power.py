@@ -8,49 +8,65 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.linkage.reduction.results import Reduction
-from tmmcalc.machine.model import Gears, MotorChoice
 from tmmcalc.machine.power import Power
 from tmmcalc.pipeline.stage import Record
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
+    from tmmcalc.linkage.reduction.results import Reduction
+    from tmmcalc.machine.model import Gears, MotorChoice
+    from tmmcalc.machine.power import MotorDuty
     from tmmcalc.spec import Spec
 
 
-def inputs(spec: Spec) -> tuple[MotorChoice | None, Gears]:
-    """The motor or the wish for one, and the gears."""
-    from tmmcalc.spec.machine import to_gears, to_motor
-
-    return to_motor(spec), to_gears(spec)
+Given = tuple["MotorChoice | None", "Gears", str]
 
 
-def solve(given: tuple[MotorChoice | None, Gears], upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Power:
+def inputs(spec: Spec) -> Given:
+    """The motor or the wish for one, the gears, and where the spec gives the speed."""
+    from tmmcalc.spec.machine import speed_key, to_gears, to_motor
+
+    return to_motor(spec), to_gears(spec), speed_key(spec)
+
+
+def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Power:
     """Work and power of the cycle, and how the motor stands to them."""
     from tmmcalc.machine.power import WorkPart, chosen_motor, duty_of, solve_power
-    from tmmcalc.stages.shaft import sense
+    from tmmcalc.stages.shaft import geared, sense
 
-    wish, gears = given
+    wish, gears, key = given[0], geared(upstream, given[1]), given[2]
     reduction: Reduction = upstream["reduction"]
     turnover = reduction.cycle.panels.total(np.abs(reduction.parts))
     parts = tuple(
         WorkPart(c.name, c.kind, c.work, float(all_of_it))
         for c, all_of_it in zip(reduction.contributions, turnover, strict=True)
     )
-    power = solve_power(reduction.cycle, parts, gears.efficiency, sense(reduction))
+    turns = sense(reduction)
+    power = solve_power(reduction.cycle, parts, gears.efficiency, turns)
     if wish is None:
         return power
     speed = reduction.cycle.speed
     if wish.motor is not None:
         ratio = gears.ratio or wish.motor.speed / speed
-        return replace(power, duty=duty_of(power, wish.motor, ratio, (), False, wish.characteristic))
+        duty = duty_of(power, wish.motor, ratio, (), False, wish.characteristic)
+        return replace(power, duty=_told(duty, gears, speed, turns, key))
     from tmmcalc.machine.motors.catalogue import load_catalogue
     from tmmcalc.machine.motors.model import with_lag
 
     choice = chosen_motor(power, wish.catalogue or load_catalogue(), speed, gears.ratio, wish.synchronous)
     motor = with_lag(choice.motor, wish.time_constant)
     ratio = gears.ratio or motor.speed / speed
-    return replace(power, duty=duty_of(power, motor, ratio, choice.reasons, True, wish.characteristic))
+    duty = duty_of(power, motor, ratio, choice.reasons, True, wish.characteristic)
+    return replace(power, duty=_told(duty, gears, speed, turns, key))
+
+
+def _told(duty: MotorDuty, gears: Gears, speed: float, turns: float, key: str) -> MotorDuty:
+    """The duty with whose ratio it has, and how far the motor misses the speed of the spec."""
+    from tmmcalc.machine.asked import off_rated
+
+    return replace(
+        duty, ratio_of=gears.ratio_of, off_speed=off_rated(duty.motor.speed, duty.ratio, speed, turns, key)
+    )
 
 
 def dump(result: Power) -> Record:

@@ -4,17 +4,32 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.linkage.reduction.results import Reduction
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
-from tmmcalc.machine.flywheel.task import Flywheel
-from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
-from tmmcalc.machine.power import Power
+
+if TYPE_CHECKING:
+    from tmmcalc.gears.selection.results import Selection
+    from tmmcalc.linkage.reduction.results import Reduction
+    from tmmcalc.machine.flywheel.task import Flywheel
+    from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
+    from tmmcalc.machine.power import Power
 
 EQUAL = 1e-9  # relative difference of steps that count as equal
+
+
+def geared(upstream: Mapping[str, Any], gears: Gears) -> Gears:
+    """The gears; the ratio and the inertia that the spec does not give are those of the best gear train."""
+    found: Selection | None = upstream.get("criteria")
+    if found is None:
+        return gears
+    train = found.winner
+    if gears.inertia is None:
+        gears = replace(gears, inertia=train.on_crank, inertia_of=train.name)
+    return gears if gears.ratio is not None else replace(gears, ratio=train.to_crank, ratio_of=train.name)
 
 
 def driver(upstream: Mapping[str, Any], wish: MotorChoice | None, gears: Gears, task: MotionTask) -> Driver | None:
@@ -32,7 +47,7 @@ def constant_inertia(
     """Rotor, gears, further inertia of the spec, and the flywheel, all at the input shaft."""
     power: Power = upstream["power"]
     rotor = power.duty.rotor if power.duty is not None else 0.0
-    return ConstantInertia(rotor, gears.inertia, task.inertia, flywheel)
+    return ConstantInertia(rotor, gears.inertia or 0.0, task.inertia, flywheel, gears.inertia_of)
 
 
 def sense(reduction: Reduction) -> float:

@@ -70,9 +70,10 @@ def _linkage(spec: Spec) -> Linkage | None:
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> TimedMotions:
     """Put the drive together and run every scenario."""
     from tmmcalc.machine.transient.task import Machine, solve_transients
-    from tmmcalc.stages.shaft import constant_inertia, driver, flywheel_inertia, mean_speed
+    from tmmcalc.stages.shaft import constant_inertia, driver, flywheel_inertia, geared, mean_speed
 
     tasks, shafts, wish, gears, motion, wheel, linkage = given
+    gears = geared(upstream, gears)
     reduction, duty = upstream["reduction"], upstream["power"].duty
     wish = _whole_curve(wish, duty)
     moved = driver(upstream, wish, gears, replace(motion, positional=False))

@@ -65,7 +65,7 @@ def motion(spec: Spec) -> str | None:
     shaft = spec.torque is not None and spec.torque.inertia
     wheel = spec.flywheel is not None and (spec.flywheel.inertia or spec.flywheel.delta)
     further = spec.motion is not None and spec.motion.inertia
-    if not (_masses(spec) or shaft or wheel or further or _rotor(spec)):
+    if not (_masses(spec) or shaft or wheel or further or _rotor(spec) or criteria(spec) is None):
         return "no masses and no constant inertia: nothing stores kinetic energy"
     return power(spec)
 
@@ -87,6 +87,21 @@ def balance(spec: Spec) -> str | None:
 def train(spec: Spec) -> str | None:
     """Tooth numbers are those of a train that is asked for."""
     return "no [train]: no tooth numbers are asked for" if spec.train is None else None
+
+
+def strength(spec: Spec) -> str | None:
+    """Modules are those of tooth sets under a torque."""
+    return train(spec) or ("no [strength]: no torque and no materials" if spec.strength is None else None)
+
+
+def criteria(spec: Spec) -> str | None:
+    """Trains are compared by their sizes, which strength gives."""
+    return strength(spec)
+
+
+def gearing(spec: Spec) -> str | None:
+    """Speeds and powers are those of a train that is written out."""
+    return "no [gearing]: no train is written out" if spec.gearing is None else None
 
 
 def shakes(spec: Spec) -> bool:

@@ -118,6 +118,7 @@ def test_the_moment_may_come_from_the_reduction() -> None:
     text = PLAIN.replace('torque = "75 N*m"', "moment_ratio = 15")
     assert [fault[1] for fault in faults(text)] == ["missing key: the torque on wheel 1"]
     assert faults(f"{text}[mechanism]\n") == []
+    assert faults(text.replace("moment_ratio = 15\n", "") + "[mechanism]\n") == []  # the ratio is that of the train
     assert to_strength(read(text), 1980.0).torque == 132.0
     with pytest.raises(UsageError, match="not known"):
         to_strength(read(text))
@@ -138,12 +139,6 @@ SLIPS = [
         "strength.moment_ratio",
         "torque together with moment_ratio: the torque on wheel 1 is the moment over the ratio",
         "remove moment_ratio",
-    ),
-    (
-        PLAIN.replace('torque = "75 N*m"', 'moment = "75 N*m"'),
-        "strength",
-        "missing key: wheel 1 turns at another speed than the shaft that the moment is reduced to",
-        "moment_ratio = 15",
     ),
     (PLAIN.replace('torque = "75 N*m"\n', ""), "strength", "missing key: the torque on wheel 1", "torque = "),
     (

@@ -21,6 +21,7 @@ from tmmcalc.linkage.forces.friction import Rubbing, Solution, size_of, solve
 from tmmcalc.linkage.forces.iteration import Iteration, textbook_iteration
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.single import one_pair
 from tmmcalc.linkage.forces.wrench import Pivot, Slideway, Wrench
 from tmmcalc.linkage.loading import Body, Constant, GearDrive, Load, Loading, Pair
 from tmmcalc.linkage.loads.scene import compile_scene
@@ -285,6 +286,30 @@ def test_one_pair_in_closed_form(tips: bool) -> None:
     np.testing.assert_allclose(solution.limit[~free], (1 / (1 - denominator))[~free], rtol=1e-6)
     other = 1 - c * response * np.sign(base) < 0  # the force turned round is a solution too
     np.testing.assert_array_equal(solution.ambiguous, other & free)
+
+
+@pytest.mark.parametrize("flat", [False, True], ids=["pin", "guide"])
+def test_one_pair_against_the_roots_of_its_equation(flat: bool) -> None:
+    """The smallest positive root of m = |b - c m S|; none beyond the part of the friction at which it locks."""
+    rng = np.random.default_rng(11)
+    base, response = rng.normal(size=(2, 2, 400)) * (np.array([[1.0], [0.0]]) if flat else 1.0)
+    c = rng.normal(size=400) * 1.5
+    q, limit, further = one_pair(base, response, c)
+    for b, s, f, value, reach, more in zip(base.T, response.T, c, q[0], limit, further, strict=True):
+
+        def roots(p: float, b: Any = b, s: Any = s, f: Any = f) -> Any:
+            found = np.roots([1 - (p * f) ** 2 * (s @ s), 2 * p * f * (b @ s), -(b @ b)])
+            return np.sort(found[(abs(found.imag) < 1e-9) & (found.real > 0)].real)
+
+        if reach == 1:
+            assert -value / f == pytest.approx(roots(1.0)[0], rel=1e-9)
+            assert len(roots(1.0)) == 1 + more
+        else:
+            assert value == 0
+            assert not roots(reach * (1 + 1e-9)).size
+            assert roots(reach * (1 - 1e-9)).size
+    assert 50 < np.count_nonzero(limit < 1) < 350
+    assert np.count_nonzero(further) > 20
 
 
 def test_strong_friction_against_a_path_of_small_steps() -> None:

@@ -165,6 +165,56 @@ class TestTablesOfTheDisplacement:
         assert said in grade.message
         assert not scene_of(slider(), push(Tabulated("displacement", (0.0, 0.2), (0.0, 8.0)))).grades
 
+    @pytest.mark.parametrize(
+        ("x", "y", "said"),
+        [
+            (
+                (0.0, 0.15),
+                (8.0, 5.0),
+                "ends at 150 mm, but the stroke of B is 200 mm: beyond it the last value 5 N is held",
+            ),
+            (
+                (0.03, 0.2),
+                (8.0, 5.0),
+                "begins at 30 mm, but the stroke of B is 200 mm: before it the first value 8 N is held",
+            ),
+            ((0.03, 0.15), (8.0, 5.0), "begins at 30 mm and ends at 150 mm, but the stroke of B is 200 mm"),
+            ((0.03, 0.15), (0.0, 5.0), "its table ends at 150 mm"),
+            ((0.03, 0.15), (0.0, 0.0), ""),  # no load beyond the ends is what anyone means
+            ((0.0001, 0.1999), (8.0, 5.0), ""),  # rounded abscissae
+        ],
+    )
+    def test_a_table_short_of_the_stroke_is_told(
+        self, x: tuple[float, float], y: tuple[float, float], said: str
+    ) -> None:
+        for law in (Tabulated("displacement", x, y), Tabulated("stroke", (x[0] / 0.2, x[1] / 0.2), y)):
+            grades = scene_of(slider(), push(law)).grades
+            assert len(grades) == bool(said)
+            if said:
+                assert (grades[0].severity, grades[0].where) == ("warning", "load Q")
+                assert said in grades[0].message
+
+    def test_a_table_need_not_go_beyond_its_window(self) -> None:
+        """Over the first quarter turn from the outer dead centre on, S falls from 200 mm to 82.84 mm."""
+        law, window = Tabulated("displacement", (0.08, 0.2), (8.0, 5.0)), Window(angles=(0.0, np.pi / 2))
+        assert np.sqrt(0.09 - 0.01) - 0.2 == pytest.approx(0.08284, abs=1e-5)
+        assert not scene_of(slider(), push(law, window=window)).grades
+        (grade,) = scene_of(slider(), push(law, window=Window(angles=(0.0, 2.0)))).grades
+        assert "begins at 80 mm" in grade.message
+
+    def test_a_table_short_of_an_open_range_is_told(self) -> None:
+        """A motion that is no cycle does not come back to the first value."""
+        mechanism = part(crank_slider(0.1, 0.3), 0.2, 1.2, 10)
+        (grade,) = scene_of(mechanism, push(Tabulated("angle", (0.0, 0.5), (8.0, 5.0)))).grades
+        assert (
+            "ends at 28.648 deg, but the motion goes from 0 to 57.296 deg: beyond it the last value 5 N"
+            in grade.message
+        )
+        window = Window(angles=(0.1, 0.5))
+        assert not scene_of(mechanism, push(Tabulated("angle", (0.0, 0.5), (8.0, 5.0)), window=window)).grades
+        (grade,) = scene_of(mechanism, push(Tabulated("position", (4.0, 10.0), (8.0, 5.0)))).grades
+        assert "begins at 22.918 deg" in grade.message
+
     def test_a_force_of_the_place_alone_does_no_work(self) -> None:
         scene = scene_of(slider(0.3), push(Tabulated("displacement", (0.0, 0.03, 0.11, 0.2), (0.0, -80.0, 50.0, 7.0))))
         assert abs(work(scene)) < 1e-12 * 80 * 0.2

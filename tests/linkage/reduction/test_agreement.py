@@ -412,10 +412,40 @@ class TestGrades:
             does = "drives" if role == "resistance" else "resists"
             assert f"called a {role} but {does}: {-force * 0.2:+.6g} J" in grade.message
 
-    def test_rounding_has_no_sign(self) -> None:
-        """A constant force over the whole turn does no work."""
-        for role in ("resistance", "drive"):
-            assert self.result(role=role).grades == ()
+    def test_a_resistance_without_its_window(self) -> None:
+        """A constant force drives the centric slider back over the half turn on which the axis points along it."""
+        (grade,) = self.result().grades
+        assert (grade.severity, grade.where) == ("warning", "load Q")
+        # the crank begins at 0.7 rad, so that the dead centres lie at theta = pi - 0.7 and 2 pi - 0.7
+        assert "drives from 139.89 deg to 319.89 deg: +50 J, 100 % of what it takes elsewhere" in grade.message
+        assert "does no work in all" in grade.message
+
+    def test_a_gas_may_drive_on_a_stroke(self) -> None:
+        """The pressure of a compressor drives its piston back where it expands again."""
+        mechanism = engine()
+        expansion, compression = ((0.0, 0.2, 1.0), (6e5, 1e5, 1e5)), ((1.0, 0.4, 0.0), (1e5, 6e5, 6e5))
+        loading = Loading(loads=(gas((expansion, compression)),))
+        result = solve_reduction(mechanism, loading, solve_kinematics(mechanism))
+        assert result.contributions[0].largest.value > 0 > result.contributions[0].work
+        assert result.grades == ()
+
+    @pytest.mark.parametrize(("peak", "severity"), [(40.0, "warning"), (20.0, "note"), (1.0, None)])
+    def test_driving_a_little(self, peak: float, severity: str | None) -> None:
+        """A moment of -100 N*m on the crank with a triangle up to +peak: areas and crossings in closed form."""
+        mechanism = with_input(full_turn(crank_slider(0.1, 0.3), 0.7, 24), speed=4.0)
+        law = Tabulated("angle", (0.0, 2.0, 4.0, 6.0), (-100.0, -100.0, peak, -100.0))
+        load = Load("Q", 1, "moment", law)
+        result = solve_reduction(mechanism, Loading(loads=(load,)), solve_kinematics(mechanism))
+        gained, slant = 2 * peak**2 / (100 + peak), 2 * peak / (100 + peak)
+        net = 2 * (peak - 100) - 200 - 100 * (TURN - 6)
+        assert result.contributions[0].work == pytest.approx(net, rel=1e-12)
+        assert [grade.severity for grade in result.grades] == ([severity] if severity else [])
+        if severity:
+            low, high = (f"{math.degrees(theta):.5g} deg" for theta in (4 - slant, 4 + slant))
+            share = f"{100 * gained / (gained - net):.3g} %"
+            text = f"drives from {low} to {high}: {gained:+.6g} J, {share} of what it takes elsewhere"
+            assert text in result.grades[0].message
+            assert f"does {net:+.6g} J in all" in result.grades[0].message
 
 
 class TestInvariance:

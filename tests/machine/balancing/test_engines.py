@@ -17,7 +17,7 @@ from tmmcalc import UsageError
 from tmmcalc.linkage.balance.shaking import inertia_loads, shaking
 from tmmcalc.linkage.loading import Body
 from tmmcalc.machine.balancing.arrangements import FIRING, Gear, in_line, vee
-from tmmcalc.machine.balancing.cylinders import Cylinder, cylinder_force, engine_forces, piston, reduced_rod
+from tmmcalc.machine.balancing.cylinders import Cylinder, cylinder_force, piston
 from tmmcalc.machine.balancing.engines import EngineBalance, corrected, engine_balance, shaft_weights
 
 Array = NDArray[Any]
@@ -57,7 +57,8 @@ def test_the_piston_and_its_derivatives(offset: float) -> None:
 def test_one_cylinder_shakes_like_its_linkage(speed: float, offset: float, axis: float) -> None:
     """The crank-slider of the linkage room with the rod as a body, its guide turned onto the cylinder's axis."""
     rod_mass, rod_center, piston_mass = 0.8, 0.05, 0.4
-    at_crank, at_piston = reduced_rod(rod_mass, ROD, rod_center)
+    at_piston = rod_mass * rod_center / ROD
+    at_crank = rod_mass - at_piston
     cylinder = Cylinder(axis, axis + 0.7, 0.0, RADIUS, ROD, piston_mass + at_piston, at_crank, offset)
     bodies = (Body(2, rod_mass, 0.01, complex(rod_center)), Body(3, piston_mass, 0.0, 0j))
     chain = chain_of(crank_slider(RADIUS, ROD, offset))
@@ -113,10 +114,18 @@ ARRANGEMENTS = {
 every = pytest.mark.parametrize("cylinders", ARRANGEMENTS.values(), ids=ARRANGEMENTS)
 
 
+def engine_forces(cylinders: list[Cylinder], reference: float | None = None) -> tuple[np.ndarray, np.ndarray]:
+    """Shaking force and couple at `PHI`, cylinder by cylinder; the plane of the couples is the middle of the engine."""
+    places = np.array([c.position_along_shaft for c in cylinders])
+    middle = (places.min() + places.max()) / 2 if reference is None else reference
+    forces = np.array([cylinder_force(c, PHI, SPEED) for c in cylinders])
+    return forces.sum(axis=0), (places - middle) @ forces
+
+
 @every
 def test_orders_are_the_transform_of_the_exact_forces(cylinders: list[Cylinder]) -> None:
     balance = engine_balance(cylinders, SPEED, orders=range(1, 9))
-    force, couple = engine_forces(cylinders, PHI, SPEED)
+    force, couple = engine_forces(cylinders)
     own = np.array([cylinder_force(c, PHI, SPEED) for c in cylinders])
     whole = np.abs(own).sum(axis=0).max()
     for order in balance.orders:
@@ -195,7 +204,7 @@ def test_shaft_weights_take_their_parts_away(cylinders: list[Cylinder], orders: 
     balance = engine_balance(cylinders, SPEED)
     shafts = [shaft_weights(balance, k, (-0.05, 0.4 + 0.01 * k)) for k in orders]
     after = corrected(balance, shafts)
-    force, couple = engine_forces(cylinders, PHI, SPEED)
+    force, couple = engine_forces(cylinders)
     whole = np.abs(np.array([cylinder_force(c, PHI, SPEED) for c in cylinders])).sum(axis=0).max()
     for shaft in shafts:
         for z, moment in zip(shaft.planes, shaft.moments, strict=True):
@@ -229,8 +238,8 @@ def test_the_half_of_the_reciprocating_mass_and_lanchester_shafts() -> None:
 
 def test_couples_follow_their_plane() -> None:
     cylinders = ARRANGEMENTS["skewed"]
-    force, couple = engine_forces(cylinders, PHI, SPEED)
-    _, other = engine_forces(cylinders, PHI, SPEED, reference=1.5)
+    force, couple = engine_forces(cylinders)
+    _, other = engine_forces(cylinders, reference=1.5)
     places = [c.position_along_shaft for c in cylinders]
     assert np.max(np.abs(couple - other - (1.5 - (min(places) + max(places)) / 2) * force)) < 1e-9
     shifted = engine_balance(cylinders, SPEED, reference=1.5)
@@ -265,5 +274,3 @@ def test_faulty_engines_are_refused() -> None:
         shaft_weights(balance, 1, (1.0, 1.0))
     with pytest.raises(UsageError, match="stands still"):
         shaft_weights(balance, 0, (0.0, 1.0))
-    with pytest.raises(UsageError, match="rod of 0 m"):
-        reduced_rod(1.0, 0.0, 0.1)

@@ -30,7 +30,7 @@ from tmmcalc.machine.balancing.rotors import (
     two_plane_correction,
     verdict,
 )
-from tmmcalc.machine.balancing.weights import as_made, sized
+from tmmcalc.machine.balancing.weights import Weight, sized
 
 Array = NDArray[Any]
 
@@ -100,11 +100,17 @@ def test_sizes_of_corrections() -> None:
     assert sized(moment, radius=0.15).moment == pytest.approx(moment)
 
 
+def in_steps(weight: Weight) -> Weight:
+    """In whole 5 g at every 10 degrees."""
+    angle = math.radians(10 * round(math.degrees(weight.angle) / 10))
+    return Weight(0.005 * round(weight.mass / 0.005), weight.radius, angle)
+
+
 def test_corrections_as_made_and_the_verdict() -> None:
     """Weights in whole 5 g at every 10 degrees leave a residual that the state and the verdict tell."""
     rotor = drawn(3)
     balance = rotor_balance(rotor, (0.0, 1.0))
-    made = [as_made(sized(m, radius=0.2), 0.005, math.radians(10)) for m in balance.moments]
+    made = [in_steps(sized(m, radius=0.2)) for m in balance.moments]
     fitted = [Unbalance(w.mass, w.radius, w.angle, z) for w, z in zip(made, balance.planes, strict=True)]
     now = state(rotor, fitted)
     errors = [w.moment - m for w, m in zip(made, balance.moments, strict=True)]

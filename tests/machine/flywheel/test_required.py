@@ -16,9 +16,11 @@ from tmmcalc.errors import NoSolutionError, UsageError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.diagram import from_harmonics
 from tmmcalc.machine.flywheel.comparison import compared
+from tmmcalc.machine.flywheel.drive import fluctuation
 from tmmcalc.machine.flywheel.positional import positional_flywheels
 from tmmcalc.machine.flywheel.required import correction_history, required_inertia
-from tmmcalc.machine.flywheel.search import Trial, least_inertia, tried
+from tmmcalc.machine.flywheel.search import least_inertia, tried
+from tmmcalc.machine.flywheel.trials import Trial
 from tmmcalc.machine.motors.characteristics import (
     ConstantMoment,
     Kloss,
@@ -29,6 +31,7 @@ from tmmcalc.machine.motors.characteristics import (
     straight,
 )
 from tmmcalc.machine.recurrence import on_nodes, periodic
+from tmmcalc.machine.steady import driven
 
 GIVEN = CASES["dyn-upsetter-flywheel-motor"]["inputs"]
 NOMINAL, SYNCHRONOUS = GIVEN["omega_N"], GIVEN["omega_sync"]
@@ -270,3 +273,14 @@ class TestComparison:
         assert any(row.delta is None or row.delta > 0.95 for row in table.rows) == any(
             row.error < 0 for row in table.rows
         )
+
+
+def test_an_inertia_that_vanishes_at_a_dead_centre_bounds_no_speed() -> None:
+    """J = 40 sin^2, but for rounding, and no more: no motion exists to be tried, so the search begins above."""
+    base = upsetter_cycle()
+    x = base.panels.x
+    cycle = replace(base, inertia=4 * np.sin(x) ** 2 - 1e-14, slope=4 * np.sin(2 * x))
+    assert fluctuation(cycle, parabola_motor())(0.0) is None
+    found = required_inertia(cycle, parabola_motor(), 0.08, 0.0)
+    motion = driven(cycle, found.inertia, parabola_motor())
+    assert motion.delta == pytest.approx(0.08, rel=1e-8)

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from machine.transient.scenes import Motor, constant, cycle, event, kloss, line, run, upsetter_drive
+from tmmcalc.machine.motors.characteristics import parabolic, straight
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
 from tmmcalc.machine.transient.results import Transient
 from tmmcalc.machine.transient.scenario import LoadStep, Scenario
@@ -55,6 +58,41 @@ def test_a_stall_in_the_run_is_no_failed_start() -> None:
     (text,) = said(result, "pull-out")
     assert "its lowest speed afterwards is 0 rad/s" in text
     assert event(result, "pull-out").speed == pytest.approx(7.5, abs=1e-12)
+
+
+@pytest.mark.parametrize("form", [straight, parabolic])
+def test_a_start_beyond_the_range_of_the_characteristic(form: Callable[..., Any]) -> None:
+    """From rest a line gives M_N omega_c/(omega_c - omega_N), a parabola M_N omega_c^2/(omega_c^2 - omega_N^2)."""
+    motor = form(20.0, 9.5, 10.0)
+    standing = 20.0 / (1 - 0.95) if form is straight else 20.0 / (1 - 0.95**2)
+    drive = Drive((Mass(3.0),), characteristic=motor, cycle=cycle(-5.0))
+    result = run(drive, Scenario("start", 5.0))
+    (text,) = said(result, "holds from")
+    assert text.startswith(
+        f"warning: the {motor.name} characteristic holds from 9.5 rad/s up, the speed is as low as 0"
+    )
+    assert f"extrapolated to {standing:.5g} N*m, {standing / 20:.3g} times the rated" in text
+    if form is straight:  # J w' = b (w_e - w), w_e where the line gives the 5 N*m of the load
+        stiffness, end = 20.0 / 0.5, 10.0 - 5.0 / 40.0
+        assert f"for {-3.0 / stiffness * math.log((end - 9.5) / end):.1g}" in text
+    assert not said(run(drive, Scenario("run", 5.0, speed=9.8)), "holds from")
+    off = Scenario("stop", 5.0, speed=9.8, motor=((0.0, 1.0),))
+    assert not said(run(drive, off), "holds from")
+
+
+def test_a_quiet_load_without_a_quiet_part() -> None:
+    """A load over the whole cycle comes when it is due, which is told with the place."""
+    drive = Drive((Mass(3.0),), characteristic=MOTOR, cycle=cycle(-30.0), idle=cycle(-5.0))
+    result = run(drive, Scenario("start", 5.0, load=(LoadStep(0.0), LoadStep(1.0, speed=9.0, quiet=True))))
+    (text,) = said(result, "quiet")
+    angle = math.degrees(event(result, "load").angle) % 360
+    assert text.startswith("warning: the load factor 1 does not wait (quiet)")
+    assert f"applied at {angle:.5g} deg" in text
+    late = run(drive, Scenario("start", 5.0, load=(LoadStep(0.0), LoadStep(1.0, speed=90.0, quiet=True))))
+    assert "as soon as it is due" in said(late, "quiet")[0]
+    plain = run(drive, Scenario("start", 5.0, load=(LoadStep(0.0), LoadStep(1.0, speed=9.0))))
+    assert not said(plain, "quiet")
+    assert not said(run(upsetter_drive(MOTOR), Scenario("start", 2.0, load=STEPS)), "quiet")
 
 
 def test_a_motor_that_crawls_below_its_break_down_speed() -> None:

@@ -11,20 +11,17 @@ orders 2 and -2 the same for the second harmonic.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from tmmcalc.errors import UsageError
-from tmmcalc.linkage.balance.shaking import WHERE, Shaking, crank_angle, crank_pivot
-from tmmcalc.linkage.chain import Chain
-from tmmcalc.linkage.loading import Body
+from tmmcalc.linkage.balance.shaking import WHERE, Shaking
 from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.machine.balancing.weights import sized
 from tmmcalc.numerics.fourier import Magnitude, Series, magnitude
 from tmmcalc.records import record
 
-NOTHING = 1e-12  # a force below this part of the whole needs no weight, and none can bear a moment
+NOTHING = 1e-12  # a force below this part of the whole needs no weight
 
 
 @record
@@ -106,96 +103,28 @@ def least_squares_counterweight(shaking: Shaking) -> Balance:
     return rotating_weights(shaking, (1,), scheme="least squares")
 
 
-def lanchester(shaking: Shaking, highest: int = 1, axes: Mapping[int, complex] | None = None) -> Balance:
-    """Pairs of counter-rotating weights: orders 1 and -1, with ``highest`` = 2 also 2 and -2.
-
-    ``axes`` [m] by order places the shafts, by default all at the crank's pivot; see `axes_against_moment`.
-    """
+def lanchester(shaking: Shaking, highest: int = 1) -> Balance:
+    """Pairs of counter-rotating weights: orders 1 and -1, with ``highest`` = 2 also 2 and -2; all at the pivot."""
     orders = tuple(sign * k for k in range(1, highest + 1) for sign in (1, -1))
     names = {1: "counter-rotating pair", 2: "counter-rotating pairs of first and second order"}
-    return rotating_weights(shaking, orders, axes, scheme=names.get(highest, f"pairs up to order {highest}"))
+    return rotating_weights(shaking, orders, scheme=names.get(highest, f"pairs up to order {highest}"))
 
 
-def rotating_weights(
-    shaking: Shaking,
-    orders: Iterable[int],
-    axes: Mapping[int, complex] | None = None,
-    scheme: str = "rotating weights",
-) -> Balance:
-    """One weight for every order, each taking its harmonic of the shaking force away altogether.
+def rotating_weights(shaking: Shaking, orders: Iterable[int], scheme: str = "rotating weights") -> Balance:
+    """One weight for every order at the crank's pivot, each taking its harmonic of the shaking force away altogether.
 
-    Raises `UsageError` for the order 0, an order named twice, or another axis for order 1 than the crank's pivot.
+    Raises `UsageError` for the order 0, or an order named twice.
     """
     orders = tuple(orders)
-    places = _places(shaking, orders, axes)
-    return with_weights(shaking, [_against(shaking, k, places[k]) for k in orders], scheme)
-
-
-def _against(shaking: Shaking, order: int, axis: complex) -> RotatingWeight:
-    factor = per_moment(order, shaking.speed, shaking.acceleration)
-    return RotatingWeight(order, -shaking.series.coefficient(order) / factor, axis)
-
-
-def _places(shaking: Shaking, orders: tuple[int, ...], axes: Mapping[int, complex] | None) -> dict[int, complex]:
-    """The axis of every order."""
     if 0 in orders or len(set(orders)) != len(orders):
         raise UsageError(
             f"the orders {orders} of the rotating weights are not different whole numbers other than 0",
             where=WHERE,
             remedy="order 1 is the crank, -1 a shaft that turns against it at its speed",
         )
-    axes = axes or {}
-    if axes.get(1, shaking.pivot) != shaking.pivot:
-        raise UsageError(
-            "the weight of order 1 sits on the crank and has no axis of its own",
-            where=WHERE,
-            remedy="leave order 1 out of the axes",
-        )
-    return {k: axes.get(k, shaking.pivot) for k in orders}
+    return with_weights(shaking, [_against(shaking, order) for order in orders], scheme)
 
 
-def axes_against_moment(shaking: Shaking, orders: Iterable[int]) -> dict[int, complex]:
-    """Axes [m] by order, as near to the pivot as can be, on which the weights also cancel moment harmonics.
-
-    The weights are those of `rotating_weights`. For every rate |k| among ``orders`` other than the crank's own weight
-    the harmonics k and -k of the shaking moment vanish, where there is a force to do it.
-    """
-    orders = tuple(orders)
-    places = _places(shaking, orders, None)
-    fixed = with_weights(shaking, [_against(shaking, k, places[k]) for k in orders]).moment_series
-    for rate in sorted({abs(k) for k in orders}):
-        movable = {
-            k: f
-            for k in (rate, -rate)
-            if k in orders and k != 1 and abs(f := -shaking.series.coefficient(k)) > NOTHING * shaking.scale
-        }
-        if movable:
-            shifts = _shifts(movable, -fixed.coefficient(rate))
-            places |= {k: places[k] + shift for k, shift in zip(movable, shifts, strict=True)}
-    return places
-
-
-def _shifts(forces: Mapping[int, complex], target: complex) -> Sequence[complex]:
-    """Least displacements d [m] of the axes of forces f exp(i k phi) that add ``target`` to one moment coefficient.
-
-    The moment Im(conj(d) f exp(i k phi)) has the coefficient conj(d) f / 2i of order k, and its conjugate of -k.
-    """
-    rows = []
-    for k, f in forces.items():
-        along_x, along_y = f / 2j, -f / 2
-        rows += [along_x, along_y] if k > 0 else [along_x.conjugate(), along_y.conjugate()]
-    matrix = np.array([[c.real for c in rows], [c.imag for c in rows]])
-    d = np.linalg.lstsq(matrix, np.array([target.real, target.imag]), rcond=None)[0]
-    return [complex(d[i], d[i + 1]) for i in range(0, len(d), 2)]
-
-
-def crank_body(chain: Chain, weight: RotatingWeight, *, mass: float | None = None, radius: float | None = None) -> Body:
-    """The counterweight on the crank as a point mass of the crank, its mass [kg] or radius [m] chosen.
-
-    Raises `UsageError` for a weight on another shaft, or unless exactly one of mass and radius is given.
-    """
-    if weight.order != 1:
-        raise UsageError(f"the weight of order {weight.order} does not turn with the crank", where=WHERE)
-    made = sized(weight.moment, mass=mass, radius=radius)
-    arm = made.radius * np.exp(1j * (made.angle + crank_angle(chain)))
-    return Body(chain.structure.input_link, made.mass, 0.0, complex(crank_pivot(chain) + arm))
+def _against(shaking: Shaking, order: int) -> RotatingWeight:
+    factor = per_moment(order, shaking.speed, shaking.acceleration)
+    return RotatingWeight(order, -shaking.series.coefficient(order) / factor, shaking.pivot)

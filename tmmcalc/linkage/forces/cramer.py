@@ -12,16 +12,16 @@ def cramer(matrix: Real, right: Real) -> tuple[Real, Real]:
 
     A library call a position would cost ten times these few products.
     """
-    k, n = right.shape
+    k = len(right)
     if k == 1:
         return right / matrix[0], matrix[0, 0]
     if k == 2:
         (a, b), (c, d) = matrix
         det = a * d - b * c
         return np.array([d * right[0] - b * right[1], a * right[1] - c * right[0]]) / det, det
-    again = np.empty((5, 5, n))  # the matrix over and over, so that minors are slices
-    again[:3, :3], again[3:, :3] = matrix, matrix[:2]
-    again[:, 3:] = again[:, :2]
-    crossed = again[1:4, 1:4] * again[2:, 2:] - again[2:, 1:4] * again[1:4, 2:]
-    det = np.add.reduce(matrix[0] * crossed[0])
-    return np.add.reduce(right[:, None] * crossed) / det, det
+    (a, b, c), (d, e, f), (g, h, i) = matrix
+    p, q, r = right
+    first, second, third = e * i - f * h, f * g - d * i, d * h - e * g
+    det = a * first + b * second + c * third
+    qi, qh, qg = q * i - f * r, q * h - e * r, d * r - q * g
+    return np.array([p * first - b * qi + c * qh, a * qi + p * second + c * qg, p * third - b * qg - a * qh]) / det, det

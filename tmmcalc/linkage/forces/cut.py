@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from tmmcalc.linkage.forces.dyad import FRICTIONLESS, Balance, Friction, Reactions
-from tmmcalc.linkage.forces.friction import Rubbing, Solution, solve
 from tmmcalc.linkage.forces.wrench import NOTHING, Wrench
 from tmmcalc.linkage.loading import Pair
 from tmmcalc.linkage.model import Joint, Mechanism
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.structure import Group
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.forces.friction import Solution
 
 
 class Post(NamedTuple):
@@ -70,6 +72,8 @@ class Cut(NamedTuple):
         inner = self.balance.inner(*self.loads)
         if not self.c:
             return self.balance.outer(*self.loads, inner), FRICTIONLESS, None
+        from tmmcalc.linkage.forces.friction import Rubbing, solve  # only what rubs needs it
+
         responses = [self.balance.response(k) for k in self.c]
         load_a, load_b = self.loads
         base = (load_a.plus(inner).reversed() if 0 in self.c else NOTHING, inner, inner.minus(load_b))

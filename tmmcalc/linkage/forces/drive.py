@@ -7,14 +7,16 @@ external wheel away from its mate whichever flank works. Driven slider: a force 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.forces.friction import Rubbing, Solution, solve
 from tmmcalc.linkage.forces.wrench import NOTHING, Slideway, Wrench
 from tmmcalc.linkage.loading import Coupling, GearDrive
 from tmmcalc.linkage.plane import Plane, Real, cross, square
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.forces.friction import Solution
 
 
 class Driven(NamedTuple):
@@ -40,23 +42,23 @@ def crank(load: Wrench, drive: Coupling | GearDrive, c: Real) -> Driven:
         size = np.abs(load.force)
         friction = -c * size
         return Driven(-load.moment - friction, None, Wrench(-load.force, friction), friction, None)
-    moment, limit = _with_bearing(load, drive, c) if np.any(c) else (-load.moment, np.ones(np.shape(load.moment)))
+    moment, solution = _with_bearing(load, drive, c) if np.any(c) else (-load.moment, None)
     mesh = mesh_force(drive, moment)
     force = -(load.force + mesh)
     friction = -c * np.abs(force)
-    n = np.size(moment)
-    solution = Solution(np.zeros((1, n)), limit < 1, limit, np.zeros(n, bool), np.ones(n), 1)
     return Driven(moment, mesh, Wrench(force, friction), friction, solution)
 
 
-def _with_bearing(load: Wrench, gear: GearDrive, c: Real) -> tuple[Real, Real]:
-    """The moment M = M_0 + c |R(M)| that also overcomes the bearing, and the part of its friction that can be overcome.
+def _with_bearing(load: Wrench, gear: GearDrive, c: Real) -> tuple[Real, Solution]:
+    """The moment M = M_0 + c |R(M)| that also overcomes the bearing, and what part of its friction can be overcome.
 
     Along the motion M grows from M_0 with the friction. On either flank of the teeth R = -(L + M u), so M is a root of
     (M - M_0)^2 = c^2 |L + M u|^2; that path goes to infinity where the friction circle reaches the line of action, or
     folds back.
     """
-    sense, tau = np.where(c < 0, -1.0, 1.0), np.asarray(c**2)
+    from tmmcalc.linkage.forces.friction import Solution  # only what rubs needs it
+
+    sense, tau, n = np.where(c < 0, -1.0, 1.0), np.asarray(c**2), np.size(load.moment)
     ideal, own = -sense * load.moment, square(load.force)
     braking = ideal + np.sqrt(tau * own) <= 0
     u = np.where(braking, -mesh_force(gear, -sense), mesh_force(gear, sense))
@@ -68,7 +70,7 @@ def _with_bearing(load: Wrench, gear: GearDrive, c: Real) -> tuple[Real, Real]:
         a, h, q = 1 - tau * square(u), ideal + tau * along, ideal**2 - tau * own
         root = np.sqrt(np.maximum(tau * bare - tau**2 * across, 0.0))
         moment = np.where(limit < 1, ideal, np.where(h < 0, q / (h - root), (h + root) / a))
-    return sense * moment, limit
+    return sense * moment, Solution(np.zeros((1, n)), limit < 1, limit, np.zeros(n, bool), np.ones(n), 1)
 
 
 def slider(load: Wrench, seat: Slideway, sense: float, c: Real, half: float | None) -> Driven:
@@ -80,9 +82,15 @@ def slider(load: Wrench, seat: Slideway, sense: float, c: Real, half: float | No
     normal = 1j * e
     held = -(np.conj(normal) * load.force).real * normal
     frame = Wrench(held, -load.moment)
-    pair = Rubbing(seat, c, frame, (NOTHING,), half)
-    solution = solve([pair], np.size(load.moment)) if np.any(c) else None
+    solution = _rubbing(seat, c, frame, half) if np.any(c) else None
     friction = solution.values[0] if solution else np.zeros(np.shape(load.moment))
     frame = Wrench(held + friction * e, frame.moment)
     force = -((np.conj(e) * load.force).real + friction)
     return Driven(sense * force, None, frame, friction, solution)
+
+
+def _rubbing(seat: Slideway, c: Real, frame: Wrench, half: float | None) -> Solution:
+    """Friction of a driven slider, whose normal force it does not change."""
+    from tmmcalc.linkage.forces.friction import Rubbing, solve  # only what rubs needs it
+
+    return solve([Rubbing(seat, c, frame, (NOTHING,), half)], np.size(frame.moment))

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Literal
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.linkage.assembly import TURN
-from tmmcalc.linkage.forces.friction import Solution
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
 from tmmcalc.linkage.forces.kinks import cut, kinks
-from tmmcalc.linkage.forces.locking import further_solutions, refuse_locked
 from tmmcalc.linkage.forces.maxima import Held, held, maxima, pairs_of, unresolved
 from tmmcalc.linkage.forces.results import Forces, Mean
 from tmmcalc.linkage.forces.stack import Stack, stacked
@@ -21,15 +19,20 @@ from tmmcalc.linkage.loads.scene import Scene, compile_scene
 from tmmcalc.linkage.loads.travel import EDGE
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.results import Grade, Kinematics
 from tmmcalc.numerics.panels import Panels, panels
 
+if TYPE_CHECKING:
+    from tmmcalc.linkage.forces.friction import Solution
+
 Flags = NDArray[np.bool_]
+Named = Callable[[NDArray[np.intp]], list[str]]
+Seen = list[tuple[Real, "dict[str, Solution]"]]  # angles (n,) and how friction came out there; empty if nothing rubs
 
 PARTS = 16  # of a turn, or of the range: no panel on which maxima are sought is wider
 QUARTERS = np.array([0.25, 0.5, 0.75])
 ROUNDING = 1e-15
-ROUNDS = 3  # of cutting them finer
+ROUNDS = 8  # of cutting them finer: a pole of the force a millionth of a turn beside the path is resolved
 
 
 def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics) -> Forces:
@@ -42,9 +45,10 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
     breaks, turning = scene.breaks(reversals(statics))
     theta, side, labels = _rows(scene, kinematics, np.sort(turning))
     dense = _panels(scene, [*breaks, *turning])
-    rows, over, solutions = _solved(statics, theta, side, labels, dense)
-    dense, functions = _resolved(statics, dense, over)
-    found = maxima(statics, dense, functions)
+    seen: Seen = []
+    rows, over = _solved(statics, theta, side, labels, dense, seen)
+    dense, functions, resolved = _resolved(statics, dense, over, seen)
+    found = maxima(statics, dense, functions, resolved)
     largest = max(_largest(over.drive), _largest(rows.drive)) or 1.0
     virtual = (rows.virtual - rows.drive) / largest
     return Forces(
@@ -67,13 +71,13 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
         drive_extremes=found.drive,
         power_extremes=found.power(scene.travel.speed),
         power_mean=_mean_power(dense, functions.drive, scene.travel.speed),
-        grades=(*scene.grades, *further_solutions(solutions, labels)),
+        grades=(*scene.grades, *_grades(scene, seen, labels)),
         counters={
             "rows": len(theta),
             "dense": dense.x.size,
-            "passes": max((s.passes for s in solutions.values()), default=0),
+            "passes": max((s.passes for _, solutions in seen[:1] for s in solutions.values()), default=0),
         },
-        error=max(_largest(rows.equilibrium), _largest(virtual), _amplified(solutions, kinematics.error.acceleration)),
+        error=max(_largest(rows.equilibrium), _largest(virtual), _amplified(seen, kinematics.error.acceleration)),
     )
 
 
@@ -84,9 +88,29 @@ def _mean_power(on: Panels, drive: Real, speed: float) -> Mean:
     return Mean(float(on.total(drive)) * speed / span, left_out * abs(speed) / span)
 
 
-def _amplified(solutions: dict[str, Solution], error: float) -> float:
+def _amplified(seen: Seen, error: float) -> float:
     """What an error of the loads of inertia, and rounding, becomes where friction is near to locking."""
-    return max(error, ROUNDING) * max((_largest(s.amplification) for s in solutions.values()), default=1.0)
+    factors = (_largest(s.amplification) for _, solutions in seen for s in solutions.values())
+    return max(error, ROUNDING) * max(factors, default=1.0)
+
+
+def _grades(scene: Scene, seen: Seen, labels: tuple[str, ...]) -> tuple[Grade, ...]:
+    """What friction does near to locking and beyond; the positions are what was seen first."""
+    if not seen:
+        return ()
+    from tmmcalc.linkage.forces.locking import further_solutions, magnified
+
+    return (*further_solutions(seen[0][1], labels), *magnified(seen, scene.travel.named))
+
+
+def _noted(statics: Statics, seen: Seen, theta: Real, solutions: dict[str, Solution], named: Named) -> None:
+    """Keep how friction came out at theta (n,), which ``named`` words by row; raise if it locks the linkage there."""
+    if not solutions:
+        return
+    from tmmcalc.linkage.forces.locking import refuse_locked  # only what rubs needs it
+
+    refuse_locked(statics, solutions, named)
+    seen.append((theta, solutions))
 
 
 def _largest(values: Real) -> float:
@@ -105,41 +129,44 @@ def _panels(scene: Scene, edges: Iterable[float]) -> Panels:
 
 
 def _solved(
-    statics: Statics, theta: Real, side: Real, labels: tuple[str, ...], on: Panels
-) -> tuple[Stack, Stack, dict[str, Solution]]:
-    """Reactions at the rows and on the panels, in one run; how friction came out at the rows."""
+    statics: Statics, theta: Real, side: Real, labels: tuple[str, ...], on: Panels, seen: Seen
+) -> tuple[Stack, Stack]:
+    """Reactions at the rows and on the panels, in one run; how friction came out is noted in ``seen``."""
     n, between = len(theta), on.x.ravel()
     everything, solutions = stacked(
         statics, np.concatenate((theta, between)), np.concatenate((side, np.ones(len(between))))
     )
     named = statics.scene.travel.named
     at_rows = {name: solution.rows(slice(n)) for name, solution in solutions.items()}
-    refuse_locked(statics, at_rows, lambda at: [f"position {labels[i]}" for i in at])
+    _noted(statics, seen, theta, at_rows, lambda at: [f"position {labels[i]}" for i in at])
     over = {name: solution.rows(slice(n, None)) for name, solution in solutions.items()}
-    refuse_locked(statics, over, lambda at: named(between[at]))
-    return everything.columns(slice(n)), everything.columns(slice(n, None)), at_rows
+    _noted(statics, seen, between, over, lambda at: named(between[at]))
+    return everything.columns(slice(n)), everything.columns(slice(n, None))
 
 
-def _resolved(statics: Statics, on: Panels, over: Stack) -> tuple[Panels, Held]:
-    """Cut those panels that do not resolve the maximum that they may hold: in quarters, and at kinks of friction."""
+def _resolved(statics: Statics, on: Panels, over: Stack, seen: Seen) -> tuple[Panels, Held, bool]:
+    """Cut those panels that do not resolve the maximum that they may hold: in quarters, and at kinks of friction.
+
+    And whether all maxima are resolved then.
+    """
     functions = held(statics, on, over)
     for _ in range(ROUNDS):
         rough = unresolved(on, functions.values)
         if not rough.any():
-            break
+            return on, functions, True
         quarters = on.edges[:-1][rough, None] + on.width[rough, None] * QUARTERS
         finer = cut(on, [*quarters.ravel().tolist(), *kinks(on, over.faces, rough)])
         if not finer.fresh.any():
             break
-        on, over = finer.panels, over.with_cut(finer, _over(statics, finer.theta))
+        on, over = finer.panels, over.with_cut(finer, _over(statics, finer.theta, seen))
         functions = held(statics, on, over)
-    return on, functions
+    return on, functions, False
 
 
-def _over(statics: Statics, theta: Real) -> Stack:
+def _over(statics: Statics, theta: Real, seen: Seen) -> Stack:
     """Reactions at theta (n,) between the positions."""
     over, solutions = stacked(statics, theta, np.ones(len(theta)), checked=False)
-    refuse_locked(statics, solutions, lambda at: statics.scene.travel.named(theta[at]))
+    _noted(statics, seen, theta, solutions, lambda at: statics.scene.travel.named(theta[at]))
     return over
 
 

@@ -6,8 +6,9 @@ the friction circle). Reactions are linear in the friction values q, R_j = R_j0 
     q_j + c_j m_j(R_j0 + sum_k S_jk q_k) = 0        c_j = f (or f r) times the sense of sliding, m_j = |N_j| or |R_j|
 
 for the k <= 3 rubbing pairs of a group. Where the loop gain, the largest sum_k |S_jk c_k|, is below one the
-solution is the only one and Newton finds it. Elsewhere the solution is followed from no friction to the full one;
-where the determinant of that path vanishes on the way there is none: the group locks itself.
+solution is the only one and Newton finds it. Elsewhere the solution is followed from no friction to the full one (of
+one pair it has a closed form); where the determinant of that path vanishes on the way there is none: the group locks
+itself.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.linkage.forces.cramer import cramer
+from tmmcalc.linkage.forces.single import one_pair
 from tmmcalc.linkage.forces.wrench import Seat, Slideway, Wrench
 from tmmcalc.linkage.plane import Real
 
@@ -78,9 +80,9 @@ def solve(pairs: Sequence[Rubbing], n: int) -> Solution:
         locked, ambiguous, limit, amplification = np.zeros(n, bool), np.zeros(n, bool), np.ones(n), 1 / (1 - gain)
         if wild.any():
             hard = problem.at(np.flatnonzero(wild))
-            found, reached = hard.followed()
+            found, reached, further = hard.reached()
             values[:, wild], limit[wild], locked[wild] = found, reached, reached < 1
-            ambiguous[wild] = hard.others(found) & (reached == 1)
+            ambiguous[wild] = further & (reached == 1)
             amplification[wild] = np.where(reached == 1, np.maximum(1.0, 1 / hard.determinant(found, reached)), 1.0)
     return Solution(values, locked, limit, ambiguous, amplification, passes)
 
@@ -169,6 +171,13 @@ class _Problem(NamedTuple):
             if done.all():
                 return q, done, count + 1
         return q, done, most
+
+    def reached(self) -> tuple[Real, Real, Flags]:
+        """The solution that grows out of no friction (k, n), how far it goes (n,), whether there is another (n,)."""
+        if len(self.c) == 1 and not self.tipping:
+            return one_pair(self.base[:, 0], self.response[:, 0, 0], self.c[0])
+        found, part = self.followed()
+        return found, part, self.others(found)
 
     def followed(self) -> tuple[Real, Real]:
         """The solution on the path from no friction (k, n), and how far the path goes (n,): 1 if to the end."""

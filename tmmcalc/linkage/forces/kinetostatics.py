@@ -7,7 +7,7 @@ until its group is solved. Where a rubbing pair stands still, its friction takes
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -17,7 +17,6 @@ from tmmcalc.linkage.crossings import STILL
 from tmmcalc.linkage.forces import drive as driving
 from tmmcalc.linkage.forces.cut import Cut, Plan, Post, plan_of, post_of
 from tmmcalc.linkage.forces.dyad import Dyad
-from tmmcalc.linkage.forces.friction import Solution
 from tmmcalc.linkage.forces.wrench import NOTHING, Seat, Slideway, Wrench, seat_of, sliding
 from tmmcalc.linkage.loading import Pair
 from tmmcalc.linkage.loads.scene import Scene
@@ -26,6 +25,9 @@ from tmmcalc.linkage.loads.values import Knot
 from tmmcalc.linkage.model import FRAME, Joint
 from tmmcalc.linkage.plane import Plane, Real, cross
 from tmmcalc.numerics.memory import keep_pages
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.forces.friction import Solution
 
 REST = 1e-9  # a relative velocity below this part of the largest is rest
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,11 +11,16 @@ from tmmcalc.errors import NoSolutionError
 from tmmcalc.linkage.forces.friction import Solution
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.model import Joint
+from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Grade
 
 SHOWN = 6  # positions named in a message
+CLOSE = 1e-3  # part of the friction: nearer to the brink than this it is told by the distance
+BLIND = 1e-8  # and nearer than this the brink and the friction cannot be told apart
+MAGNIFIED = 100.0  # growth of errors of the loads from which on the friction is near to locking
 
 Named = Callable[[NDArray[np.intp]], list[str]]
+Seen = tuple[Real, Mapping[str, Solution]]  # angles (n,) and how friction came out there
 
 
 def refuse_locked(statics: Statics, solutions: Mapping[str, Solution], named: Named) -> None:
@@ -32,12 +37,21 @@ def refuse_locked(statics: Statics, solutions: Mapping[str, Solution], named: Na
         rubbing = [j.name for j in statics.joints if j.name in statics.scales and _joins(statics, name, j)]
         raise NoSolutionError(
             f"self-locking at {places}: the friction in {', '.join(rubbing)} holds the group against any drive; "
-            f"it moves up to {limit:.4g} times this friction",
+            + _brink(limit),
             where=f"forces, group {name}",
             value=1.0,
             limit=limit,
             remedy="lessen the friction coefficients, or the angle between the load and the motion there",
         )
+
+
+def _brink(limit: float) -> str:
+    """Up to which part of its friction the group moves, in words that tell it from the whole."""
+    if 1 - limit > CLOSE:
+        return f"it moves up to {limit:.4g} times this friction"
+    if 1 - limit > BLIND:
+        return f"it moves up to 1 - {1 - limit:.2g} times this friction"
+    return f"the brink lies within {BLIND:g} of this friction, too near to be told from it"
 
 
 def _joins(statics: Statics, group_name: str, joint: Joint) -> bool:
@@ -46,6 +60,25 @@ def _joins(statics: Statics, group_name: str, joint: Joint) -> bool:
         if group.name == group_name:
             return joint.name in (*group.inner, *group.outer)
     return joint.name == chain.input_joint.name
+
+
+def magnified(seen: Sequence[Seen], named: Callable[[Real], list[str]]) -> tuple[Grade, ...]:
+    """Warnings where friction is so near to locking a group that it magnifies errors; ``named`` words angles."""
+    worst: dict[str, tuple[float, float]] = {}
+    for theta, solutions in seen:
+        for name, solution in solutions.items():
+            k = int(np.argmax(solution.amplification))
+            worst[name] = max(worst.get(name, (0.0, 0.0)), (float(solution.amplification[k]), float(theta[k])))
+    return tuple(
+        Grade(
+            "warning",
+            f"group {name}",
+            f"near to self-locking at {named(np.array([at]))[0]}: errors of the loads and of the friction coefficients "
+            f"grow {factor:.2g}-fold in the reactions",
+        )
+        for name, (factor, at) in worst.items()
+        if factor > MAGNIFIED
+    )
 
 
 def further_solutions(solutions: Mapping[str, Solution], labels: tuple[str, ...]) -> tuple[Grade, ...]:

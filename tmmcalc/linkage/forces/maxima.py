@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from tmmcalc.linkage.forces.edges import edge_reactions
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import PairForces
-from tmmcalc.linkage.forces.stack import Stack
+from tmmcalc.linkage.forces.stack import Stack, stacked
+from tmmcalc.linkage.loads.travel import EDGE
 from tmmcalc.linkage.model import Joint
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Extreme
@@ -55,6 +56,12 @@ class Held(NamedTuple):
 
 def held(statics: Statics, dense: Panels, over: Stack) -> Held:
     """Drive both ways, forces, couples and edge reactions; ``over`` has one column a point."""
+    rows, couples, pressures = _functions(statics, over)
+    return Held(rows.reshape(len(rows), *dense.x.shape), couples, pressures)
+
+
+def _functions(statics: Statics, over: Stack) -> tuple[Real, dict[int, int], dict[int, int]]:
+    """The functions (F, n), and the rows of couples and edges."""
     rows: list[Real] = [-over.drive, over.drive, *np.abs(over.reaction)]
     couples, pressures = {}, {}
     for j, joint in enumerate(statics.joints):
@@ -65,7 +72,7 @@ def held(statics: Statics, dense: Panels, over: Stack) -> Held:
                 pressures[j] = len(rows)
                 ahead, behind = edge_reactions(over.normal[j], over.couple[j], length)
                 rows.append(np.maximum(np.abs(ahead), np.abs(behind)))
-    return Held(np.array(rows).reshape(len(rows), *dense.x.shape), couples, pressures)
+    return np.array(rows), couples, pressures
 
 
 def unresolved(dense: Panels, values: Real) -> Flags:
@@ -76,10 +83,12 @@ def unresolved(dense: Panels, values: Real) -> Flags:
     return np.any(counts & (tail > RESOLVED * top), axis=0)
 
 
-def maxima(statics: Statics, dense: Panels, functions: Held) -> Maxima:
-    """The extremes of everything held on panels."""
+def maxima(statics: Statics, dense: Panels, functions: Held, resolved: bool = True) -> Maxima:
+    """The extremes of everything held on panels; from panels that are not ``resolved``, as the statics gives them."""
     joints = range(len(statics.joints))
     found, at = peaks(dense, functions.values)
+    if not resolved:
+        found, at = _confirmed(statics, dense, functions, at)
     extremes = [Extreme(float(value), float(place)) for value, place in zip(found, at, strict=True)]
 
     def of(rows: dict[int, int]) -> list[Extreme | None]:
@@ -91,6 +100,24 @@ def maxima(statics: Statics, dense: Panels, functions: Held) -> Maxima:
         pressure=of(functions.pressures),
         drive=(Extreme(-extremes[0].value, extremes[0].x), extremes[1]),
     )
+
+
+def _confirmed(statics: Statics, dense: Panels, functions: Held, at: Real) -> tuple[Real, Real]:
+    """The higher of what the statics gives at the places (F,) found, from either side, and at the points; its place.
+
+    The polynomial of a panel swings beyond a force that has a pole beside the path.
+    """
+    each = np.arange(len(at))
+    after = np.where(at < statics.scene.travel.period - EDGE, 1.0, -1.0)
+    before = np.where(at > EDGE, -1.0, 1.0)
+    exact, _ = stacked(statics, np.tile(at, 2), np.concatenate((after, before)), checked=False)
+    sides = _functions(statics, exact)[0][each, [each, each + len(at)]]
+    points = functions.values.reshape(len(at), -1)
+    best = np.argmax(points, axis=1)
+    values = np.vstack((np.max(sides, axis=0), points[each, best]))
+    places = np.vstack((at, dense.x.ravel()[best]))
+    higher = np.argmax(values, axis=0)
+    return values[higher, each], places[higher, each]
 
 
 def length_of(statics: Statics, joint: Joint) -> float | None:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.forces.friction import Solution, joined
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
 from tmmcalc.linkage.forces.kinks import Cut, faces
 from tmmcalc.linkage.forces.verification import residuals, virtual_drive
@@ -14,6 +13,9 @@ from tmmcalc.linkage.forces.wrench import Slideway
 from tmmcalc.linkage.loads.sources import Place
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.trace import BLOCK
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.forces.friction import Solution
 
 
 class Stack(NamedTuple):
@@ -51,7 +53,16 @@ def stacked(statics: Statics, theta: Real, side: Real, *, checked: bool = True) 
         state = statics.solve(place, side[at : at + BLOCK])
         parts.append(_stack(statics, state, place, checked))
         locks.append(state.solutions)
-    return _joined(parts), {name: joined([part[name] for part in locks]) for name in locks[0]}
+    return _joined(parts), _together(locks)
+
+
+def _together(locks: list[dict[str, Solution]]) -> dict[str, Solution]:
+    """The solutions of all blocks, by the name of the group."""
+    if len(locks) == 1 or not locks[0]:
+        return locks[0]
+    from tmmcalc.linkage.forces.friction import joined  # only what rubs needs it
+
+    return {name: joined([part[name] for part in locks]) for name in locks[0]}
 
 
 def _joined(parts: list[Stack]) -> Stack:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
@@ -13,9 +12,10 @@ from tmmcalc.errors import NoSolutionError
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.loading import Constant, Indicator, Load, Polynomial, Tabulated
+from tmmcalc.linkage.loads.coverage import of_displacement, of_range
 from tmmcalc.linkage.loads.laws import interpolant, polynomial, pressure_of
 from tmmcalc.linkage.loads.sources import Place
-from tmmcalc.linkage.loads.strokes import Displacement, displacement_of, piston_of
+from tmmcalc.linkage.loads.strokes import displacement_of, piston_of
 from tmmcalc.linkage.loads.travel import EDGE, Travel
 from tmmcalc.linkage.loads.windows import Inside
 from tmmcalc.linkage.plane import Real
@@ -48,23 +48,30 @@ def value_of(chain: Chain, kinematics: Kinematics, travel: Travel, dense: Survey
         return Value(lambda place: polynomial(law, window.since(place.theta)), [], [])
     if isinstance(law, Tabulated):
         if law.of in ("angle", "position"):
-            return _of_angle(travel, law, f"load {load.name}")
-        return _of_displacement(chain, kinematics, travel, dense, law, f"load {load.name}")
+            return _of_angle(travel, dense, load, law, window)
+        return _of_displacement(chain, kinematics, travel, dense, load, law, window)
     assert isinstance(law, Indicator)
     return _indicated(chain, travel, dense, load, law)
 
 
-def _of_angle(travel: Travel, law: Tabulated, where: str) -> Value:
-    x = law.x if law.of == "angle" else _positions(law, travel, where)
+def _of_angle(travel: Travel, dense: Survey, load: Load, law: Tabulated, window: Inside) -> Value:
+    x = law.x if law.of == "angle" else _positions(law, travel, f"load {load.name}")
     period = (law.period or TURN) if travel.whole else None
     f = interpolant(x, law.values, law.interpolation, period)
-    return Value(lambda place: f(place.theta), travel.repeated(x, period or TURN), [])
+    grades = () if period else tuple(of_range(travel, dense, load, law, np.array(x), window))
+    return Value(lambda place: f(place.theta), travel.repeated(x, period or TURN), [], grades)
 
 
 def _of_displacement(
-    chain: Chain, kinematics: Kinematics, travel: Travel, dense: Survey, law: Tabulated, where: str
+    chain: Chain,
+    kinematics: Kinematics,
+    travel: Travel,
+    dense: Survey,
+    load: Load,
+    law: Tabulated,
+    window: Inside,
 ) -> Value:
-    displacement = displacement_of(chain, kinematics, travel, dense, law.output, where)
+    displacement = displacement_of(chain, kinematics, travel, dense, law.output, f"load {load.name}")
     unit = displacement.reach if law.of == "stroke" else 1.0
     f = interpolant(law.x, law.values, law.interpolation)
 
@@ -76,19 +83,8 @@ def _of_displacement(
         lambda place: f(displacement.at(place.configuration) / unit),
         travel.repeated(displacement.turning),
         [Knot(partial(from_knot, at), displacement.reach) for at in inner],
-        tuple(_beyond(displacement, law, unit, where)),
+        tuple(of_displacement(travel, dense, load, law, window, displacement, unit)),
     )
-
-
-def _beyond(displacement: Displacement, law: Tabulated, unit: float, where: str) -> Iterator[Grade]:
-    """What of a table the output never reaches."""
-    low, high, reach = law.x[0] * unit, law.x[-1] * unit, displacement.reach
-    if high <= reach * (1 + EDGE):
-        return
-    said, factor = ("deg", math.degrees(1.0)) if displacement.output.link is not None else ("mm", 1e3)
-    text = f"goes to {high * factor:.5g} {said}, but the stroke of {displacement.output.name} is {reach * factor:.5g}"
-    only = "; the whole table lies beyond it, and its first value holds throughout" if low >= reach else ""
-    yield Grade("warning", where, f"its table {text} {said}{only}")
 
 
 def _indicated(chain: Chain, travel: Travel, dense: Survey, load: Load, law: Indicator) -> Value:

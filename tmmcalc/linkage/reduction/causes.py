@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from tmmcalc.linkage.forces.kinetostatics import State, Statics, compile_statics
 from tmmcalc.linkage.forces.kinks import Cut, faces
-from tmmcalc.linkage.forces.locking import refuse_locked
 from tmmcalc.linkage.forces.verification import friction_power
 from tmmcalc.linkage.loads.scene import Scene
 from tmmcalc.linkage.loads.sources import Place, Source
@@ -95,13 +94,16 @@ class Causes(NamedTuple):
 
     def _at(self, place: Place, side: Real, named: Callable[[NDArray[np.intp]], list[str]]) -> Sample:
         sense, n = self.scene.travel.sense, len(place.theta)
-        inertia, slope = reduced_inertia(self.scene.loading.bodies, place.configuration, n)
+        bodies = [body for body in self.scene.loading.bodies if body.mass or body.inertia]
+        inertia, slope = reduced_inertia(bodies, place.configuration, n) if bodies else np.zeros((2, n))
         moments = np.zeros((len(self.names), n))
         for source in self.scene.sources:
             k = self.names.index((source.name, source.kind, source.order))
             moments[k] += _power(source, place) * (sense if source.order == 0 else 1.0)
         if not self.statics.scales:
             return Sample(inertia, slope * sense, moments, np.zeros(n), np.zeros((0, n)), False)
+        from tmmcalc.linkage.forces.locking import refuse_locked  # only what rubs needs it
+
         state = self.statics.solve(place, side)
         refuse_locked(self.statics, state.solutions, named)
         moments[-1] = self._lost(state, place)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from tmmcalc.linkage.chain import Configuration
@@ -10,7 +12,7 @@ from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.plane import Plane, Real, square
 
 
-def reduced_inertia(bodies: tuple[Body, ...], configuration: Configuration, n: int) -> tuple[Real, Real]:
+def reduced_inertia(bodies: Sequence[Body], configuration: Configuration, n: int) -> tuple[Real, Real]:
     """J = sum m |S'|^2 + J_S w'^2 and dJ/dx = 2 sum m S'.S'' + J_S w' w'', each (n,), against the input coordinate."""
     inertia, slope = np.zeros(n), np.zeros(n)
     for body in bodies:

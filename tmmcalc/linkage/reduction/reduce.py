@@ -25,7 +25,8 @@ from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.reduction.causes import Causes, Sample, causes_of
 from tmmcalc.linkage.reduction.inertia import lumped, reduced_inertia, rods_of
 from tmmcalc.linkage.reduction.results import Contribution, Reduction
-from tmmcalc.linkage.results import Extreme, Grade, Kinematics
+from tmmcalc.linkage.reduction.signs import wrong_signs
+from tmmcalc.linkage.results import Extreme, Kinematics
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.numerics.panels import Panels, panels, resolved
 from tmmcalc.numerics.peaks import peaks
@@ -39,7 +40,6 @@ SAMPLED = 33  # places at which that most is taken
 PARTS = 24  # of a turn, or of the range: no first panel is wider
 QUARTERS = np.array([0.25, 0.5, 0.75])  # that a panel which resolves nothing is cut in
 ROUNDS = 4  # of cutting: two kinks between the same points show one after the other
-NOTHING = 1e-9  # part of what a load moves to and fro below which its work has no sign
 
 
 def solve_reduction(mechanism: Mechanism, loading: Loading, kinematics: Kinematics, rods: str = "exact") -> Reduction:
@@ -48,7 +48,7 @@ def solve_reduction(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
     Raises `NoSolutionError` for self-locking, and for a load that cannot be placed.
     """
     links = rods_of(mechanism, loading)
-    static = lumped(mechanism, loading, links)
+    static = lumped(mechanism, loading, links) if links else loading.bodies
     taken = replace(loading, bodies=static) if rods == "lumped" else loading
     scene = compile_scene(mechanism, taken, kinematics)
     causes = causes_of(scene)
@@ -91,7 +91,7 @@ def solve_reduction(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
         rods="lumped" if rods == "lumped" and links else "exact",
         rod_links=links,
         other=other,
-        grades=(*scene.grades, *_grades(causes, loading.loads, works, dense, parts)),
+        grades=(*scene.grades, *wrong_signs(scene.travel, causes.names, loading.loads, dense, parts)),
         counters={"panels": dense.count, "points": dense.x.size},
     )
 
@@ -227,18 +227,3 @@ def _ranges(scene: Scene, cycle: Cycle, parts: Real) -> tuple[tuple[Extreme, Ext
         for a, b in zip(low, high, strict=True)
     ]
     return pairs[0], pairs[1:]
-
-
-def _grades(causes: Causes, loads: tuple[Load, ...], works: Real, dense: Panels, parts: Real) -> tuple[Grade, ...]:
-    """A resistance that drives, or a drive that resists, is likely a wrong sign."""
-    grades = []
-    for k, (name, kind, _) in enumerate(causes.names):
-        if kind != "load":
-            continue
-        role, work = _role(loads, name), float(works[k])
-        against = -work if role == "drive" else work
-        if against > NOTHING * float(dense.total(np.abs(parts[k]))):
-            does = "drives" if work > 0 else "resists"
-            text = f"is called a {role} but {does}: {work:+.6g} J a cycle; turn its direction or its sign, or its role"
-            grades.append(Grade("warning", f"load {name}", text))
-    return tuple(grades)

@@ -12,14 +12,14 @@ from tmmcalc.records import record
 
 @record
 class Contribution:
-    """One cause of reduced moment: a load, the weights, a spring, a damper, friction.
+    """One cause of reduced moment: a load, the weights, a spring, a damper, friction, a moment that balances the rest.
 
     ``work`` over the cycle at the mean speed; ``simpson`` the same by Simpson's rule over the positions (3.38), None
     where they are not equal steps of even number.
     """
 
     name: str
-    kind: Literal["load", "weight", "spring", "damper", "friction"]
+    kind: Literal["load", "weight", "spring", "damper", "friction", "balance"]
     role: Literal["resistance", "drive"] | None  # what the spec takes a load for
     order: int  # of the speed that it is multiplied by
     work: float  # [J]

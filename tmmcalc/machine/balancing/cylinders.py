@@ -14,7 +14,6 @@ force that, at unit distance ahead of the reference plane z0, has it.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -78,32 +77,9 @@ def cylinder_force(cylinder: Cylinder, phi: Values, speed: float) -> Complex:
     return speed * speed * (rotating - c.reciprocating_mass * s2 * np.exp(1j * c.axis_angle))
 
 
-def engine_forces(
-    cylinders: Sequence[Cylinder], phi: Values, speed: float, reference: float | None = None
-) -> tuple[Complex, Complex]:
-    """Shaking force [N] and couple [N*m] of all cylinders at the shaft angles phi (n,), exactly.
-
-    ``reference`` [m] is the plane z0 of the couples, by default the middle between the outermost cylinders.
-    """
-    z0 = middle(cylinders) if reference is None else reference
-    forces = np.array([cylinder_force(c, phi, speed) for c in cylinders])
-    arms = np.array([c.position_along_shaft - z0 for c in cylinders])
-    return forces.sum(axis=0), arms @ forces
-
-
 def middle(cylinders: Sequence[Cylinder]) -> float:
     """The middle between the outermost cylinders [m]; raises `UsageError` if there are none."""
     if not cylinders:
         raise UsageError("the engine has no cylinders", where="engine", remedy="give one cylinder at least")
     places = [c.position_along_shaft for c in cylinders]
     return (min(places) + max(places)) / 2
-
-
-def reduced_rod(mass: float, length: float, center: float) -> tuple[float, float]:
-    """Masses [kg] at crank pin and piston pin in place of a rod whose centre is at ``center`` [m] from the crank pin.
-
-    Total and static moment are kept, which is all that forces depend on.
-    """
-    if not (length > 0 and math.isfinite(center)):
-        raise UsageError(f"a rod of {length:g} m", where="rod", value=length, limit=0.0, remedy="lengths are positive")
-    return mass * (1 - center / length), mass * center / length

@@ -63,12 +63,6 @@ def check_choice(mass: float | None, radius: float | None, where: str = "counter
         )
 
 
-def as_made(weight: Weight, mass_step: float, angle_step: float | None = None) -> Weight:
-    """The weight as it can be made: mass in steps of ``mass_step`` [kg], angle in steps of ``angle_step`` [rad]."""
-    angle = weight.angle if angle_step is None else angle_step * round(weight.angle / angle_step)
-    return Weight(mass_step * round(weight.mass / mass_step), weight.radius, angle)
-
-
 def in_planes(moment: complex, couple: complex, planes: tuple[float, float]) -> tuple[complex, complex]:
     """Static moments [kg*m] in two planes at z [m] with this resultant and this couple sum z U [kg*m^2] about z = 0.
 

@@ -83,4 +83,5 @@ def balanced(cycle: Cycle, speed: float | None = None) -> Cycle:
     """
     w = cycle.speed if speed is None else speed
     work = float(cycle.panels.total(cycle.moment + cycle.viscous * w + cycle.quadratic * w * w))
-    return replace(cycle, moment=cycle.moment - work / cycle.period, speed=w)
+    added = -work / cycle.period
+    return replace(cycle, moment=cycle.moment + added, speed=w, balancing=cycle.balancing + added)

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.positional import FlywheelMethod, positional_flywheels
-from tmmcalc.machine.flywheel.required import RequiredInertia, required_inertia
-from tmmcalc.machine.motors.characteristics import Characteristic
-from tmmcalc.machine.steady import driven
+from tmmcalc.machine.flywheel.trials import RequiredInertia
 from tmmcalc.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.motors.characteristics import Characteristic
 
 
 @record
@@ -36,16 +39,19 @@ def compared(
     speed: float | None = None,
     characteristic: Characteristic | None = None,
     time_constant: float = 0.0,
+    sense: float = 1.0,
 ) -> Comparison:
     """Every method of `positional_flywheels`, and with a motor each tried under it beside `required_inertia`.
 
     ``speed`` [rad/s] is the mean speed that the methods assume: by default the cycle's own, with a motor the
-    mean speed that it really keeps with the true flywheel.
+    mean speed that it really keeps with the true flywheel. ``sense`` is -1 where the input turns clockwise.
     """
     if characteristic is None:
         methods = positional_flywheels(cycle, constant_inertia, delta, speed)
         return Comparison(tuple(Row(method, None, None) for method in methods), None)
-    true = required_inertia(cycle, characteristic, delta, constant_inertia, time_constant)
+    from tmmcalc.machine.flywheel.required import required_inertia
+
+    true = required_inertia(cycle, characteristic, delta, constant_inertia, time_constant, sense=sense)
     methods = positional_flywheels(cycle, constant_inertia, delta, true.regime.mean if speed is None else speed)
     rows = tuple(
         _row(method, cycle, constant_inertia + method.addition, characteristic, time_constant, true)
@@ -62,6 +68,8 @@ def _row(
     time_constant: float,
     true: RequiredInertia,
 ) -> Row:
+    from tmmcalc.machine.steady import driven
+
     error = (inertia - true.inertia) / true.inertia
     try:
         regime = driven(cycle, inertia, characteristic, time_constant=time_constant, guess=true.regime)

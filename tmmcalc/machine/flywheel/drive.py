@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.search import Model
 from tmmcalc.machine.motors.characteristics import Characteristic
-from tmmcalc.machine.onemass import OneMass
+from tmmcalc.machine.onemass import OneMass, vanishing
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.settling import Guess, Halt, settled
 
@@ -15,7 +13,9 @@ from tmmcalc.machine.settling import Guess, Halt, settled
 def fluctuation(
     cycle: Cycle, characteristic: Characteristic, time_constant: float = 0.0, near: Regime | None = None
 ) -> Model:
-    """The function constant inertia [kg*m^2] -> delta of the steady motion, None where the machine stalls or runs away.
+    """The function constant inertia [kg*m^2] -> delta of the steady motion.
+
+    None where the machine stalls or runs away, or where its inertia vanishes and nothing bounds the speed.
 
     Each motion is the first guess of the next, and ``near`` that of the first.
     """
@@ -23,7 +23,7 @@ def fluctuation(
 
     def delta(inertia: float) -> float | None:
         nonlocal last
-        if inertia + float(np.min(cycle.inertia)) <= 0:
+        if vanishing(cycle, inertia) is not None:
             return None
         machine = OneMass(cycle, inertia, characteristic, time_constant)
         orbit = settled(machine, last)

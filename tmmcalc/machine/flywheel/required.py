@@ -17,12 +17,12 @@ from tmmcalc.machine.flywheel.curve import energy_curve
 from tmmcalc.machine.flywheel.drive import fluctuation
 from tmmcalc.machine.flywheel.methods import METHODS, tangents
 from tmmcalc.machine.flywheel.positional import check
-from tmmcalc.machine.flywheel.search import Model, Trial, between, corrections, least_inertia, sufficient, tried
+from tmmcalc.machine.flywheel.search import Model, between, corrections, least_inertia, sufficient, tried
+from tmmcalc.machine.flywheel.trials import RequiredInertia, Trial
 from tmmcalc.machine.motors.characteristics import Characteristic
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.stall import stall_inertia
 from tmmcalc.machine.steady import driven
-from tmmcalc.records import record
 
 PROBES = 1  # inertias tried between the one at hand and the root
 PROBES_LAGGING = 5  # the same where the motor lags, so that a resonance may stand between
@@ -35,25 +35,6 @@ EQUAL = 1e-9  # relative differences of delta that do not count as rising
 _MERTSALOV = METHODS[2]
 
 
-@record
-class RequiredInertia:
-    """The least constant inertia for the asked fluctuation, and the motion with it."""
-
-    inertia: float  # total constant inertia, reduced to the input shaft [kg*m^2]
-    addition: float  # the flywheel: what of it is not at hand yet [kg*m^2]
-    needed: bool  # False: the inertia at hand suffices
-    delta: float  # coefficient of speed fluctuation reached [-]
-    regime: Regime  # the steady motion with it
-    trials: tuple[Trial, ...]  # all inertias tried, ascending
-    monotone: bool  # among the trials delta falls as the inertia grows
-    remarks: tuple[str, ...]
-
-    @property
-    def evaluations(self) -> int:
-        """Number of inertias tried."""
-        return len(self.trials)
-
-
 def required_inertia(
     cycle: Cycle,
     characteristic: Characteristic,
@@ -62,15 +43,16 @@ def required_inertia(
     time_constant: float = 0.0,
     *,
     probes: int | None = None,
+    sense: float = 1.0,
 ) -> RequiredInertia:
     """Least constant inertia, not below ``constant_inertia`` [kg*m^2], with delta <= ``delta`` under the motor.
 
     ``characteristic`` is the motor's moment on the input shaft, ``time_constant`` its lag [s]; ``probes`` inertias in
-    between are tried for an earlier root. Raises `NoSolutionError` if the motor cannot carry the load with any
-    inertia, `UsageError` for a ``delta`` outside (0, 1).
+    between are tried for an earlier root; ``sense`` is -1 where the input turns clockwise. Raises `NoSolutionError` if
+    the motor cannot carry the load with any inertia, `UsageError` for a ``delta`` outside (0, 1).
     """
     check(delta, cycle.speed, constant_inertia)
-    trials, near = _ample(cycle, characteristic, delta, constant_inertia, time_constant)
+    trials, near = _ample(cycle, characteristic, delta, constant_inertia, time_constant, sense)
     model, start = fluctuation(cycle, characteristic, time_constant, near), trials[-1]
     at_hand = trials[0].inertia == constant_inertia
     first = root = trials[0] if at_hand else tried(model, constant_inertia, trials)
@@ -105,7 +87,12 @@ def correction_history(
 
 
 def _ample(
-    cycle: Cycle, characteristic: Characteristic, delta: float, constant_inertia: float, time_constant: float
+    cycle: Cycle,
+    characteristic: Characteristic,
+    delta: float,
+    constant_inertia: float,
+    time_constant: float,
+    sense: float,
 ) -> tuple[list[Trial], Regime]:
     """The motion with the inertia by Mertsalov, or the one at hand if that is more; `driven` says why if there is none.
 
@@ -114,14 +101,14 @@ def _ample(
     alone = float(tangents(energy_curve(cycle), delta, cycle.speed, (_MERTSALOV,)).inertia[0])
     inertia, trials = max(alone, constant_inertia), []
     try:
-        regime = driven(cycle, inertia, characteristic, time_constant=time_constant)
+        regime = driven(cycle, inertia, characteristic, time_constant=time_constant, sense=sense)
     except NoSolutionError as error:
         if error.value != inertia or error.limit is None:
             raise
         # the error of a stall tells the inertia that just carries the machine over its peak load
         trials = [Trial(inertia, None)]
         inertia = ABOVE * error.limit
-        regime = driven(cycle, inertia, characteristic, time_constant=time_constant)
+        regime = driven(cycle, inertia, characteristic, time_constant=time_constant, sense=sense)
     return [*trials, Trial(inertia, regime.delta)], regime
 
 

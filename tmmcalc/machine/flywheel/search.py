@@ -14,7 +14,7 @@ import math
 from collections.abc import Callable
 
 from tmmcalc.errors import AccuracyError, NoSolutionError
-from tmmcalc.records import record
+from tmmcalc.machine.flywheel.trials import Trial
 
 Model = Callable[[float], float | None]  # constant inertia [kg*m^2] -> delta, or None where the machine stalls
 
@@ -24,14 +24,6 @@ RUNS = 80
 EAGER = 6  # runs that trust the secant alone
 LEAST = 1e-3  # of the upper end: the lower one counts as this at least when a bracket is halved
 LARGEST = 1e6  # times the first guess: where the search upwards gives up
-
-
-@record
-class Trial:
-    """One run of the model."""
-
-    inertia: float  # constant inertia [kg*m^2]
-    delta: float | None  # coefficient of speed fluctuation [-]; None: the machine stalls
 
 
 def tried(model: Model, inertia: float, trials: list[Trial]) -> Trial:

@@ -9,12 +9,10 @@ from tmmcalc.machine.flywheel.comparison import Row, compared
 from tmmcalc.machine.flywheel.curve import nodal_work
 from tmmcalc.machine.flywheel.placement import Wheel, wheels
 from tmmcalc.machine.flywheel.positional import FlywheelMethod, on_nodes
-from tmmcalc.machine.flywheel.required import RequiredInertia, correction_history
 from tmmcalc.machine.flywheel.rim import Rim
-from tmmcalc.machine.flywheel.search import Trial
+from tmmcalc.machine.flywheel.trials import RequiredInertia, Trial
 from tmmcalc.machine.flywheel.wittenbauer import EnergyMass, energy_mass
 from tmmcalc.machine.model import FlywheelTask
-from tmmcalc.machine.recurrence import nodal_tables
 from tmmcalc.machine.verdicts import Verdict
 from tmmcalc.records import record
 
@@ -85,6 +83,7 @@ def solve_flywheel(
         speed=speed if driver is None else None,
         characteristic=characteristic,
         time_constant=lag,
+        sense=sense,
     )
     required = comparison.required
     exact = comparison.rows[0].positional
@@ -115,6 +114,8 @@ def _history(cycle: Cycle, driver: Driver | None, delta: float, at_hand: Constan
     """The textbook's correction, where there is a constant inertia to correct and the machine runs with it."""
     if driver is None or at_hand.total <= 0:
         return ()
+    from tmmcalc.machine.flywheel.required import correction_history
+
     try:
         return tuple(correction_history(cycle, driver.characteristic, delta, at_hand.total, driver.time_constant))
     except NoSolutionError:
@@ -123,6 +124,8 @@ def _history(cycle: Cycle, driver: Driver | None, delta: float, at_hand: Constan
 
 def _nodal(cycle: Cycle, at_hand: float, delta: float, speed: float, steps: int) -> FlywheelMethod:
     """The textbook's method as it is done by hand: on the nodes of the table, the work by the trapezoid rule."""
+    from tmmcalc.machine.recurrence import nodal_tables
+
     moment, inertia = nodal_tables(cycle, steps, speed)
     work, _ = nodal_work(moment, cycle.period)
     return on_nodes(work, inertia, at_hand, delta, speed, period=cycle.period)[BOOK]

@@ -7,18 +7,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from tmmcalc.errors import UsageError
-from tmmcalc.machine.motors.characteristics import (
-    Characteristic,
-    ConstantMoment,
-    Straight,
-    kloss,
-    parabolic,
-    straight,
-)
 from tmmcalc.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.motors.characteristics import Characteristic
 
 Interpolation = Literal["linear", "pchip"]
 MotorKind = Literal["induction", "shunt", "series"]
@@ -139,19 +134,26 @@ def characteristic(motor: Motor, kind: CharacteristicKind) -> Characteristic:
 
 
 def _parabolic(motor: Motor) -> Characteristic:
+    from tmmcalc.machine.motors.characteristics import parabolic
+
     return parabolic(motor.nominal_moment, motor.speed, motor.known("synchronous"), motor.break_down)
 
 
 def _linear(motor: Motor) -> Characteristic:
+    from tmmcalc.machine.motors.characteristics import straight
+
     return straight(motor.nominal_moment, motor.speed, motor.known("synchronous"), motor.break_down)
 
 
 def _kloss(motor: Motor) -> Characteristic:
+    from tmmcalc.machine.motors.characteristics import kloss
+
     peak = motor.known("overload") * motor.nominal_moment
     return kloss(peak, motor.critical_slip, motor.known("synchronous"), motor.speed)
 
 
 def _shunt(motor: Motor) -> Characteristic:
+    from tmmcalc.machine.motors.characteristics import Straight, straight
     from tmmcalc.machine.motors.direct_current import shunt
 
     if motor.voltage is None and motor.resistance is None and motor.constant is None:
@@ -180,6 +182,8 @@ def _series(motor: Motor) -> Characteristic:
 
 
 def _constant(motor: Motor) -> Characteristic:
+    from tmmcalc.machine.motors.characteristics import ConstantMoment
+
     return ConstantMoment(motor.nominal_moment, motor.speed)
 
 

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from tmmcalc.machine.motors.characteristics import Characteristic
-from tmmcalc.machine.motors.direct_current import voltage_drop
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor, characteristic
 from tmmcalc.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.motors.characteristics import Characteristic
 
 FAR = 0.05  # relative difference of two statements of one datum that is more than rounding and friction
 DIRECT = ("shunt", "series")  # kinds of direct-current motors
@@ -70,6 +72,8 @@ def _of_circuit(motor: Motor, kind: CharacteristicKind) -> Iterator[str]:
         if abs(motor.synchronous - idle) > FAR * idle:
             yield f"U/k gives no load at {idle * RPM:.6g} rpm, and not at the {motor.synchronous * RPM:.6g} rpm given"
     if kind == "series" and motor.voltage and motor.resistance and motor.efficiency:
+        from tmmcalc.machine.motors.direct_current import voltage_drop
+
         drop = voltage_drop(motor.voltage, motor.resistance, motor.power)
         if drop > 1 - motor.efficiency + FAR:
             yield (

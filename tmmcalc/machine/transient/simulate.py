@@ -61,7 +61,7 @@ def simulate(
         turning=np.array(run.turning).reshape(-1, 3).T,
         events=tuple(run.events),
         end=end,
-        verdicts=verdicts(scenario, system, found, run.events, end, imbalance, chosen.notes, drive),
+        verdicts=verdicts(scenario, system, found, run.events, end, imbalance, chosen.notes, drive, shape),
         method=chosen.name,
         reason=chosen.reason,
         rigid=tuple(sorted(chosen.rigid)),

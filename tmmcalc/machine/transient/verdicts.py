@@ -10,8 +10,10 @@ import numpy as np
 from tmmcalc.machine.transient.equations import System
 from tmmcalc.machine.transient.model import Drive
 from tmmcalc.machine.transient.outcome import Curves
+from tmmcalc.machine.transient.profile import Profile
 from tmmcalc.machine.transient.results import End, Event
 from tmmcalc.machine.transient.scenario import Scenario
+from tmmcalc.machine.transient.validity import extrapolated, restless
 from tmmcalc.machine.verdicts import SLACK, Verdict
 from tmmcalc.numerics.panels import Values
 
@@ -31,8 +33,12 @@ def verdicts(
     imbalance: float,
     notes: tuple[str, ...],
     drive: Drive,
+    shape: Profile,
 ) -> tuple[Verdict, ...]:
-    """Stall, turning back, speeds not reached, overload, pull-out and heating of the motor, energy; warnings first."""
+    """Stall, turning back, speeds not reached, overload, pull-out, range and heating of the motor, quiet loads, energy.
+
+    Warnings come first.
+    """
     found = [_stall(scenario, system, curves)] if _stalled(scenario, system, curves, end) else []
     found += _missed(scenario, curves, events, end)
     for kind in ("overload", "pull-out"):
@@ -41,6 +47,8 @@ def verdicts(
             found.append(_slow(first, scenario, curves))
     found += _turned_back(scenario, system, events, drive)
     found += _crawls(scenario, curves, drive, end)
+    found += extrapolated(scenario, curves, drive, rated_moment(drive.characteristic))
+    found += restless(scenario, shape, events)
     found += _heating(curves, drive)
     found += _length(scenario, curves, events, end)
     if imbalance > UNBALANCED:

@@ -25,6 +25,8 @@ from tmmcalc.machine.power import Power
 from tmmcalc.machine.transient.timed import TimedMotions
 
 if TYPE_CHECKING:
+    from tmmcalc.gears.selection.results import Selection
+    from tmmcalc.gears.train import Trains
     from tmmcalc.stages.balance import Balances
 
 FORMATS = ("svg", "png", "pdf")
@@ -129,6 +131,32 @@ def draw_balance(result: Balances, file: Path) -> None:
     from tmmcalc.report.pictures.page import write
 
     write(file, form, lambda: balance_figure(result))
+
+
+def draw_train(result: Trains, file: Path, *, choose: int = 1) -> None:
+    """Draw a tooth set of every variant to scale, all sets, what the constraints removed, curves of choice.
+
+    ``choose`` is the number of the set in each variant, from 1. Raises `UsageError` if no variant has it.
+    """
+    form = _form(file)
+    _check_matplotlib()
+    from tmmcalc.report.pictures.gears.train import train_figure
+    from tmmcalc.report.pictures.page import write
+
+    write(file, form, lambda: train_figure(result, choose))
+
+
+def draw_criteria(result: Selection, trains: Trains, file: Path, *, choose: int | None = None) -> None:
+    """Draw the Pareto diagram, pairs of further criteria, and to scale the winner or another train.
+
+    ``choose`` is a row of the stage's table, from 0. Raises `UsageError` for a row that there is not.
+    """
+    form = _form(file)
+    _check_matplotlib()
+    from tmmcalc.report.pictures.gears.criteria import criteria_figure
+    from tmmcalc.report.pictures.page import write
+
+    write(file, form, lambda: criteria_figure(result, trains, choose))
 
 
 def _form(file: Path) -> str:

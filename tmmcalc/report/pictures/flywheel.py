@@ -15,9 +15,8 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from tmmcalc.linkage.plane import Real
 from tmmcalc.machine.flywheel.comparison import Row
-from tmmcalc.machine.flywheel.required import RequiredInertia
-from tmmcalc.machine.flywheel.search import Trial
 from tmmcalc.machine.flywheel.task import Flywheel
+from tmmcalc.machine.flywheel.trials import RequiredInertia, Trial
 from tmmcalc.machine.flywheel.wittenbauer import EnergyMass
 from tmmcalc.report.flywheel import called
 from tmmcalc.report.motion import unevenness

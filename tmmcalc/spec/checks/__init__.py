@@ -27,14 +27,14 @@ from .links import (
 )
 from .outline import Outline, Raw
 from .outputs import check_outputs
-from .subject import NEEDS_MECHANISM, check_needs, check_subject
+from .subject import NEEDS_MECHANISM, check_criteria, check_needs, check_subject
 
 if TYPE_CHECKING:
     from tmmcalc.spec.files import Rows
 
 Check = Callable[[Outline], Iterator[Finding]]
 
-ALWAYS: tuple[Check, ...] = (check_subject, check_needs)
+ALWAYS: tuple[Check, ...] = (check_subject, check_needs, check_criteria)
 CHECKS: tuple[Check, ...] = (
     check_ids,
     check_reserved_names,
@@ -72,6 +72,9 @@ _OF_TABLE = {
     "engine": ("engine",),
     "rotor": ("rotor",),
     "train": ("train",),
+    "gearing": ("gearing",),
+    "criteria": ("criteria",),
+    "strength": ("strength",),
 }
 
 

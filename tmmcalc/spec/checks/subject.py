@@ -8,7 +8,7 @@ from tmmcalc.spec.findings import Finding
 
 from .outline import Outline
 
-SUBJECTS = ("mechanism", "torque", "engine", "rotor", "train")
+SUBJECTS = ("mechanism", "torque", "engine", "rotor", "train", "gearing")
 
 # Tables that say nothing without a mechanism, and why.
 NEEDS_MECHANISM = {
@@ -27,6 +27,11 @@ NEEDS_MACHINE = {
     "transients": "there is nothing that moves",
     "flywheel": "there is nothing whose speed it evens out",
 }
+# Tables that say nothing without a gear train, and why.
+NEEDS_TRAIN = {
+    "strength": "it is that of the wheels of a gear train",
+    "criteria": "they choose one of the gear trains",
+}
 _ARRAYS = ("loads", "springs", "shafts", "transients")
 
 
@@ -37,7 +42,8 @@ def check_subject(outline: Outline) -> Iterator[Finding]:
         yield Finding(
             ("mechanism",),
             "missing key: a spec describes a mechanism, or else a torque diagram, an engine, a rotor or a train",
-            "add [mechanism.input], [[mechanism.links]], [[mechanism.joints]]; [torque], [engine], [rotor] or [train]",
+            "add [mechanism.input], [[mechanism.links]], [[mechanism.joints]]; "
+            "[torque], [engine], [rotor], [train] or [gearing]",
         )
     if "mechanism" in document and "torque" in document:
         yield Finding(
@@ -48,8 +54,11 @@ def check_subject(outline: Outline) -> Iterator[Finding]:
 
 
 def check_needs(outline: Outline) -> Iterator[Finding]:
-    """Tables of a machine have one that they belong to."""
+    """Tables of a machine, and of a gear train, have one that they belong to."""
     document = outline.document
+    for table, why in NEEDS_TRAIN.items():
+        if table in document and "train" not in document:
+            yield Finding((table,), f"{_header(table)} without [train]: {why}", "add [train], or remove it")
     if "mechanism" in document or not {*SUBJECTS} & {*document}:
         return  # without any subject that is the fault
     for table, why in NEEDS_MECHANISM.items():
@@ -59,6 +68,14 @@ def check_needs(outline: Outline) -> Iterator[Finding]:
         if table in document and "torque" not in document:
             rule = f"{_header(table)} without [mechanism] or [torque]: {why}"
             yield Finding((table,), rule, "add [mechanism] or [torque], or remove it")
+
+
+def check_criteria(outline: Outline) -> Iterator[Finding]:
+    """Trains are compared by the sizes that strength gives."""
+    document = outline.document
+    if "criteria" in document and "train" in document and "strength" not in document:
+        rule = "[criteria] without [strength]: trains are compared by their sizes"
+        yield Finding(("criteria",), rule, "add [strength] with torque and material, or remove it")
 
 
 def _header(table: str) -> str:

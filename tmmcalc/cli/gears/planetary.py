@@ -1,0 +1,84 @@
+"""``tmmcalc gears planetary``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from tmmcalc.cli.options import (
+    Csv,
+    Depfile,
+    Form,
+    Format,
+    Fresh,
+    FromStage,
+    Out,
+    Quiet,
+    Set,
+    SpecFile,
+    Store,
+    Strict,
+)
+from tmmcalc.cli.work import Job, title
+from tmmcalc.errors import UsageError
+
+if TYPE_CHECKING:
+    from tmmcalc.pipeline.outcome import RunResult
+    from tmmcalc.report.document import Document
+    from tmmcalc.spec import Spec
+
+
+def command(
+    spec: SpecFile,
+    form: Form = Format.table,
+    choose: Annotated[
+        int,
+        typer.Option("--choose", metavar="N", min=1, help="Of a [train]: which tooth set, as gears synth lists them."),
+    ] = 1,
+    power: Annotated[bool, typer.Option("--power/--kinematic", help="Of a [train]: what the drive is for.")] = True,
+    internal: Annotated[
+        bool, typer.Option("--internal/--external", help="Of a [train]: whether internal wheels can be cut.")
+    ] = True,
+    out: Out = None,
+    store: Store = True,
+    fresh: Fresh = False,
+    from_stage: FromStage = None,
+    csv: Csv = None,
+    depfile: Depfile = None,
+    strict: Strict = False,
+    quiet: Quiet = False,
+    overrides: Set = None,
+) -> None:
+    """Any train: exact ratios, speeds, torques, power flow, efficiency both ways.
+
+    Of a [gearing] all of it. Of a [train] the types that suit its ratio, how many planets go in, and the motion of
+    one of its tooth sets.
+
+    Example: tmmcalc gears planetary my.toml --choose 2
+    """
+    job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
+    scene = job.spec()
+    if scene.gearing is None and scene.train is None:
+        raise UsageError(
+            "the spec has neither [gearing] nor [train]",
+            where="gears planetary",
+            remedy="write the train out in [gearing], or ask for tooth numbers in [train]",
+        )
+    run = job.run(scene, "gearing" if scene.gearing is not None else "train")
+    job.finish(_printed(run, scene, title(scene, spec, "gears"), choose, power, internal, form), run, form)
+
+
+def _printed(
+    run: RunResult, scene: Spec, heading: str, choose: int, power: bool, internal: bool, form: Format
+) -> Document:
+    if scene.gearing is not None:
+        from tmmcalc.report.gearing import gearing_document
+
+        return gearing_document(run.results["gearing"], heading)
+    from tmmcalc.report.planetary import planetary_document
+
+    assert scene.train is not None
+    speed = scene.train.input_speed
+    asked = {"power": power, "internal": internal, "everything": form is not Format.table}
+    return planetary_document(run.results["train"], heading, speed, choose=choose, **asked)

@@ -1,0 +1,56 @@
+"""The speed that the spec asks for against the speed that the machine really keeps.
+
+Friction, inertia forces, the work of loads that depend on speed, and power are computed at the speed of the spec; a
+motor with its gears turns the input at another one. What differs by the slip of a motor is worth a note, more is a
+fault of the ratio or of the speed.
+"""
+
+from __future__ import annotations
+
+import math
+
+from tmmcalc.machine.verdicts import Verdict
+
+TOLD = 0.02  # relative difference of the speeds that is worth a note: more than most motors slip
+GRAVE = 0.05  # and from which results of the other speed mislead
+RPM = 30 / math.pi
+INPUT = "mechanism.input.speed"  # where the spec gives the speed; of a diagram ``torque.speed``
+
+
+def off_speed(mean: float, asked: float, ratio: float | None, sense: float, key: str) -> Verdict | None:
+    """What to say of a ``mean`` speed [rad/s] that is not the one ``asked`` for; None if they agree.
+
+    ``ratio`` of the gears to the motor is None where no ratio sets the speed; ``sense`` is -1 of a clockwise input,
+    ``key`` the place of the speed in the spec.
+
+    >>> str(off_speed(10.1, 10.0, None, 1.0, INPUT))
+    'None'
+    """
+    off = mean / asked - 1
+    if abs(off) <= TOLD:
+        return None
+    above = f"{100 * abs(off):.3g} % {'above' if off > 0 else 'below'}"
+    at = "loads, friction, inertia forces and power are" if key == INPUT else "work and power are"
+    gears = f", or take the gear ratio {ratio * mean / asked:.5g} in place of {ratio:.5g}" if ratio else ""
+    return Verdict(
+        "warning" if abs(off) > GRAVE else "note",
+        f"the mean speed {mean * RPM:.6g} rpm lies {above} the {asked * RPM:.6g} rpm of the spec, at which {at} "
+        f'computed: set {key} to "{sense * mean * RPM:.6g} rpm" and run again{gears}',
+    )
+
+
+def off_rated(rated: float, ratio: float, asked: float, sense: float, key: str) -> str | None:
+    """What to say of a motor whose ``rated`` speed [rad/s] over the ``ratio`` misses the speed ``asked`` for.
+
+    >>> off_rated(150.0, 15.0, 10.2, 1.0, INPUT) is None
+    True
+    """
+    at_input = rated / ratio
+    if abs(at_input / asked - 1) <= GRAVE:
+        return None
+    return (
+        f"at its rated speed the motor turns the input with {at_input * RPM:.6g} rpm through the ratio {ratio:.5g}, "
+        f"{100 * abs(at_input / asked - 1):.3g} % {'above' if at_input > asked else 'below'} the {asked * RPM:.6g} rpm "
+        f'of the spec, at which all of this is computed: set transmission.ratio to {rated / asked:.5g}, or {key} to '
+        f'"{sense * at_input * RPM:.6g} rpm"'
+    )

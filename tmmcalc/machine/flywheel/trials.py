@@ -1,0 +1,33 @@
+"""What the search for the true flywheel found: the inertias tried, and the least one that does."""
+
+from __future__ import annotations
+
+from tmmcalc.machine.regime import Regime
+from tmmcalc.records import record
+
+
+@record
+class Trial:
+    """One run of the model."""
+
+    inertia: float  # constant inertia [kg*m^2]
+    delta: float | None  # coefficient of speed fluctuation [-]; None: the machine stalls
+
+
+@record
+class RequiredInertia:
+    """The least constant inertia for the asked fluctuation, and the motion with it."""
+
+    inertia: float  # total constant inertia, reduced to the input shaft [kg*m^2]
+    addition: float  # the flywheel: what of it is not at hand yet [kg*m^2]
+    needed: bool  # False: the inertia at hand suffices
+    delta: float  # coefficient of speed fluctuation reached [-]
+    regime: Regime  # the steady motion with it
+    trials: tuple[Trial, ...]  # all inertias tried, ascending
+    monotone: bool  # among the trials delta falls as the inertia grows
+    remarks: tuple[str, ...]
+
+    @property
+    def evaluations(self) -> int:
+        """Number of inertias tried."""
+        return len(self.trials)

@@ -1,0 +1,50 @@
+"""A steady regime at the shaft of the motor: what the motor gives through its gears, and how that warms it.
+
+The losses of the gears add to a driving moment and take from a braking one: M_motor = M_d/(u eta) where M_d drives,
+M_d eta/u where it brakes. A motor warms with the mean square of its moment over the time.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tmmcalc.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.driver import Driver
+    from tmmcalc.machine.regime import Regime
+
+
+@record
+class MotorSide:
+    """The steady regime at the shaft of the motor."""
+
+    ratio: float  # u, speed of the motor over that of the input
+    efficiency: float  # of the gears
+    mean_power: float  # over the time [W]
+    rms_moment: float  # over the time, which heats the motor [N*m]
+    largest: float  # moment [N*m]
+    rated_moment: float | None  # at the rated speed by its characteristic [N*m]; None: not known
+
+    @property
+    def heating(self) -> float | None:
+        """The rms moment over the rated one: above 1 the motor overheats; None: not known."""
+        return self.rms_moment / self.rated_moment if self.rated_moment else None
+
+
+def motor_side(regime: Regime, driver: Driver) -> MotorSide:
+    """The regime of a motor as its own shaft feels it."""
+    u, eta, on = driver.ratio, driver.efficiency, regime.panels
+    moment = regime.driving / u * np.where(regime.driving > 0, 1 / eta, eta)
+    work, heat = on.total(np.stack((moment * u, moment * moment / regime.omega)))
+    nominal = driver.characteristic.nominal
+    return MotorSide(
+        ratio=u,
+        efficiency=eta,
+        mean_power=float(work) / regime.cycle_time,
+        rms_moment=float(heat / regime.cycle_time) ** 0.5,
+        largest=on.extremes(moment)[1][0],
+        rated_moment=None if nominal is None else float(driver.characteristic.moment(nominal)) / (u * eta),
+    )

@@ -1,0 +1,37 @@
+"""The steady motion as the textbook finds it by hand: what its recurrence (3.57, 3.58) gives."""
+
+from __future__ import annotations
+
+from tmmcalc.numerics.panels import Values
+from tmmcalc.records import record
+
+
+@record
+class Turn:
+    """One cycle of the textbook's iteration (3.58)."""
+
+    first: float  # w_0 [rad/s]
+    last: float  # w_n [rad/s]
+
+
+@record
+class NodalRegime:
+    """Speeds at the nodes over one cycle, periodic or not."""
+
+    omega: Values  # (n + 1,) [rad/s]
+    node_min: int
+    node_max: int
+    delta: float  # coefficient of speed fluctuation over the nodes [-]
+    multiplier: float  # factor of a deviation of w_0^2 after one cycle [-]
+    warning: float  # largest B dphi / J [-]: above 1 the recurrence alternates and the step is too wide
+
+
+@record
+class Textbook:
+    """The motion by the recurrence (3.57) on the grid of the positions."""
+
+    a: float  # A of the parabola M_d = A - B omega^2 [N*m]
+    b: float  # B [N*m*s^2/rad^2]
+    regime: NodalRegime  # the periodic one, directly
+    turns: tuple[Turn, ...]  # the iteration from the rated speed (3.58)
+    error: float  # largest difference of its speeds from the exact regime, against the mean speed [-]

@@ -1,0 +1,60 @@
+"""From the tables of a spec to what the strength and the choice of gear trains read."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from tmmcalc.errors import UsageError
+from tmmcalc.gears.criteria.efficiency import MeshEfficiency
+from tmmcalc.gears.selection.task import SelectionTask
+from tmmcalc.gears.sizing import SizingTask
+
+from .gears import to_strength
+
+if TYPE_CHECKING:
+    from .criteria import CriteriaTable
+    from .root import Spec
+    from .strength import StrengthTable
+
+ANY = 1.0  # N*m: stands in for a torque that follows from the moment
+
+
+def to_sizing(spec: Spec) -> SizingTask:
+    """What is asked of the strength of a train; raises `UsageError` for a spec without it."""
+    table = _table(spec)
+    torque = table.torque
+    plain = {"torque": ANY if torque is None else torque, "moment": None, "moment_ratio": None}
+    return SizingTask(
+        strength=to_strength(table.model_copy(update=plain)),
+        torque=torque,
+        moment=None if table.moment is None else abs(table.moment),
+        ratio=None if table.moment_ratio is None else abs(table.moment_ratio),
+    )
+
+
+def to_selection(spec: Spec) -> SelectionTask:
+    """How the best train is chosen; without a table in the usual way."""
+    table = spec.criteria
+    return SelectionTask() if table is None else _selection(table)
+
+
+def _selection(table: CriteriaTable) -> SelectionTask:
+    usual = SelectionTask()
+    meshes = usual.meshes
+    weights: dict[str, float] = {} if table.weights is None else table.weights.model_dump()
+    return SelectionTask(
+        objectives=usual.objectives if table.objectives is None else tuple(table.objectives),
+        weights=tuple((key, weight) for key, weight in weights.items() if weight),
+        choose=table.choose,
+        meshes=MeshEfficiency(
+            meshes.external if table.external_efficiency is None else table.external_efficiency,
+            meshes.internal if table.internal_efficiency is None else table.internal_efficiency,
+        ),
+        series=table.series,
+    )
+
+
+def _table(spec: Spec) -> StrengthTable:
+    if spec.strength is None:
+        raise UsageError("the spec has no [strength]", remedy="add [strength] with the material of the wheels")
+    return spec.strength

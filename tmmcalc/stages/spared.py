@@ -1,0 +1,46 @@
+"""Which of the results that it could use a stage does without: what the spec gives itself need not be computed.
+
+Nothing heavy is imported here, because plans ask about every stage.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from tmmcalc.spec import Spec
+
+TRAIN = ("criteria",)  # the stage that hands the best train to the machine
+
+
+def strength(spec: Spec) -> tuple[str, ...]:
+    """A torque, or the moment that it follows from, stands in place of the largest reduced moment."""
+    table = spec.strength
+    given = table is None or table.torque is not None or table.moment is not None
+    return ("reduction",) if given else ()
+
+
+def power(spec: Spec) -> tuple[str, ...]:
+    """The ratio of the gears matters to a motor, and is given or that of the train."""
+    return TRAIN if spec.motor is None or _ratio_given(spec) else ()
+
+
+def flywheel(spec: Spec) -> tuple[str, ...]:
+    """The gears have an inertia and a ratio, both given, or else those of the train."""
+    table = spec.transmission
+    return TRAIN if table is not None and table.inertia is not None and _ratio_given(spec) else ()
+
+
+def motion(spec: Spec) -> tuple[str, ...]:
+    """As of the flywheel."""
+    return flywheel(spec)
+
+
+def transient(spec: Spec) -> tuple[str, ...]:
+    """As of the flywheel."""
+    return flywheel(spec)
+
+
+def _ratio_given(spec: Spec) -> bool:
+    """Whether the ratio of the gears is given, by itself or as that of the shafts."""
+    return bool(spec.shafts) or (spec.transmission is not None and spec.transmission.ratio is not None)
