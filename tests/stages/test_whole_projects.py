@@ -18,7 +18,7 @@ from tmmcalc.spec import templates
 
 CONFIGS = Path(templates.folder())
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases" / "dynamics.json").read_text())}
-PROJECTS = ["shaper", "press", "four-stroke-engine", "piston-compressor", "piston-pump", "elastic-drive"]
+PROJECTS = ["shaper", "press", "four-stroke-engine", "piston-compressor", "piston-pump", "geared-pump", "elastic-drive"]
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-FIRST = ("i", "layout", "K", "z_")  # headers that come first
+FIRST = ("i", "layout", "K")  # headers that come first, before the wheels in their order
+WHEEL = "z_"
 
 
 def joined(tables: Sequence[Mapping[str, np.ndarray]]) -> dict[str, np.ndarray]:
@@ -17,8 +18,12 @@ def joined(tables: Sequence[Mapping[str, np.ndarray]]) -> dict[str, np.ndarray]:
     ([3, 4], ['17', ''])
     """
     headers = dict.fromkeys(header for table in tables for header in table)
-    ordered = sorted(headers, key=lambda header: not (header in FIRST or header.startswith(FIRST[-1])))
-    return {header: _column(header, tables) for header in ordered}
+    return {header: _column(header, tables) for header in sorted(headers, key=_place)}
+
+
+def _place(header: str) -> tuple[int, str]:
+    """Wheels by their names, which are in their order: 1, 2, 2', 3; everything else as it comes."""
+    return (1, header) if header.startswith(WHEEL) else (0 if header in FIRST else 2, "")
 
 
 def _column(header: str, tables: Sequence[Mapping[str, np.ndarray]]) -> np.ndarray:
