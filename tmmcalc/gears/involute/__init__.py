@@ -1,0 +1,1 @@
+"""The involute pair: geometry of wheels and meshes, quality, blocking contour, profiles, measurement."""
