@@ -60,6 +60,6 @@ def test_the_verdict_is_always_told(load: float, says: str) -> None:
 
 
 def test_without_a_rated_point_there_is_no_ratio() -> None:
-    line = Straight(10.0, 15.0, None, name="shunt")  # type: ignore[arg-type]
+    line = Straight(10.0, 15.0)
     driver = Driver(line, 0.0)
     assert motor_side(driven(steps((-50.0,)), 3.0, line), driver).heating is None

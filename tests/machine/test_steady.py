@@ -35,7 +35,7 @@ from machine.motion import (
     upsetter_functions,
     upsetter_motor,
 )
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.motors.gearing import reduced
 from tmmcalc.machine.motors.table import table
@@ -594,3 +594,15 @@ def test_noise_in_the_load_is_not_chased() -> None:
 def test_scipy_is_not_loaded_for_a_regime() -> None:
     code = "import sys; import tmmcalc.machine.steady, tmmcalc.machine.positional; print('scipy' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "False\n"
+
+
+def test_swings_that_are_too_fast_to_be_followed() -> None:
+    """A slip of 1e-7 with a lag of 0.01 s: after every jump of the load the shaft swings with sqrt(b/(J tau))."""
+    motor = Line(10.0, 10.0 * (1 - 1e-7), stiffness=100.0 / 1e-6)
+    cycle = of_pieces([-10.0, -190.0], [0.0, 3.0, TURN], inertia=5.0)
+    with pytest.raises(AccuracyError, match="swing") as caught:
+        driven(cycle, 5.0, motor, time_constant=0.01)
+    swings = math.sqrt(1e8 / (10 * 0.01)) * 0.2 / TURN
+    assert caught.value.value == pytest.approx(swings, rel=1e-9)
+    assert "time_constant = 0" in str(caught.value.remedy)
+    assert driven(cycle, 5.0, motor).delta < 1e-5

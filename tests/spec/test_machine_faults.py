@@ -567,8 +567,8 @@ FAULTS = [
     (
         '[motion]\ndrive = "engine"\n',
         "motion.drive",
-        '\'engine\' is not allowed here; the value is "motor" or "positional"',
-        'write "motor" or "positional"',
+        '\'engine\' is not allowed here; the value is "motor", "positional" or "none"',
+        'write "motor", "positional" or "none"',
     ),
     (
         "[motion]\nspeed = 0\n",
@@ -580,6 +580,12 @@ FAULTS = [
         '[motion]\nspeed = "55 rpm"\n[motor]\npower = "7.5 kW"\nspeed = "1455 rpm"\nsynchronous_speed = "1500 rpm"\n',
         "motion.speed",
         "speed together with a motor: its characteristic and the load set the speed",
+        'remove it, or write drive = "positional"',
+    ),
+    (
+        '[motion]\ndrive = "none"\nspeed = "55 rpm"\n',
+        "motion.speed",
+        'speed together with drive = "none": the loads set the speed',
         'remove it, or write drive = "positional"',
     ),
     (
@@ -711,6 +717,7 @@ def test_a_key_in_the_wrong_table_has_a_home(shaper: str, faults_of: Faults) -> 
         BARE + 'characteristic = "table"\ntable = { speed = ["0 rpm", "1500 rpm"], moment = ["15 N*m", 0] }\n',
         '[motor]\nname = "4A132S4"\ncharacteristic = "table"\ntable = { speed = [0, 150], moment = [15, 0] }\n',
         MOTOR + '[motion]\ndrive = "positional"\nspeed = "55 rpm"\n',
+        '[motion]\ndrive = "none"\n',
         '[motion]\nspeed = "55 rpm"\n',
         '[flywheel]\ndelta = "1/25"\n',
         "[flywheel]\ninertia = 20\nratio = 4\n",

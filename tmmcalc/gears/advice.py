@@ -7,9 +7,8 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from tmmcalc.gears.bounds import single_planet_limits
 from tmmcalc.gears.kinds import from_tooth_ratio
-from tmmcalc.gears.model import Interval, ToothSets, TrainTask
+from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.search.measures import tooth_ratio
 from tmmcalc.gears.search.relaxation import Relaxation
 
@@ -66,7 +65,7 @@ def removals(variant: Variant) -> list[tuple[str, int, int]]:
 
 
 def why_none(variant: Variant) -> list[str]:
-    """What removed the last candidates, with all counts, and the ratios of the layout if the one asked for is none."""
+    """What removed the last candidates, with all counts."""
     request = variant.request
     steps = removals(variant)
     if not steps:
@@ -80,60 +79,24 @@ def why_none(variant: Variant) -> list[str]:
         ]
         if len(steps) > 1:
             lines.append("removed: " + ", ".join(f"{CALLED[each]} {number}" for each, number, _ in steps))
-    beyond = out_of_range(request)
-    return [*lines, beyond] if beyond else lines
+    end = _end_of_range(variant)
+    return [*lines, end] if end else lines
+
+
+def _end_of_range(variant: Variant) -> str:
+    """The least or the greatest ratio that everything else admits, if the one asked for lies beyond it."""
+    request = variant.request
+    ratios = [_ratio(request, change) for change in variant.relaxations if change.constraint == "ratio"]
+    if len(ratios) != 1 or ratios[0] is None:
+        return ""
+    which = "least" if ratios[0] > request.nominal else "greatest"
+    return f"{request.kind} = {float(ratios[0]):.6g} is the {which} that everything else admits"
 
 
 def remedies(variant: Variant) -> list[str]:
     """One line a change that would give sets."""
     found = [words for change in variant.relaxations if (words := _words(variant.request, change))]
     return found or ["no single limit gives a set: change several, or choose another layout"]
-
-
-def out_of_range(request: Request) -> str:
-    """The ratios that the layout has within its tooth limits, if the one asked for is not among them; else nothing."""
-    task = request.task
-    limits = ratio_limits(task)
-    if limits is None or (limits.low <= task.ratio.high and task.ratio.low <= limits.high):
-        return ""
-    low, high = (_of_kind(request, end) for end in (limits.low, limits.high))
-    known = " to ".join(f"{float(end):.4g}" for end in sorted(end for end in (low, high) if end is not None))
-    return f"with these limits {request.title} has {request.kind} of about {known}"
-
-
-def ratio_limits(task: TrainTask) -> Interval | None:
-    """Tooth ratios that limits of teeth admit, with coaxiality and neighbourhood of AIbar; None: no such bounds."""
-    limits, layout = task.limits, task.layout
-    if layout == "AII":
-        return None
-    if not task.scheme.branched:
-        pinion, stages = min(limits.largest_pinion, limits.largest), task.scheme.stages
-        least, most = Fraction(limits.least, pinion), Fraction(limits.largest, limits.least)
-        if task.demands.stage_ratio is not None:
-            least, most = max(least, Fraction(1)), min(most, task.demands.stage_ratio)
-        return Interval(least**stages, most**stages)
-    ends = dict.fromkeys(task.scheme.rings, (limits.least_ring, limits.largest_ring))
-    teeth = [ends.get(wheel, (limits.least, limits.largest)) for wheel in task.scheme.wheels]
-    if layout in RATIO_FIRST:
-        teeth = [teeth[0], teeth[-1]]
-    low, high = Fraction(1), Fraction(1)
-    for (small, large), (least_wheel, most_wheel) in zip(teeth[::2], teeth[1::2], strict=True):
-        low, high = low * Fraction(least_wheel, large), high * Fraction(most_wheel, small)
-    return (
-        _single(task, low, high)
-        if layout in RATIO_FIRST and task.demands.largest_angle is None
-        else Interval(low, high)
-    )
-
-
-def _single(task: TrainTask, low: Fraction, high: Fraction) -> Interval:
-    """Coaxiality Z3 = Z1 + 2 Z2 (of 2A-AA Z4) makes U greater than 1; crowded planets bound it from above (4.33)."""
-    limits = task.limits
-    low = max(low, 1 + Fraction(2 * limits.least, limits.largest))
-    permissible = single_planet_limits(task.planets).permissible if task.planets > 2 else None
-    if permissible is not None and task.demands.gap is not None:
-        high = min(high, Fraction(permissible))
-    return Interval(low, high)
 
 
 def _of_kind(request: Request, ratio: Fraction) -> Fraction | None:
@@ -155,9 +118,7 @@ def _off(key: str) -> Callable[[Request, Relaxation], str]:
 
 def _tolerance(request: Request, change: Relaxation) -> str:
     """The deviation of the nearest ratio in its own kind and as its tolerance is put."""
-    sets = _one(request, change)
-    numerator, denominator = (int(part[0]) for part in tooth_ratio(sets))
-    ratio = _of_kind(request, Fraction(numerator, denominator))
+    ratio = _ratio(request, change)
     if ratio is None:
         return ""  # the driven wheel would stand still
     present = max(request.admitted.high - request.nominal, request.nominal - request.admitted.low)
@@ -165,6 +126,12 @@ def _tolerance(request: Request, change: Relaxation) -> str:
     sizes = (float(present * scale), float(abs(ratio - request.nominal) * scale))
     widened = " -> ".join(f"{_up(size):.3g}{unit}" for size in sizes)
     return f"tolerance {widened} ({request.kind} = {float(ratio):.6g})"
+
+
+def _ratio(request: Request, change: Relaxation) -> Fraction | None:
+    """The ratio of the set that a change gives, in the kind that was asked for."""
+    numerator, denominator = (int(part[0]) for part in tooth_ratio(_one(request, change)))
+    return _of_kind(request, Fraction(numerator, denominator))
 
 
 def _one(request: Request, change: Relaxation) -> ToothSets:

@@ -91,7 +91,7 @@ def _solve(request: Request, tell: Told | None) -> Variant:
         return Variant(request, synthesis, found_by_textbook(request.task, synthesis.sets))
     if tell is not None:
         tell(1.0, f"{title}: no tooth set; seeking the least change that gives one")
-    return Variant(request, synthesis, None, relaxations(request.task))
+    return Variant(request, synthesis, None, relaxations(request.task, request.kind))
 
 
 def _stepped(request: Request) -> Synthesis:

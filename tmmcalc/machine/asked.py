@@ -51,6 +51,6 @@ def off_rated(rated: float, ratio: float, asked: float, sense: float, key: str) 
     return (
         f"at its rated speed the motor turns the input with {at_input * RPM:.6g} rpm through the ratio {ratio:.5g}, "
         f"{100 * abs(at_input / asked - 1):.3g} % {'above' if at_input > asked else 'below'} the {asked * RPM:.6g} rpm "
-        f'of the spec, at which all of this is computed: set transmission.ratio to {rated / asked:.5g}, or {key} to '
+        f"of the spec, at which all of this is computed: set transmission.ratio to {rated / asked:.5g}, or {key} to "
         f'"{sense * at_input * RPM:.6g} rpm"'
     )

@@ -10,6 +10,8 @@ if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
     from tmmcalc.machine.motors.model import CharacteristicKind, Motor
 
+UNDRIVEN = "none"  # name of the characteristic of no motor
+
 
 @record
 class Driver:

@@ -99,9 +99,10 @@ class FlywheelTask:
 class MotionTask:
     """How the motion is found."""
 
-    positional: bool  # a constant driving moment, and not a motor
+    positional: bool  # no motor: a constant driving moment, or none
     inertia: float = 0.0  # further constant inertia of the input shaft [kg*m^2]
     speed: float | None = None  # mean speed of the positional motion [rad/s]; None: that of the input
+    undriven: bool = False  # nothing drives but the loads, which set the speed
 
 
 @record

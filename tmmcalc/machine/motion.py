@@ -30,8 +30,10 @@ class Motion:
     labels: tuple[str, ...]  # (n,)
     phi: Values  # (n,) input coordinate counted from position 0 [rad]
     theta: Values  # (n,) the same along the motion
-    kind: Literal["motor", "positional"]
-    characteristic: str  # name of the motor's characteristic; of positional forces "constant moment"
+    kind: Literal["motor", "positional", "none"]
+    characteristic: (
+        str  # name of the motor's characteristic; of positional forces "constant moment", of no drive "none"
+    )
     inertia: ConstantInertia
     regime: Regime
     idle: Regime | None  # without technological loads; None where there is none
@@ -55,16 +57,23 @@ def solve_motion(
     speed: float,
     positions: tuple[tuple[str, ...], Values, Values],
     key: str = INPUT,
+    *,
+    undriven: bool = False,
 ) -> Motion:
-    """The steady motion; ``driver`` None: a constant driving moment at the mean ``speed`` [rad/s].
+    """The steady motion; ``driver`` None: a constant driving moment at the mean ``speed`` [rad/s], or none at all.
 
     ``idle`` is the cycle without technological loads; ``positions`` are labels, phi and theta (n,); ``key`` is where
-    the spec gives the speed of the cycle. Raises `NoSolutionError` where the machine stalls, runs away or its energy does not last for a cycle.
+    the spec gives the speed of the cycle; ``undriven``: the loads alone set the speed. Raises `NoSolutionError` where
+    the machine stalls, runs away, its energy does not last for a cycle, or no speed balances its loads.
     """
     labels, phi, theta = positions
     sense = math.copysign(1.0, phi[-1])
-    regime = _regime(cycle, inertia, driver, speed, sense)
-    quiet = _idle(idle, inertia, driver, speed)
+    if undriven:
+        from tmmcalc.machine.selfregulation import self_regulated
+
+        regime, quiet = self_regulated(cycle, inertia.total, sense=sense), None
+    else:
+        regime, quiet = _regime(cycle, inertia, driver, speed, sense), _idle(idle, inertia, driver, speed)
     at = np.clip(theta, 0.0, cycle.period)
     omega, eps, driving = regime.panels.at(np.stack((regime.omega, regime.acceleration, regime.driving)), at)
     load = cycle.panels.at(np.stack((cycle.moment, cycle.viscous, cycle.quadratic)), at)
@@ -72,8 +81,8 @@ def solve_motion(
         labels=labels,
         phi=phi,
         theta=theta,
-        kind="positional" if driver is None else "motor",
-        characteristic="constant moment" if driver is None else driver.characteristic.name,
+        kind="none" if undriven else "positional" if driver is None else "motor",
+        characteristic=_called(driver, undriven),
         inertia=inertia,
         regime=regime,
         idle=quiet,
@@ -84,15 +93,26 @@ def solve_motion(
         load=load[0] + load[1] * omega + load[2] * omega**2,
         omega_idle=quiet.omega_at(at) if quiet is not None else None,
         textbook=_textbook(cycle, inertia, driver, theta, omega),
-        verdicts=_verdicts(cycle, regime, driver, sense, key),
+        verdicts=_verdicts(cycle, regime, driver, sense, key, undriven),
         balancing=cycle.balancing,
         motor=motor_side(regime, driver) if driver is not None else None,
     )
 
 
-def _verdicts(cycle: Cycle, regime: Regime, driver: Driver | None, sense: float, key: str) -> tuple[Verdict, ...]:
+def _called(driver: Driver | None, undriven: bool) -> str:
+    """The name of what drives."""
+    if driver is not None:
+        return driver.characteristic.name
+    return "none" if undriven else "constant moment"
+
+
+def _verdicts(
+    cycle: Cycle, regime: Regime, driver: Driver | None, sense: float, key: str, undriven: bool
+) -> tuple[Verdict, ...]:
     """What there is to say of the regime, warnings first."""
-    found = verdicts(regime, driver.characteristic, sense) if driver is not None else ()
+    found: tuple[Verdict, ...] = ()
+    if driver is not None or undriven:
+        found = verdicts(regime, driver.characteristic if driver is not None else None, sense)
     off = off_speed(regime.mean, cycle.speed, driver.ratio if driver is not None else None, sense, key)
     if off is None:
         return found

@@ -27,6 +27,8 @@ STANDSTILL = 0.005  # of the no-load speed
 SLOW = 0.2  # of the no-load speed: a motion that cannot be followed below it has come to a stand
 RUNAWAY = 20.0  # times the no-load speed
 BETWEEN = np.linspace(0.0, 1.0, 9)[:, None, None]  # motions looked at between two
+RINGING = 20.0  # time constants after which swings of a lagging motor have died down
+SWINGS = 200.0  # of them that can be followed within seconds
 NEAR = 0.05  # largest relative distance of a lagging motion from the regime it is to settle in
 
 
@@ -44,9 +46,36 @@ Guess = tuple[Panels, Values]  # panels that refine those of the cycle, and a sp
 def settled(machine: OneMass, guess: Guess | None = None) -> Orbit | Halt:
     """The regime reached from the no-load speed, or why there is none.
 
-    Raises `AccuracyError` if neither shows within `TURNS` cycles.
+    Raises `AccuracyError` if neither shows within `TURNS` cycles, or a lagging motor swings too fast to be followed.
     """
-    return directly(machine, guess) or followed(machine)
+    found = directly(machine, guess)
+    if found is None:
+        _check_swings(machine)
+    return found or followed(machine)
+
+
+def _check_swings(machine: OneMass) -> None:
+    """Raise `AccuracyError` where a steep and lagging motor swings too often to be followed.
+
+    Near the no-load speed motor and inertia are a spring of the stiffness b/tau_e with a mass, b the fall of the
+    moment with the speed; every jump of the load makes it swing, and the swings die down with exp(-t/(2 tau_e)).
+    """
+    fall = -float(machine.characteristic.slope(machine.reference))
+    if not machine.lag or fall <= 0:
+        return
+    inertia = float(np.min(machine.cycle.inertia)) + machine.constant
+    time = min(RINGING * machine.lag, machine.cycle.period / machine.reference)
+    swings = (fall / (machine.lag * inertia)) ** 0.5 * time / (2 * np.pi)
+    if swings <= SWINGS:
+        return
+    raise AccuracyError(
+        f"the steep characteristic of the motor and its lag of {machine.lag:g} s make the shaft swing {swings:.3g} "
+        "times after every jump of the load: too fast to be followed to the steady motion",
+        where="steady motion",
+        value=swings,
+        limit=SWINGS,
+        remedy="time_constant = 0 (a speed without these swings), or a rated speed with more slip",
+    )
 
 
 def directly(machine: OneMass, guess: Guess | None = None) -> Orbit | None:

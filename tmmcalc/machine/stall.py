@@ -9,6 +9,7 @@ import numpy as np
 
 from tmmcalc.errors import AccuracyError, NoSolutionError
 from tmmcalc.machine.cycle import Cycle, place
+from tmmcalc.machine.driver import UNDRIVEN
 from tmmcalc.machine.onemass import SPEEDS, OneMass
 from tmmcalc.machine.settling import Guess, Halt, directly, next_to, settled
 from tmmcalc.numerics.collocation import Orbit
@@ -121,10 +122,11 @@ def check_mean_load(machine: OneMass) -> None:
 
 def halted(machine: OneMass, halt: Halt) -> NoSolutionError:
     """The error that tells where a machine stops or runs away, and what would help."""
-    angle = f"{place(halt.theta, machine.sense)} of cycle {halt.turn} from the no-load speed"
+    start = "the speed that balances its mean load" if machine.characteristic.name == UNDRIVEN else "the no-load speed"
+    angle = f"{place(halt.theta, machine.sense)} of cycle {halt.turn} from {start}"
     if not halt.stall:
         return NoSolutionError(
-            f"the machine runs away: the loads drive it faster than the motor can brake, {angle}",
+            f"the machine runs away: the loads drive it faster than anything can brake, {angle}",
             where=WHERE,
             value=halt.theta,
             remedy="a motor that brakes more, or a characteristic that holds above the no-load speed",
@@ -143,6 +145,8 @@ def halted(machine: OneMass, halt: Halt) -> NoSolutionError:
 def _needed(machine: OneMass) -> tuple[float | None, str]:
     """Inertia that would carry a stalled machine, and the advice; no inertia if none is known to."""
     otherwise = "a motor with a larger break-down moment, or less load"
+    if machine.characteristic.name == UNDRIVEN:
+        otherwise = "less load"
     try:
         family = _family(machine.cycle, machine.characteristic, machine.lag)
         inertia = _threshold(family, machine.constant, _carrying(family, machine.constant), MESSAGE)

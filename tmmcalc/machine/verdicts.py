@@ -27,17 +27,16 @@ class Verdict:
         return f"{self.severity}: {self.message}"
 
 
-def verdicts(regime: Regime, characteristic: Characteristic, sense: float = 1.0) -> tuple[Verdict, ...]:
-    """Verdicts on a regime with the ``characteristic`` reduced to the input shaft; warnings first.
+def verdicts(regime: Regime, characteristic: Characteristic | None, sense: float = 1.0) -> tuple[Verdict, ...]:
+    """Verdicts on a regime with the ``characteristic`` reduced to the input shaft, None without motor; warnings first.
 
     Where the input turns clockwise ``sense`` is -1: places are told by its coordinate from position 0.
     """
-    found = [
-        *_stability(regime),
-        *_speeds(regime, characteristic, sense),
-        *_moments(regime, characteristic),
-        *_validity(regime, characteristic),
-    ]
+    found = list(_stability(regime))
+    if characteristic is not None:
+        found += _speeds(regime, characteristic, sense)
+        found += _moments(regime, characteristic)
+        found += _validity(regime, characteristic)
     return tuple(sorted(found, key=lambda verdict: verdict.severity == "note"))
 
 

@@ -14,15 +14,16 @@ from tmmcalc.columns import Column
 from tmmcalc.errors import UsageError
 from tmmcalc.linkage.balance.columns import columns
 from tmmcalc.linkage.balance.redistribution import Redistribution
-from tmmcalc.linkage.balance.schemes import Balance, RotatingWeight
+from tmmcalc.linkage.balance.schemes import RotatingWeight
 from tmmcalc.linkage.balance.task import Balancing, Scheme
 from tmmcalc.machine.balancing.weights import Weight
-from tmmcalc.numerics.fourier import TURN, Magnitude
+from tmmcalc.numerics.fourier import Magnitude
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import NOISE, angle, number
 from tmmcalc.report.places import choose
 from tmmcalc.report.positions import positions_view
-from tmmcalc.report.weights import SAME, direction, size_text, size_values
+from tmmcalc.report.shakingmoment import less, moment, moment_left, moved, phi_at, raised
+from tmmcalc.report.weights import direction, size_text, size_values
 
 if TYPE_CHECKING:
     from tmmcalc.stages.balance import Balances
@@ -118,25 +119,11 @@ def _first(available: list[Column]) -> list[Column]:
     return sorted(available, key=rank)
 
 
-def phi_at(result: Balancing, at: float) -> float:
-    """The crank angle ``at`` [rad] of a series as phi from position 0 along the motion [deg]."""
-    sense = math.copysign(1.0, result.shaking.speed)
-    way = (sense * (at - float(result.shaking.phi[0] - result.phi[0]))) % TURN
-    return math.degrees(sense * (way if TURN - way > SAME else 0.0))
-
-
 def _force(result: Balancing, key: str, size: Magnitude) -> tuple[str, dict[str, float]]:
     """A force for people and for programs."""
     phi = phi_at(result, size.at)
     text = size_text(size, "N", result.shaking.scale, f" at phi = {angle(phi)} deg")
     return text, size_values(size, key, "N", "_phi", phi)
-
-
-def _moment(result: Balancing, key: str, size: Magnitude, *, placed: bool = False) -> tuple[str, dict[str, float]]:
-    """A moment for people and for programs; what rounding makes of all forces at an arm of a metre is noise."""
-    phi = phi_at(result, size.at)
-    text = size_text(size, "N*m", result.shaking.scale, f" at phi = {angle(phi)} deg" if placed else "")
-    return text, size_values(size, key, "N*m", "_phi", phi)
 
 
 def _shaking_facts(result: Balancing) -> Iterator[Fact]:
@@ -146,7 +133,7 @@ def _shaking_facts(result: Balancing) -> Iterator[Fact]:
     yield Fact("taken at", speed, {"speed[rad/s]": found.speed})
     text, values = _force(result, "R", found.size)
     yield Fact("shaking force R", text, values)
-    text, values = _moment(result, "M_R", found.moment_size, placed=True)
+    text, values = moment(result, "M_R", found.moment_size, placed=True)
     about = f"about {'the pivot of the crank' if found.about == found.pivot else _point(found.about)}"
     place = {"about_x[m]": found.about.real, "about_y[m]": found.about.imag}
     yield Fact("shaking moment M_R", f"{text}\n{about}", {**values, **place})
@@ -168,8 +155,8 @@ def _scheme_fact(result: Balancing, scheme: Scheme) -> Fact:
     if not pairs:
         lines.append("no weight: there is nothing of it to balance")
     left, values = _left(result, f"D_{key}", balance.before, balance.after)
-    moment, more = _moment(result, f"M_D_{key}", balance.moment_after)
-    lines += [left, f"moment left: {moment}"] if moved(balance) else [left]
+    turning, more = moment_left(result, f"M_D_{key}", balance.moment_before, balance.moment_after)
+    lines += [left, turning]
     weights = [_weight_values(scheme, *pair) for pair in pairs]
     named = {f"weights_{key}": weights} if weights else {}
     return Fact(scheme.name, "\n".join(lines), {**named, **values, **more})
@@ -181,25 +168,10 @@ def _left(result: Balancing, key: str, before: Magnitude, after: Magnitude) -> t
     if after.largest <= NOISE * result.shaking.scale:
         return "leaves no force", values
     ratios = {f"{key}_ratio": before.rms / after.rms, f"{key}_max_ratio": before.largest / after.largest}
-    rms, largest = map(_less, ratios.values())
+    rms, largest = map(less, ratios.values())
     place = f"at phi = {angle(phi_at(result, after.at))} deg"
     text = f"leaves rms {number(after.rms)} N, {rms}\nmax {number(after.largest)} N {place}, {largest}"
     return text, {**values, **ratios}
-
-
-def _less(ratio: float) -> str:
-    """How many times less, or more, than before."""
-    if abs(ratio - 1) <= SAME:
-        return "as before"
-    return f"{number(ratio, 4)} times less" if ratio > 1 else f"{number(1 / ratio, 4)} times more"
-
-
-def moved(balance: Balance) -> bool:
-    """Whether the weights change the moment."""
-    before, after = balance.moment_before, balance.moment_after
-    return (
-        abs(after.rms - before.rms) > SAME * before.rms or abs(after.largest - before.largest) > SAME * before.largest
-    )
 
 
 def _weight_line(result: Balancing, scheme: Scheme, weight: RotatingWeight, made: Weight) -> str:
@@ -226,8 +198,8 @@ def _redistribution_facts(result: Balancing, found: Redistribution) -> Iterator[
     ]
     before, after = found.before.size, found.after.size
     left, values = _left(result, "D_counterweights", before, after)
-    moment, more = _moment(result, "M_D_counterweights", found.after.moment_size)
-    lines += [f"{number(found.added, 5)} kg in all", left, f"moment left: {moment}"]
+    turning, more = moment_left(result, "M_D_counterweights", found.before.moment_size, found.after.moment_size)
+    lines += [f"{number(found.added, 5)} kg in all", left, turning]
     bodies = [
         {"link": b.link, "mass[kg]": b.mass, "x[m]": b.center.real, "y[m]": b.center.imag} for b in found.counterweights
     ]
@@ -253,6 +225,7 @@ def _notes(result: Balancing) -> Iterator[str]:
     """What is to be known beside the numbers."""
     if result.schemes and not any(moved(scheme.balance) for scheme in result.schemes):
         yield "note: weights whose axes are at the pivot do not change the shaking moment"
+    yield from raised(result)
     if result.shaking.acceleration:
         yield "note: the crank accelerates; the moments that its acceleration gives to the weights are left out"
     if result.redistribution is not None and not result.redistribution.exact:

@@ -78,7 +78,7 @@ def _needed_fact(result: Flywheel) -> Fact:
     if result.addition <= 0:
         required = result.required
         without = required.delta if required is not None else result.rows[0].positional.delta
-        under = " under the motor" if required is not None else ""
+        under = f" under {result.under}" if required is not None else ""
         text = "none" if without is None else f"none: with what is at hand delta is {number(without)}{under}"
         return Fact("flywheel needed", text, values if without is None else values | {"delta_reached": without})
     lines = [
@@ -89,7 +89,7 @@ def _needed_fact(result: Flywheel) -> Fact:
         lines.append("by the exact tangents, for forces of position")
     else:
         reached, mean = result.required.delta, result.required.regime.mean
-        lines.append(f"delta = {number(reached)} under the motor at {number(mean)} rad/s")
+        lines.append(f"delta = {number(reached)} under {result.under} at {number(mean)} rad/s")
         values |= {"delta_reached": reached, "omega_mean[rad/s]": mean}
     if result.ratio != 1:
         lines.append(f"{number(result.own)} kg*m^2 on its own shaft, turning {number(result.ratio)} times as fast")
@@ -192,10 +192,15 @@ def _methods_view(result: Flywheel) -> View:
         return View(list(columns), list(columns.values()))
     columns["delta"] = _deltas([method.delta for method in found])
     if motor:
-        columns["delta_motor"] = _deltas([row.delta for row in rows])
+        columns[_reached(result)] = _deltas([row.delta for row in rows])
     errors = [row.error if row.error is not None else row.positional.error for row in rows]
     columns["error[%]"] = [100 * error for error in errors]
     return View(list(columns), list(columns.values()))
+
+
+def _reached(result: Flywheel) -> str:
+    """The column of what a method reaches under what the machine really runs under."""
+    return "delta_loads" if result.undriven else "delta_motor"
 
 
 def _legend_fact(result: Flywheel) -> Fact:
@@ -210,8 +215,8 @@ def _legend_fact(result: Flywheel) -> Fact:
     if result.required is None:
         lines += ["delta reached with it", "error of J_F against the exact one"]
     else:
-        lines += ["delta reached under forces of position", "delta_motor reached under the motor"]
-        lines.append("error of J_F against the one that the motor needs")
+        lines += ["delta reached under forces of position", f"{_reached(result)} reached under {result.under}"]
+        lines.append(f"error of J_F against the one needed under {result.under}")
     return Fact("in the table", "\n".join(lines))
 
 

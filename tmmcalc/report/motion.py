@@ -38,7 +38,7 @@ def motion_summary(result: Motion, title: str) -> Document:
         _delta_fact(result),
         _speed_fact(shaft, "speed", "omega", regime),
         *_mean_facts(regime),
-        *_driving_facts(shaft, regime),
+        *(_driving_facts(shaft, regime) if result.kind != "none" else ()),
         *_motor_facts(result.motor),
         _stability_fact(regime),
         *_idle_facts(shaft, result.idle),
@@ -92,6 +92,8 @@ def _driver_fact(result: Motion) -> Fact:
     if result.kind == "motor":
         name = NAMES.get(result.characteristic, result.characteristic)
         return Fact("driven by", f"a motor with the {name} characteristic", values)
+    if result.kind == "none":
+        return Fact("driven by", "nothing but its loads, which set the speed", values)
     moment, balancing = result.regime.mean_moment, result.balancing
     if balancing:
         text = f"the diagram with its balancing moment of {number(balancing)} N*m"

@@ -30,6 +30,7 @@ ENDS: dict[End, str] = {
     "standstill": "it stands still for good",
     "stall": "the motor stalls",
     "steady": "it repeats itself from cycle to cycle",
+    "runaway": "it runs away, faster and faster",
 }
 
 

@@ -137,8 +137,8 @@ def to_motion(spec: Spec) -> MotionTask:
     table = spec.motion
     if table is None:
         return MotionTask(spec.motor is None)
-    positional = spec.motor is None if table.drive is None else table.drive == "positional"
-    return MotionTask(positional, table.inertia, table.speed)
+    positional = spec.motor is None if table.drive is None else table.drive != "motor"
+    return MotionTask(positional, table.inertia, table.speed, table.drive == "none")
 
 
 def speed_key(spec: Spec) -> str:

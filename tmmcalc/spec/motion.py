@@ -11,9 +11,10 @@ from .table import Table
 class MotionTable(Table):
     """What drives the machine, and its constant moment of inertia beside the parts that the spec names."""
 
-    drive: Literal["motor", "positional"] | None = Field(
+    drive: Literal["motor", "positional", "none"] | None = Field(
         default=None,
-        description="The motor, or a constant moment that holds the mean speed (default: the motor, if there is one).",
+        description="The motor, a constant moment that holds the mean speed, or none: the loads set the speed "
+        "themselves (default: the motor, if there is one).",
     )
     inertia: Inertia = Field(
         default=0.0,

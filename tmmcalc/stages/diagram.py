@@ -66,7 +66,7 @@ def _tabulated(on: Panels, part: Values, theta: Values) -> Values:
 
 
 def _contribution(
-    name: str, kind: Literal["load", "balance"], on: Panels, part: Values, by_simpson: float
+    name: str, kind: Literal["load", "balance"], on: Panels, part: Values, by_simpson: float | None
 ) -> Contribution:
     least, largest = on.extremes(part)
     return Contribution(name, kind, None, 0, float(on.total(part)), by_simpson, Extreme(*least), Extreme(*largest))

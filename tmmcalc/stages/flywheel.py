@@ -11,6 +11,7 @@ from tmmcalc.pipeline.stage import Record
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
+    from tmmcalc.machine.driver import Driver
     from tmmcalc.spec import Spec
 
 Given = tuple[FlywheelTask, MotorChoice | None, Gears, MotionTask]
@@ -42,8 +43,13 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
     task, wish, gears, motion = given
     gears = geared(upstream, gears)
     at_hand = constant_inertia(upstream, gears, motion)
-    moved = driver(upstream, wish, gears, motion)
     reduction, power = upstream["reduction"], upstream["power"]
+    if motion.undriven:
+        from tmmcalc.machine.selfregulation import undriven_driver
+
+        moved: Driver | None = undriven_driver(reduction.cycle)
+    else:
+        moved = driver(upstream, wish, gears, motion)
     return solve_flywheel(
         reduction.cycle,
         at_hand,

@@ -43,6 +43,7 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
         mean_speed(upstream, task),
         (reduction.labels, reduction.phi, theta),
         key,
+        undriven=task.undriven,
     )
 
 

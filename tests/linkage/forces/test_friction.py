@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Any
 
@@ -115,6 +116,22 @@ class TestSteepRod:
         for name in "ade":
             case = EXTREME[name]
             assert pushed(case["tan_phi2"], case["f"], case["Q"]).grades == ()
+
+    def test_a_further_solution_between_the_positions_is_told(self) -> None:
+        """Where f tan(beta) > 1, sin(beta) = 0.95 cos(theta - 0.5): about the steepest rod, beside all positions."""
+        mechanism = part(crank_slider(0.95, 1.0), -np.pi / 2 - 0.5, -np.pi / 2 + 0.5, 1)
+        steepest = 0.95 / np.sqrt(1 - 0.95**2)
+        loading = steep_loading(1.02 / steepest, 1000.0)
+        (grade,) = solve_forces(mechanism, loading, solve_kinematics(mechanism)).grades
+        (found,) = re.findall(r"a further solution at ([\d.]+) deg to ([\d.]+) deg; the one", grade.message)
+        low, high = np.radians([float(angle) for angle in found])
+        half = np.arccos(np.sin(np.arctan(steepest / 1.02)) / 0.95)
+        assert 0.5 - half < low < 0.5 - half / 2
+        assert 0.5 + half / 2 < high < 0.5 + half
+        less = steep_loading(0.98 / steepest, 1000.0)
+        assert not any(
+            "further" in g.message for g in solve_forces(mechanism, less, solve_kinematics(mechanism)).grades
+        )
 
     @pytest.mark.parametrize("gap", [1e-2, 1e-4, 1e-6, -1e-6, -1e-4])
     def test_the_brink(self, gap: float) -> None:

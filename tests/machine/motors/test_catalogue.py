@@ -181,6 +181,16 @@ def test_own_catalogue(tmp_path: Path, mark: str) -> None:
     assert find("second", load_catalogue(file)) == second
 
 
+def test_the_catalogue_of_the_document(tmp_path: Path) -> None:
+    """The columns and the example that the document of the spec gives are those that are read."""
+    document = (Path(__file__).parents[3] / "docs" / "spec.md").read_text(encoding="utf-8")
+    assert f"`{','.join(COLUMNS)}`" in document
+    example = document.partition("```csv\nname,power_kW")[2].partition("```")[0]
+    first, second = load_catalogue(write(tmp_path, f"name,power_kW{example}"))
+    assert first == Motor("M1", 1100.0, 1400 * RPM, 1500 * RPM, 2.2, 0.003, 2.0, source="data sheet")
+    assert second == Motor("M2", 2200.0, 950 * RPM, 1000 * RPM, 2.2)
+
+
 def test_quoted_cells(tmp_path: Path) -> None:
     motors = load_catalogue(write(tmp_path, f'{HEADER}\nA,1.1,1500,1400,2.2,,,"book, page 3"\n'))
     assert motors[0].source == "book, page 3"

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from machine.transient.scenes import Motor, constant, cycle, event, kloss, line, run, upsetter_drive
+from tmmcalc.errors import AccuracyError
 from tmmcalc.machine.motors.characteristics import parabolic, straight
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
 from tmmcalc.machine.transient.results import Transient
@@ -92,7 +93,7 @@ def test_a_quiet_load_without_a_quiet_part() -> None:
     assert "as soon as it is due" in said(late, "quiet")[0]
     plain = run(drive, Scenario("start", 5.0, load=(LoadStep(0.0), LoadStep(1.0, speed=9.0))))
     assert not said(plain, "quiet")
-    assert not said(run(upsetter_drive(MOTOR), Scenario("start", 2.0, load=STEPS)), "quiet")
+    assert not said(run(upsetter_drive(MOTOR, 3.0), Scenario("start", 2.0, load=STEPS)), "quiet")
 
 
 def test_a_motor_that_crawls_below_its_break_down_speed() -> None:
@@ -165,6 +166,34 @@ def test_a_motion_that_never_repeats_is_told() -> None:
     result = run(drive, Scenario("ever faster", 20.0, until_steady=True))
     assert result.end == "time"
     assert said(result, "does not repeat itself yet")
+
+
+@pytest.mark.parametrize(("moment", "way"), [(2.0, 1), (-2.0, -1)])
+def test_a_machine_that_drives_itself_runs_away(moment: float, way: int) -> None:
+    """J w' = M from 1 rad/s on: five times the largest known speed, 1 rad/s, comes at (5 way - 1) J/M."""
+    drive = Drive((Mass(2.0),), cycle=cycle(moment, speed=1.0))
+    scenario = Scenario("loose", 600.0, speed=1.0, until_steady=True, standstill="pass")
+    result = run(drive, scenario)
+    assert result.end == "runaway"
+    assert result.t[-1] == pytest.approx((5 * way - 1) * 2.0 / moment, rel=1e-12)
+    assert result.omega[0, -1] == 5.0 * way
+    (text,) = said(result, "runs away")
+    assert text.startswith("warning: the machine runs away: without a motor its loads drive it")
+    assert event(result, "runaway").time == result.t[-1]
+    followed = run(drive, replace(scenario, duration=20.0, until_steady=False))
+    assert followed.end == "time"
+    assert not said(followed, "runs away")
+
+
+def test_the_remedy_for_too_many_evaluations_fits() -> None:
+    drive = Drive((Mass(2.0),), characteristic=MOTOR, cycle=cycle(lambda x: -3 - 2 * np.sin(x)))
+    for free in (True, False):
+        scenario = Scenario("long", 300.0, speed=9.0, until_steady=free)
+        with pytest.raises(AccuracyError) as caught:
+            run(drive, scenario, budget=50)
+        assert caught.value.remedy.startswith("give the duration" if free else "a shorter duration")
+        assert ("does not repeat itself yet" in str(caught.value)) == free
+        assert ("of 300 s" in str(caught.value)) != free
 
 
 def test_a_lagging_start_is_not_called_a_stall() -> None:

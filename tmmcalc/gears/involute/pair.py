@@ -7,7 +7,7 @@ The tips are shortened by dy = x1 + x2 - y, so that the radial clearance stays c
 
 from __future__ import annotations
 
-from math import cos, pi, tan
+from math import cos, tan
 
 import numpy as np
 
@@ -69,6 +69,25 @@ class Pair:
         return self.length - second, self.length - first
 
     @property
+    def active_radii(self) -> tuple[Number, Number]:
+        """r_p1, r_p2: radii of the lowest points that the mate's tip reaches; nan where it reaches beyond N."""
+        one, two = (
+            np.where(np.asarray(rho) >= 0, np.hypot(wheel.base, rho), np.nan)
+            for wheel, rho in zip(self.wheels, self.starts, strict=True)
+        )
+        return one, two
+
+    @property
+    def clearances(self) -> tuple[Number, Number]:
+        """Radial clearances at the roots of wheels 1 and 2."""
+        return self.distance - self.tips[1] - self.first.root, self.distance - self.tips[0] - self.second.root
+
+    @property
+    def ratio(self) -> float:
+        """u = z2/z1."""
+        return self.second.teeth / self.first.teeth
+
+    @property
     def wheels(self) -> tuple[Wheel, Wheel]:
         """Both wheels."""
         return self.first, self.second
@@ -77,8 +96,7 @@ class Pair:
     def contact_ratio(self) -> Number:
         """eps_alpha, transverse (4.67), with the whole flanks active."""
         first, second = self.tip_curvatures
-        pitch = pi / cos(self.first.helix) * cos(self.first.section.angle)
-        return (first + second - self.length) / pitch
+        return (first + second - self.length) / self.first.base_pitch
 
 
 def _root(value: Number) -> Number:

@@ -12,7 +12,7 @@ from math import cos, pi, sin, tan
 
 import numpy as np
 
-from tmmcalc.gears.involute.function import involute
+from tmmcalc.gears.involute.function import inverse_involute, involute
 from tmmcalc.gears.involute.rack import Rack, Section
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
@@ -55,15 +55,23 @@ class Wheel:
         return self.reference + self.rack.addendum + self.shift
 
     @property
+    def straight(self) -> float:
+        """Depth of b, the end of the straight flank, below the datum line: h_a* unless the rack has its own radius."""
+        rack = self.rack
+        if rack.tip_radius is None:
+            return rack.addendum
+        return rack.addendum + rack.clearance - rack.tip_radius * (1 - sin(rack.angle))
+
+    @property
     def limit(self) -> Number:
         """LN, signed: radius of curvature at the limit point L (4.55); negative: undercut."""
         angle = self.section.angle
-        return self.reference * sin(angle) - (self.rack.addendum - self.shift) / sin(angle)
+        return self.reference * sin(angle) - (self.straight - self.shift) / sin(angle)
 
     @property
     def least_shift(self) -> float:
         """x_min: the least shift without undercut, exactly."""
-        return self.rack.addendum - self.reference * sin(self.section.angle) ** 2
+        return self.straight - self.reference * sin(self.section.angle) ** 2
 
     @property
     def half_angle(self) -> Number:
@@ -84,3 +92,21 @@ class Wheel:
     def thickness_at(self, radius: Number) -> Number:
         """Arc thickness of the tooth in the normal section at a radius; negative above the pointing radius."""
         return 2 * radius * self.half_angle_at(radius) * np.cos(self.helix_at(radius))
+
+    def curvature_at(self, radius: Number) -> Number:
+        """Radius of curvature of the transverse involute at a radius; nan below the base circle."""
+        r = np.asarray(radius, dtype=float)
+        with np.errstate(invalid="ignore"):
+            rho: Values = np.sqrt((r - self.base) * (r + self.base))
+        return rho
+
+    @property
+    def base_pitch(self) -> float:
+        """Transverse base pitch p_bt = p_t cos(alpha_t)."""
+        return pi / cos(self.helix) * cos(self.section.angle)
+
+    @property
+    def pointing(self) -> Number:
+        """Radius at which the flanks of the tooth meet in a point."""
+        radius: Values = self.base / np.cos(inverse_involute(self.half_angle + involute(self.section.angle)))
+        return radius

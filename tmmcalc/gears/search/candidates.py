@@ -23,9 +23,10 @@ import numpy as np
 from tmmcalc.gears.exact import within
 from tmmcalc.gears.model import Integers, Interval, TrainTask
 from tmmcalc.gears.search.blocks import Block, pairs, size, spread
-from tmmcalc.gears.search.constraints import alike, steps
 from tmmcalc.gears.search.edges import edges
+from tmmcalc.gears.search.ranges import external, ring
 from tmmcalc.gears.search.tally import Tally
+from tmmcalc.gears.search.unfolded import unfolded
 
 SLACK = 1e-9  # of the float borders of mesh angles; the angles themselves are tested afterwards
 
@@ -33,21 +34,6 @@ SLACK = 1e-9  # of the float borders of mesh angles; the angles themselves are t
 def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> Iterator[Block]:
     """Every tooth set within limits, coaxiality and ratio for one proportion of modules, block by block."""
     return _FAMILIES[task.layout](task, proportion, tally)
-
-
-def external(task: TrainTask) -> range:
-    """Numbers of teeth of external wheels."""
-    return range(task.limits.least, task.limits.largest + 1)
-
-
-def ring(task: TrainTask) -> range:
-    """Numbers of teeth of internal wheels."""
-    return range(task.limits.least_ring, task.limits.largest_ring + 1)
-
-
-def pinion(task: TrainTask) -> range:
-    """Numbers of teeth of the pinions of unfolded trains."""
-    return range(task.limits.least, min(task.limits.largest_pinion, task.limits.largest) + 1)
 
 
 def closeness(task: TrainTask) -> float:
@@ -235,57 +221,9 @@ def _pairs_of_planets(task: TrainTask, proportion: tuple[int, ...], tally: Tally
                 yield grown if total is None else tally.keep("largest_sum", grown, grown["1"] + grown["2"] <= total)
 
 
-def _unfolded(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> Iterator[Block]:
-    """Two or three stages side by side: the last wheel by the ratio; early bands keep the middle small."""
-    names = task.scheme.wheels
-    wheels = {wheel: pinion(task) if place % 2 == 0 else external(task) for place, wheel in enumerate(names)}
-    for wheel in names[2::2]:
-        wheels[wheel] = range(1) if task.demands.equal_pinions else wheels[wheel]
-    start = _begin(task, proportion, tally, wheels)
-    yield from _further(task, start, tally, wheels, 1)
-
-
-def _further(task: TrainTask, start: Block, tally: Tally, wheels: dict[str, range], stage: int) -> Iterator[Block]:
-    """Candidates with all further stages; ``start`` has the wheels of the first ``stage`` stages."""
-    small, large = task.scheme.wheels[2 * stage : 2 * stage + 2]
-    others = math.prod(len(wheels[wheel]) for wheel in task.scheme.wheels[2 * stage :])
-    block = steps(task, start, tally, stage - 1, others)
-    block = alike(task, block, tally, stage - 1, others) if stage > 1 else block
-    last = stage == task.scheme.stages - 1
-    for wide in _pinions(task, block, small, wheels[small]):
-        low, high = (np.full(len(wide), end) for end in (wheels[large].start, wheels[large].stop - 1))
-        if not last:
-            for grown in spread(wide, large, low, high):
-                yield from _further(task, grown, tally, wheels, stage + 1)
-            continue
-        tally.remove("ratio", size(low, high))
-        least, most = _last_wheels(task, wide, stage)
-        low, high = np.maximum(low, least), np.minimum(high, most)
-        tally.remove("ratio", -size(low, high))
-        for grown in spread(wide, large, low, high):
-            yield alike(task, steps(task, grown, tally, stage), tally, stage)
-
-
-def _pinions(task: TrainTask, block: Block, wheel: str, numbers: range) -> Iterator[Block]:
-    """Every number of teeth of the next pinion, or that of the first."""
-    if task.demands.equal_pinions:
-        yield block.join(**{wheel: block["1"]})
-        return
-    yield from spread(block, wheel, np.full(len(block), numbers.start), np.full(len(block), numbers.stop - 1))
-
-
-def _last_wheels(task: TrainTask, block: Block, stage: int) -> tuple[Integers, Integers]:
-    """The least and the greatest number of teeth of the last wheel within the ratio."""
-    names = task.scheme.wheels
-    product = np.prod([block[names[2 * k]] for k in range(stage + 1)], axis=0)
-    divisor = np.prod([block[names[2 * k + 1]] for k in range(stage)], axis=0)
-    limits = edges(task.ratio, int(product.max(initial=1)))
-    return limits.first(product, divisor), limits.last(product, divisor)
-
-
 _FAMILIES: dict[str, Callable[[TrainTask, tuple[int, ...], Tally], Iterator[Block]]] = {
-    "unfolded2": _unfolded,
-    "unfolded3": _unfolded,
+    "unfolded2": unfolded,
+    "unfolded3": unfolded,
     "coaxial": _double,
     "AIbar": _single,
     "AI": _double,

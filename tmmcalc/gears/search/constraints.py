@@ -30,28 +30,16 @@ def sieve(task: TrainTask, block: Block, tally: Tally) -> Block:
     return block
 
 
-def steps(task: TrainTask, block: Block, tally: Tally, stage: int, weight: int = 1) -> Block:
-    """Candidates whose stage slows down, and by no more than the largest ratio of one stage."""
-    largest = task.demands.stage_ratio
-    if largest is None:
-        return block
-    pinion, wheel = (block[name] for name in task.scheme.wheels[2 * stage : 2 * stage + 2])
-    kept = within(Interval(Fraction(1), largest), wheel, pinion, int(pinion.max(initial=1)))
-    return tally.keep("stage_ratio", block, kept, weight)
-
-
-def alike(task: TrainTask, block: Block, tally: Tally, stage: int, weight: int = 1) -> Block:
-    """Candidates whose wheels of this stage and the one before are alike in diameter (4.4, 4.7).
+def alike(task: TrainTask, block: Block, stage: int) -> Mask:
+    """Whether the wheel of this stage and the one before are alike in diameter (4.4, 4.7).
 
     The modules are taken as m2/m1 = cbrt(U1): the relation of the diameters cbrt(Z2/Z1) Z3/Z2 is compared by its cube.
     """
-    band = task.demands.diameter_band
-    if band is None:
-        return block
+    band = task.demands.diameter_band or Fraction(0)
     before, wide, _, wheel = (block[name] for name in task.scheme.wheels[2 * stage - 2 : 2 * stage + 2])
     cubes = Interval(max(1 - band, Fraction(0)) ** 3, (1 + band) ** 3)
     below = before * wide**2
-    return tally.keep("diameter_band", block, within(cubes, wheel**3, below, int(below.max(initial=1))), weight)
+    return within(cubes, wheel**3, below, int(below.max(initial=1)))
 
 
 def coprime(task: TrainTask, block: Block) -> Mask:

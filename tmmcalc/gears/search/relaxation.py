@@ -10,19 +10,26 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 
 import numpy as np
 
-from tmmcalc.gears.model import Interval, ToothSets, TrainTask
+from tmmcalc.gears.kinds import from_tooth_ratio, to_tooth_ratio
+from tmmcalc.gears.model import Interval, ToothSets, TrainTask, Values
 from tmmcalc.gears.search import measures
-from tmmcalc.gears.search.constraints import CONSTRAINTS
+from tmmcalc.gears.search.candidates import candidates
+from tmmcalc.gears.search.constraints import CONSTRAINTS, sieve
 from tmmcalc.gears.search.measures import Measure
-from tmmcalc.gears.search.search import synthesise
+from tmmcalc.gears.search.search import every_set, synthesise
+from tmmcalc.gears.search.tally import Tally
 from tmmcalc.records import record
 
-MOST_TEETH, FEWEST_TEETH = 1000, 6  # beyond them wheels are not proposed
-STEEPEST_MESH = math.radians(44)  # hard limit of operating pressure angles (13.4)
+MOST_TEETH, FEWEST_TEETH = 400, 6  # beyond them wheels are not proposed
+STEEPEST_MESH = math.radians(26)  # operating pressure angles beyond it are not proposed
+WORK = 2_000_000  # pairs of sums that are looked at for meshes with raised angles
 MOST_PLANETS = 12
+FARTHEST = Fraction(10**5)  # parts of the ratio within which the nearest one is looked for
+HALVINGS = 8  # of the band in which the nearest ratio lies, before all sets in it are compared
 
 
 @record
@@ -35,27 +42,80 @@ class Relaxation:
     teeth: tuple[int, ...]  # the first set that then appears
 
 
-def relaxations(task: TrainTask) -> tuple[Relaxation, ...]:
-    """Changes of single constraints, each of which gives at least one set; empty: no single one does."""
-    found = [_ratio(task), *_teeth(task), _planets(task), *_dropped(task), _angles(task)]
-    return tuple(change for change in found if change is not None)
+def relaxations(task: TrainTask, kind: str = "u") -> tuple[Relaxation, ...]:
+    """Changes of single constraints, each of which gives at least one set; empty: no single one does.
+
+    ``kind`` is the kind of ratio (see `tmmcalc.gears.kinds`) in which the nearest ratios are looked for, the one below
+    and the one above the asked ratio, as far as there are any.
+    """
+    nearest = [nearest_ratio(task, kind, outward) for outward in (False, True)]
+    found = [*sorted((c for c in nearest if c), key=lambda c: c.needed), *_teeth(task), _planets(task), *_dropped(task)]
+    return tuple(change for change in (*found, _angles(task)) if change is not None)
 
 
-def _ratio(task: TrainTask) -> Relaxation | None:
-    """The nearest ratio that everything else admits."""
-    width = max(task.ratio.high - task.ratio.low, abs(task.nominal) / 10**6)
-    while width <= 2 * abs(task.nominal):
-        width *= 4
-        low, high = task.nominal - width / 2, task.nominal + width / 2
-        floor = abs(task.nominal) / 1000  # ratios keep their sign
-        interval = Interval(max(low, floor), high) if task.nominal > 0 else Interval(low, min(high, -floor))
-        sets = synthesise(replace(task, ratio=interval)).sets
-        if len(sets):
-            errors = abs(measures.ratio_error(task, sets))
-            best = int(np.argmin(errors))
-            present = float(max(task.ratio.high - task.nominal, task.nominal - task.ratio.low) / abs(task.nominal))
-            return Relaxation("ratio", present, float(errors[best]), _row(sets, best))
-    return None
+def nearest_ratio(task: TrainTask, kind: str, outward: bool) -> Relaxation | None:
+    """The nearest ratio towards zero or away from it that everything else admits; None: there is none on that side."""
+    ratio = from_tooth_ratio(task.scheme, kind, task.nominal)
+    if ratio is None:
+        return None
+    opened = FARTHEST
+    if not _any(_beside(task, kind, ratio, outward, opened)):
+        return None
+    closed = Fraction(0)
+    step = Fraction(1, 10**6)
+    while step < opened and not _any(_beside(task, kind, ratio, outward, step)):
+        closed, step = step, 4 * step
+    opened = min(step, opened)
+    for _ in range(HALVINGS):
+        middle = (closed + opened) / 2
+        if _any(_beside(task, kind, ratio, outward, middle)):
+            opened = middle
+        else:
+            closed = middle
+    return _closest(task, kind, ratio, _beside(task, kind, ratio, outward, opened))
+
+
+def _beside(task: TrainTask, kind: str, ratio: Fraction, outward: bool, part: Fraction) -> TrainTask:
+    """The task for ratios from the asked one to one larger or smaller by this part, in the kind of the ratio."""
+    far = ratio * (1 + part) if outward else ratio / (1 + part)
+    ends = sorted(to_tooth_ratio(task.scheme, kind, end) for end in (ratio, far))
+    if task.nominal > 0:
+        ends = [max(end, abs(task.nominal) / FARTHEST) for end in ends]
+    return replace(task, ratio=Interval(*ends))
+
+
+def _any(task: TrainTask) -> bool:
+    """Whether the task has a set at all."""
+    tally = Tally(counts=False)
+    blocks = (block for parts in task.proportions for block in candidates(task, parts, tally))
+    return any(len(sieve(task, block, tally)) for block in blocks if len(block))
+
+
+def _closest(task: TrainTask, kind: str, ratio: Fraction, open_task: TrainTask) -> Relaxation | None:
+    """Of all sets of the open task the one nearest to the ratio."""
+    best: tuple[float, tuple[int, ...]] | None = None
+    for sets in every_set(open_task):
+        errors = _errors(sets, kind, ratio)
+        place = int(np.argmin(errors))
+        if best is None or errors[place] < best[0]:
+            best = float(errors[place]), _row(sets, place)
+    if best is None:
+        return None
+    admitted = (from_tooth_ratio(task.scheme, kind, end) for end in (task.ratio.low, task.ratio.high))
+    present = max((abs(float(end / ratio - 1)) for end in admitted if end is not None), default=0.0)
+    return Relaxation("ratio", present, best[0], best[1])
+
+
+def _errors(sets: ToothSets, kind: str, ratio: Fraction) -> Values:
+    """Relative deviation (n,) of the ratio of this kind; of a wheel 1 that stands still without end."""
+    numerator, denominator = (part.astype(float) for part in measures.tooth_ratio(sets))
+    if kind in ("i_1H", "i_H1"):
+        numerator, denominator = denominator + sets.scheme.sign * numerator, denominator
+    if kind == "i_H1":
+        numerator, denominator = denominator, numerator
+    with np.errstate(divide="ignore"):
+        deviation: Values = abs(numerator / denominator / float(ratio) - 1)
+    return deviation
 
 
 def _teeth(task: TrainTask) -> list[Relaxation | None]:
@@ -78,8 +138,8 @@ def _teeth(task: TrainTask) -> list[Relaxation | None]:
 def _widened(task: TrainTask, name: str, present: int, extreme: int) -> Relaxation | None:
     """The limit nearest to the present one that gives a set, by doubling and bisection: more room, more sets."""
 
-    def sets_at(limit: int) -> ToothSets:
-        return synthesise(replace(task, limits=replace(task.limits, **{name: limit})), keep=1).sets
+    def at(limit: int) -> TrainTask:
+        return replace(task, limits=replace(task.limits, **{name: limit}))
 
     outward = 1 if extreme > present else -1
     closed, step = present, max(abs(present) // 8, 1)
@@ -88,13 +148,13 @@ def _widened(task: TrainTask, name: str, present: int, extreme: int) -> Relaxati
         opened = min(opened, extreme) if outward > 0 else max(opened, extreme)
         if opened == closed:
             return None
-        if len(sets_at(opened)):
+        if _any(at(opened)):
             break
         closed, step = opened, 2 * step
     while abs(opened - closed) > 1:
         middle = (opened + closed) // 2
-        opened, closed = (middle, closed) if len(sets_at(middle)) else (opened, middle)
-    return Relaxation(name, float(present), float(opened), _row(sets_at(opened), 0))
+        opened, closed = (middle, closed) if _any(at(middle)) else (opened, middle)
+    return Relaxation(name, float(present), float(opened), _row(synthesise(at(opened), keep=1).sets, 0))
 
 
 def _planets(task: TrainTask) -> Relaxation | None:
@@ -172,7 +232,7 @@ def _angles(task: TrainTask) -> Relaxation | None:
     present = task.demands.largest_angle
     if not task.scheme.branched or (present is not None and present >= STEEPEST_MESH):
         return None
-    open_task = replace(task, demands=replace(task.demands, largest_angle=STEEPEST_MESH))
+    open_task = replace(task, proportions=_simplest(task), demands=replace(task.demands, largest_angle=STEEPEST_MESH))
     sets = synthesise(open_task).sets
     if not len(sets):
         return None
@@ -180,6 +240,13 @@ def _angles(task: TrainTask) -> Relaxation | None:
     best = int(np.argmin(values))
     given = task.pressure_angle if present is None else present
     return Relaxation("mesh_angles", given, float(values[best]), _row(sets, best))
+
+
+def _simplest(task: TrainTask) -> tuple[tuple[int, ...], ...]:
+    """The simplest proportions of the modules, so many as a hint may cost: some ten sums a pair may close a stage."""
+    sums = 2 if task.layout == "AII" else 1
+    each = (task.limits.largest - task.limits.least + 1) ** 2 * 10**sums
+    return tuple(sorted(task.proportions, key=sum)[: max(WORK // max(each, 1), 1)])
 
 
 def _row(sets: ToothSets, place: int) -> tuple[int, ...]:

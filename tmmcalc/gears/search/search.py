@@ -52,6 +52,12 @@ def synthesise(task: TrainTask, keep: int = KEPT, progress: Progress | None = No
     return Synthesis(_sets(task, held.rows()), count, tally.candidates, removed)
 
 
+def every_set(task: TrainTask) -> Iterator[ToothSets]:
+    """All tooth sets of the task block by block, in no order: for what needs to see each of them once."""
+    for _, block in _found(task, Tally(counts=False)):
+        yield _sets(task, _rows(task, block))
+
+
 def _found(task: TrainTask, tally: Tally) -> Iterator[tuple[float, Block]]:
     """Blocks of tooth sets that meet everything, with the part of the proportions that is done."""
     total = len(task.proportions)

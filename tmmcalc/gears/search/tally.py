@@ -10,7 +10,8 @@ from tmmcalc.gears.search.blocks import Block
 class Tally:
     """Candidates at the start and the removals by name; all numbers are exact, however large."""
 
-    def __init__(self) -> None:
+    def __init__(self, counts: bool = True) -> None:
+        self.counts = counts  # False: nobody asks for the numbers, so what costs time is left out
         self.candidates = 0
         self.removed: dict[str, int] = {}
 

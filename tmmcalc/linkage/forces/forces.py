@@ -100,7 +100,7 @@ def _grades(scene: Scene, seen: Seen, labels: tuple[str, ...]) -> tuple[Grade, .
         return ()
     from tmmcalc.linkage.forces.locking import further_solutions, magnified
 
-    return (*further_solutions(seen[0][1], labels), *magnified(seen, scene.travel.named))
+    return (*further_solutions(seen, labels, scene.travel.named), *magnified(seen, scene.travel.named))
 
 
 def _noted(statics: Statics, seen: Seen, theta: Real, solutions: dict[str, Solution], named: Named) -> None:

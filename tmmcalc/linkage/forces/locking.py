@@ -81,13 +81,31 @@ def magnified(seen: Sequence[Seen], named: Callable[[Real], list[str]]) -> tuple
     )
 
 
-def further_solutions(solutions: Mapping[str, Solution], labels: tuple[str, ...]) -> tuple[Grade, ...]:
-    """Warnings where the equations of friction have more than one solution."""
+def further_solutions(
+    seen: Sequence[Seen], labels: tuple[str, ...], named: Callable[[Real], list[str]]
+) -> tuple[Grade, ...]:
+    """Warnings where the equations of friction have more than one solution: at positions, seen first, and between."""
     grades = []
-    for name, solution in solutions.items():
+    for name, solution in seen[0][1].items():
         rows = np.flatnonzero(solution.ambiguous)
-        if rows.size:
-            named = ", ".join(labels[i] for i in rows[:SHOWN]) + (" ..." if len(rows) > SHOWN else "")
-            text = f"the friction has a further solution at {named}; the one that grows out of no friction is taken"
-            grades.append(Grade("warning", f"group {name}", text))
+        places = (
+            [", ".join(labels[i] for i in rows[:SHOWN]) + (" ..." if len(rows) > SHOWN else "")] if rows.size else []
+        )
+        places += [" to ".join(named(np.array(run))) for run in _runs(seen[1:], name)[:SHOWN]]
+        if places:
+            text = f"the friction has a further solution at {'; '.join(places)}"
+            grades.append(Grade("warning", f"group {name}", f"{text}; the one that grows out of no friction is taken"))
     return tuple(grades)
+
+
+def _runs(seen: Sequence[Seen], name: str) -> list[tuple[float, ...]]:
+    """First and last angle of every row of neighbouring angles with a further solution; one angle if they are one."""
+    theta = np.concatenate([at for at, _ in seen]) if seen else np.empty(0)
+    flags = [solutions[name].ambiguous for _, solutions in seen]
+    if not theta.size:
+        return []
+    order = np.argsort(theta)
+    theta, told = theta[order], np.concatenate(([False], np.concatenate(flags)[order], [False]))
+    begins, ends = np.flatnonzero(told[1:] & ~told[:-1]), np.flatnonzero(told[:-1] & ~told[1:]) - 1
+    pairs = zip(theta[begins].tolist(), theta[ends].tolist(), strict=True)
+    return [(a,) if a == b else (a, b) for a, b in pairs]

@@ -31,6 +31,7 @@ SHORTEST = 0.01  # of the root: where the probes begin if less is at hand
 ABOVE = 2.0  # times the inertia that just does not stall: where the search begins if Mertsalov's stalls
 THRESHOLD = 1e-3  # relative tolerance of the inertia that just does not stall, which is told
 EQUAL = 1e-9  # relative differences of delta that do not count as rising
+NOISE = 1e-12  # nor absolute ones: delta is a difference of two speeds, and has their rounding
 
 _MERTSALOV = METHODS[2]
 
@@ -134,7 +135,7 @@ def _earliest(model: Model, delta: float, first: Trial, root: Trial, count: int,
 
 def _result(first: Trial, root: Trial, regime: Regime, trials: list[Trial], carrying: float | None) -> RequiredInertia:
     ordered = tuple(sorted(trials, key=lambda trial: trial.inertia))
-    rises = [(a, b) for a, b in pairwise(ordered) if _size(b) > _size(a) * (1 + EQUAL)]
+    rises = [(a, b) for a, b in pairwise(ordered) if _size(b) > _size(a) * (1 + EQUAL) + NOISE]
     remarks = []
     if first.delta is None:
         least = "" if carrying is None else f"; {carrying:.4g} kg*m^2 of constant inertia just carry it on"

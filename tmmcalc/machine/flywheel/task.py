@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from tmmcalc.errors import NoSolutionError
+import numpy as np
+
+from tmmcalc.errors import AccuracyError, NoSolutionError
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.machine.driver import ConstantInertia, Driver
+from tmmcalc.machine.driver import UNDRIVEN, ConstantInertia, Driver
 from tmmcalc.machine.flywheel.comparison import Row, compared
 from tmmcalc.machine.flywheel.curve import nodal_work
 from tmmcalc.machine.flywheel.placement import Wheel, wheels
@@ -26,7 +28,7 @@ class Flywheel:
     delta: float  # allowed coefficient of speed fluctuation
     at_hand: ConstantInertia  # rotor, gears, further; the flywheel left out
     rows: tuple[Row, ...]  # the methods for forces of position, the exact one first
-    required: RequiredInertia | None  # under the motor's characteristic; None without a motor
+    required: RequiredInertia | None  # under the motor, or the loads alone; None: a constant moment drives
     inertia: float  # total constant inertia needed
     addition: float  # the flywheel needed
     existing: float  # the flywheel that is there
@@ -37,6 +39,14 @@ class Flywheel:
     history: tuple[Trial, ...]  # J_c := J_c delta/[delta] on the true model (3.60); empty without a motor
     verdicts: tuple[Verdict, ...]
     sense: float = 1.0  # of the input's motion: -1 clockwise; places are sense theta
+    undriven: bool = False  # without a motor: the loads alone set the speed
+
+    @property
+    def under(self) -> str:
+        """What the machine really runs under, in words."""
+        if self.undriven:
+            return "its loads"
+        return "forces of position" if self.required is None else "the motor"
 
     @property
     def ratio(self) -> float:
@@ -105,8 +115,13 @@ def solve_flywheel(
         nodal=None if steps is None else _nodal(cycle, at_hand.total, task.delta, mean, steps),
         picture=energy_mass(cycle, task.delta, mean),
         history=_history(cycle, driver, task.delta, at_hand),
-        verdicts=(*_rim_verdicts(made[0]), *_verdicts(addition, existing, required)),
+        verdicts=(
+            *_rim_verdicts(made[0]),
+            *_verdicts(addition, existing, required),
+            *(_resisted_verdicts(cycle, at_hand.total + addition, speed) if driver is None else ()),
+        ),
         sense=sense,
+        undriven=driver is not None and driver.characteristic.name == UNDRIVEN,
     )
 
 
@@ -143,3 +158,20 @@ def _verdicts(addition: float, existing: float, required: RequiredInertia | None
         )
         said.append(Verdict("warning", text))
     return said
+
+
+def _resisted_verdicts(cycle: Cycle, inertia: float, speed: float) -> list[Verdict]:
+    """What becomes of the positional flywheel where loads depend on the speed, as in the stage ``motion``."""
+    if not (np.any(cycle.viscous) or np.any(cycle.quadratic)):
+        return []
+    from tmmcalc.machine.positional import positional
+
+    try:
+        reached = positional(cycle, inertia, speed).delta
+    except (NoSolutionError, AccuracyError):
+        return []
+    text = (
+        "all methods take the loads that depend on the speed at the mean speed; with their real course over the cycle "
+        f"delta is {reached:.7g}, as the motion under a constant driving moment has it"
+    )
+    return [Verdict("note", text)]

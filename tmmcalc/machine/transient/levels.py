@@ -14,15 +14,20 @@ PASSED = {
     "overload": "the motor falls below its rated speed, {:.6g} rad/s at the crank",
     "pull-out": "the motor falls below the speed of its largest moment, {:.6g} rad/s at the crank",
     "reversal": "the crank turns back",
+    "runaway": "the crank runs away: {:.6g} rad/s",
     "cycle": "the motion repeats itself from cycle to cycle",
 }
 
 
+RUNAWAY = 5.0  # times the largest speed that is known beforehand: a motion without a duration is not followed further
+
+
 class Limits(NamedTuple):
-    """Speeds of the motor's group whose passing on the way down is noted [rad/s]."""
+    """Speeds of the motor's group that are noted on the way down, and that of a crank that runs away [rad/s]."""
 
     overload: float | None  # rated speed
     pull_out: float | None  # speed of the largest moment
+    runaway: float | None  # None: the motion has a duration
 
 
 def borders(regime: Regime, stretch: Stretch) -> list[Watch]:
@@ -42,11 +47,18 @@ def ends(scenario: Scenario, layout: Layout) -> list[Watch]:
     return found
 
 
+def escapes(layout: Layout, limits: Limits) -> list[Watch]:
+    """The speeds at which the crank has run away, forwards or backwards."""
+    if limits.runaway is None:
+        return []
+    return [level("runaway", layout.crank, way * limits.runaway, way) for way in (1.0, -1.0)]
+
+
 def noted(scenario: Scenario, layout: Layout, limits: Limits, motor: bool) -> list[Watch]:
     """Speeds that are only noted: the targets, and with the ``motor`` on its limits."""
     targets = [at for at in scenario.targets if at != scenario.end_speed]
     found = [level("target", layout.crank, at, _towards(scenario.speed, at), halts=False) for at in targets]
-    for kind, at in zip(("overload", "pull-out"), limits, strict=True):
+    for kind, at in zip(("overload", "pull-out"), limits[:2], strict=True):
         if at is not None and motor:
             found.append(level(kind, layout.speed, at, -1.0, halts=False))
     return found

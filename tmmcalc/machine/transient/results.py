@@ -10,7 +10,7 @@ from tmmcalc.machine.verdicts import Verdict
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
 
-End = Literal["time", "speed", "angle", "standstill", "stall", "steady"]
+End = Literal["time", "speed", "angle", "standstill", "stall", "steady", "runaway"]
 
 
 @record

@@ -15,7 +15,7 @@ from tmmcalc.errors import AccuracyError
 from tmmcalc.machine.transient.equations import Regime, System, derivative
 from tmmcalc.machine.transient.events import Hit, Watch, extreme, hits, level
 from tmmcalc.machine.transient.jacobian import jacobian
-from tmmcalc.machine.transient.levels import PASSED, Limits, borders, ends, noted
+from tmmcalc.machine.transient.levels import PASSED, Limits, borders, ends, escapes, noted
 from tmmcalc.machine.transient.reading import Stretch, stretches
 from tmmcalc.machine.transient.repeats import Repeats
 from tmmcalc.machine.transient.rest import Holder
@@ -213,7 +213,7 @@ class Run:
         watches = self.holder.watches(regime, self.stretch) + borders(regime, stretch)
         if self._loads and self._loads[0].speed is not None and not self._armed:
             watches.append(level("load", self._crank, self._loads[0].speed, 1.0))
-        watches += ends(self.scenario, layout) + self._repeats.watches(regime, self.y)
+        watches += ends(self.scenario, layout) + escapes(layout, self.limits) + self._repeats.watches(regime, self.y)
         notes = noted(self.scenario, layout, self.limits, regime.motor)
         return watches + [watch for watch in notes if (watch.kind, watch.level) not in self._passed]
 
@@ -242,6 +242,9 @@ class Run:
         elif kind == "angle":
             self.note("angle", f"the crank has turned by {self.scenario.end_angle:g} rad", self.t, self.y)
             return "angle"
+        elif kind == "runaway":
+            self.note("runaway", PASSED["runaway"].format(hit.watch.level), self.t, self.y)
+            return "runaway"
         elif kind == "rest" and hit.watch.component == self._crank:
             self._rests = True
         elif kind == "release":
@@ -262,15 +265,23 @@ class Run:
                 self.rows.append(Row(time, self.stepper.to(time), regime, None))
 
     def _check_budget(self) -> None:
-        if self.stepper.evaluations > self.budget:
-            raise AccuracyError(
-                f"{self.budget} evaluations took the motion only to t = {self.t:.6g} s of {self.scenario.duration:g} s",
-                where=f"transient motion, scenario {self.scenario.name}",
-                value=self.t,
-                limit=self.scenario.duration,
-                remedy="a shorter duration, or none, so that the run ends when it is steady; the method auto; a larger "
-                "tolerance; a rigid shaft in place of a stiff one",
-            )
+        if self.stepper.evaluations <= self.budget:
+            return
+        free = self.scenario.until_steady
+        speed = f"where the crank has {self.y[self._crank]:.6g} rad/s"
+        text = (
+            f"{speed} and the motion does not repeat itself yet"
+            if free
+            else f"of {self.scenario.duration:g} s, {speed}"
+        )
+        duration = "give the duration that is of interest" if free else "a shorter duration"
+        raise AccuracyError(
+            f"{self.budget} evaluations took the motion only to t = {self.t:.6g} s{',' if free else ''} {text}",
+            where=f"transient motion, scenario {self.scenario.name}",
+            value=self.t,
+            limit=self.scenario.duration,
+            remedy=f"{duration}; the method auto; a larger tolerance; a rigid shaft in place of a stiff one",
+        )
 
 
 _ON, _OFF = ("motor on", "the motor is switched on"), ("motor off", "the motor is switched off")

@@ -10,7 +10,7 @@ import numpy as np
 from tmmcalc.machine.transient.choice import plan
 from tmmcalc.machine.transient.collocation import Collocation
 from tmmcalc.machine.transient.equations import System
-from tmmcalc.machine.transient.levels import Limits
+from tmmcalc.machine.transient.levels import RUNAWAY, Limits
 from tmmcalc.machine.transient.methods import Method, habit
 from tmmcalc.machine.transient.model import Drive
 from tmmcalc.machine.transient.outcome import Curves, curves
@@ -46,7 +46,7 @@ def simulate(
     size = sizes(drive, system, scenario, shape)
     tolerance, left = _control(method, chosen.name, system)
     stepper = _stepper(chosen.name, method.step, [] if tolerance is None else allowed(system, size, tolerance))
-    run = Run(system, ways, scenario, stepper, _limits(drive, system.chain.motor_ratio), size, method.budget)
+    run = Run(system, ways, scenario, stepper, _limits(drive, scenario, system, size), size, method.budget)
     end = run.go(initial(system, scenario, ways.of(math.copysign(1.0, scenario.speed))), instants)
     found = curves(drive, system, ways, run.rows, brake_mass(drive, scenario))
     imbalance, given = _imbalance(found), drive.cycle.error if drive.cycle else 0.0
@@ -105,13 +105,14 @@ def _estimate(tolerance: float | None, left: float, run: Run, size: Sizes) -> fl
     return sum(max(map(abs, row.error[speeds])) for row in run.rows if row.error) / size.speed
 
 
-def _limits(drive: Drive, u: float) -> Limits:
-    """Rated and critical speed of the motor, as speeds of the crank."""
-    motor = drive.characteristic
+def _limits(drive: Drive, scenario: Scenario, system: System, size: Sizes) -> Limits:
+    """Rated and critical speed of the motor, as speeds of the crank, and the speed at which it has run away."""
+    motor, u = drive.characteristic, system.chain.motor_ratio
+    runaway = RUNAWAY * size.speed if scenario.until_steady else None
     if motor is None:
-        return Limits(None, None)
+        return Limits(None, None, runaway)
     nominal, critical = (None if s is None else s / u for s in (motor.nominal, motor.critical))
-    return Limits(nominal, critical)
+    return Limits(nominal, critical, runaway)
 
 
 def _imbalance(found: Curves) -> float:

@@ -28,9 +28,8 @@ def extrapolated(scenario: Scenario, curves: Curves, drive: Drive, rated: float 
     lowest, largest = float(curves.omega[0, slow].min()), float(curves.motor_moment[slow].max())
     time = float(np.diff(curves.t)[slow[:-1]].sum())
     times = f", {largest / rated:.3g} times the rated" if rated else ""
-    remedy = (
-        "give points for these speeds" if motor.name == "table" else "with overload the whole curve is taken (Kloss)"
-    )
+    whole = 'with overload an induction motor takes its whole curve (Kloss); of a shunt motor characteristic = "shunt"'
+    remedy = "give points for these speeds" if motor.name == "table" else whole
     text = f"the {motor.name} characteristic holds from {motor.least:.6g} rad/s up, the speed is as low as {lowest:.6g}"
     more = f"below, for {time:.4g} s, it is extrapolated to {largest:.5g} N*m{times}: these times and moments are no"
     return [Verdict("warning", f"{text} rad/s; {more} prediction; {remedy}")]

@@ -40,6 +40,7 @@ def verdicts(
     Warnings come first.
     """
     found = [_stall(scenario, system, curves)] if _stalled(scenario, system, curves, end) else []
+    found += _ran_away(scenario, curves, drive, end)
     found += _missed(scenario, curves, events, end)
     for kind in ("overload", "pull-out"):
         first = next((event for event in events if event.kind == kind), None)
@@ -74,6 +75,18 @@ def rms(t: Values, moment: Values) -> float:
     time = float(t[-1] - t[0])
     square = moment**2
     return math.sqrt(float(((square[1:] + square[:-1]) / 2 * np.diff(t)).sum() / time) if time else float(square[0]))
+
+
+def _ran_away(scenario: Scenario, curves: Curves, drive: Drive, end: End) -> list[Verdict]:
+    """What drives a crank that passes every speed of the drive."""
+    if end != "runaway":
+        return []
+    t, speed = float(curves.t[-1]), float(curves.omega[-1, -1])
+    powered = drive.characteristic is not None and scenario.motor_on(t)
+    motor = "motor and loads drive" if powered else "without a motor its loads drive"
+    text = f"the machine runs away: {motor} it faster and faster, after {t:.5g} s it has {speed:.6g} rad/s"
+    remedy = "is the sign of a load wrong? If not, add what resists, or give the duration that is of interest"
+    return [Verdict("warning", f"{text}; {remedy}")]
 
 
 def _turned_back(scenario: Scenario, system: System, events: list[Event], drive: Drive) -> list[Verdict]:

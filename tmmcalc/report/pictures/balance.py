@@ -17,13 +17,13 @@ from tmmcalc.errors import UsageError
 from tmmcalc.linkage.balance.task import Balancing, Scheme
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.numerics.fourier import TURN, Magnitude, Series
-from tmmcalc.report.balance import moved, phi_at
 from tmmcalc.report.numbers import NOISE
 from tmmcalc.report.pictures.curves import Diagram, Line
 from tmmcalc.report.pictures.labels import signed
 from tmmcalc.report.pictures.page import blank, settle
 from tmmcalc.report.pictures.shaking import Path, Polar, Ring, Sizes, Spot, shaking_sheet
 from tmmcalc.report.pictures.style import CURVES
+from tmmcalc.report.shakingmoment import moved, phi_at
 
 if TYPE_CHECKING:
     from tmmcalc.stages.balance import Balances

@@ -71,8 +71,7 @@ def _heading(result: Flywheel) -> str:
     delta = f"$\\delta$ = {unevenness(result.delta, 4)}"
     if result.addition <= 0:
         return f"No flywheel is needed for {delta}: {number(result.inertia, 5)} kg·m² at hand do"
-    how = "under the motor" if result.required is not None else "under forces of position"
-    first = f"Flywheel for {delta} {how}: {number(result.addition, 5)} kg·m² at the input shaft"
+    first = f"Flywheel for {delta} under {result.under}: {number(result.addition, 5)} kg·m² at the input shaft"
     if result.ratio != 1:
         first += f" or {number(result.own, 5)} kg·m² on its own shaft"
     return f"{first}\n$J_\\mathrm{{F}}$ = {number(result.inertia, 5)} kg·m² with what is at hand"
@@ -105,7 +104,8 @@ def _draw_bars(axes: Axes, result: Flywheel) -> None:
     axes.set_yticks(range(len(rows)), [called(row.positional) for row in rows])
     for k, row in enumerate(rows):
         halo, across = [withStroke(linewidth=2.5, foreground=BAR)], axes.get_yaxis_transform()
-        axes.text(0.01, k, _reached(row), size=7, va="center", transform=across, path_effects=halo, zorder=8)
+        said = _reached(row, result.under)
+        axes.text(0.01, k, said, size=7, va="center", transform=across, path_effects=halo, zorder=8)
     axes.axvline(result.inertia, **NEEDED)
     axes.axvline(result.at_hand.total, **AT_HAND)
     axes.grid(True, axis="x", linewidth=0.35, color="#d0d0d0", zorder=0)
@@ -117,17 +117,17 @@ def _draw_bars(axes: Axes, result: Flywheel) -> None:
     axes.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, handlelength=3)
 
 
-def _reached(row: Row) -> str:
+def _reached(row: Row, under: str) -> str:
     method = row.positional
     alone = "stalls" if method.delta is None else f"$\\delta$ = {number(method.delta, 4)}"
     text = f"{signed(method.inertia, 5)}: {alone}"
     if row.error is None:
         return text
-    return f"{text}, {'stalls' if row.delta is None else number(row.delta, 4)} under the motor"
+    return f"{text}, {'stalls' if row.delta is None else number(row.delta, 4)} under {under}"
 
 
 def _draw_search(axes: Axes, result: Flywheel, required: RequiredInertia) -> None:
-    """delta against the constant inertia under the motor: the search, the textbook's correction, the methods."""
+    """delta against the constant inertia under the real drive: the search, the textbook's correction, the methods."""
     methods = [Trial(row.positional.inertia, row.delta) for row in result.rows if row.positional.addition > 0]
     together = sorted((*required.trials, *result.history, *methods), key=lambda trial: trial.inertia)
     axes.plot(*_points(together), color="#0072b2", linewidth=0.9, zorder=4)
@@ -156,7 +156,7 @@ def _draw_search(axes: Axes, result: Flywheel, required: RequiredInertia) -> Non
         axis.set_major_locator(MaxNLocator(7))
         axis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 6)))
     axes.set_xlabel("constant inertia, kg·m²")
-    axes.set_ylabel("$\\delta$ under the motor")
+    axes.set_ylabel(f"$\\delta$ under {result.under}")
     axes.tick_params(length=2.5)
     axes.legend(
         handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, handlelength=2.4, columnspacing=1.2

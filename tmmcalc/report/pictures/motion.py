@@ -67,7 +67,7 @@ def motion_figure(result: Motion, power: Power, cycle: Cycle) -> Figure:
 
 def _heading(result: Motion) -> str:
     regime = result.regime
-    what = "under the motor" if result.kind == "motor" else "under a constant moment"
+    what = {"motor": "under the motor", "none": "under its loads"}.get(result.kind, "under a constant moment")
     first = f"Steady motion {what}: $\\delta$ = {unevenness(regime.delta, 4)}"
     if result.idle is not None:
         first += f", without technological loads {number(result.idle.delta, 4, peak=1.0)}"

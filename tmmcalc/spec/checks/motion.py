@@ -23,6 +23,12 @@ def check_motion(outline: Outline) -> Iterator[Finding]:
             "speed together with a motor: its characteristic and the load set the speed",
             'remove it, or write drive = "positional"',
         )
+    if drive == "none" and "speed" in motion:
+        yield Finding(
+            ("motion", "speed"),
+            'speed together with drive = "none": the loads set the speed',
+            'remove it, or write drive = "positional"',
+        )
     if outline.slides and outline.input_joint is not None:
         yield Finding(
             ("motion",),

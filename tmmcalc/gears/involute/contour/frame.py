@@ -1,0 +1,146 @@
+"""The plane of the shifts in the coordinates (w, x1): the operating pressure angle and the shift of wheel 1.
+
+Everything that both wheels share depends on w alone, which replaces the sum of the shifts,
+
+    s = x1 + x2 = a (inv w - inv alpha_t) cos(beta)/tan(alpha),   a_w = a cos(alpha_t)/cos(w),   y = a_w - a
+
+and needs no iteration. On a line of constant sum every condition is unimodal in the shift x of the wheel it concerns:
+the contact ratio and the tip thickness are concave, and the room N1A2 - LN before interference is convex with its least
+value, never positive for a rack whose flank ends at h_a*, where the mate's tip circle is its reference circle.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, sin, tan
+
+import numpy as np
+
+from tmmcalc.gears.involute.contour.form import Form, Sloped, form_of
+from tmmcalc.gears.involute.contour.task import Task
+from tmmcalc.gears.involute.function import inverse_involute, involute
+from tmmcalc.gears.involute.wheel import Wheel
+from tmmcalc.gears.model import Values
+from tmmcalc.records import record
+
+DEPTH = 2.5  # addenda below the reference circle down to which undercut is followed
+
+
+@record
+class Sums:
+    """What both wheels share on n lines of constant sum; lengths in normal modules."""
+
+    angle: Values  # w = alpha_tw [rad], (n,)
+    total: Values  # s = x1 + x2
+    modification: Values  # y
+    length: Values  # g = N1N2
+
+    def some(self, which: Values) -> Sums:
+        """Only the lines chosen by a mask or by numbers."""
+        return Sums(self.angle[which], self.total[which], self.modification[which], self.length[which])
+
+
+@record
+class Side:
+    """One wheel of the frame, and its mate."""
+
+    reference: float
+    base: float
+    mate_reference: float
+    mate_base: float
+    least: float  # x_min
+    form: Form
+    thickness: float  # s_a,min
+    flat: float  # psi at x = 0, + inv alpha_t [rad]
+
+
+@record
+class Frame:
+    """The constants of a task."""
+
+    task: Task
+    sides: tuple[Side, Side]
+    angle: float  # alpha_t [rad]
+    pitch: float  # p_bt, transverse base pitch
+    addendum: float  # h_a*
+    slant: float  # tan(beta)
+
+    def sums(self, w: Values) -> Sums:
+        """The shared quantities at operating angles (n,)."""
+        one, two = self.sides
+        base = one.base + two.base
+        a = one.reference + two.reference
+        rise = base * (involute(w) - involute(self.angle)) / sin(self.angle)
+        return Sums(w, rise, base / np.cos(w) - a, base * np.tan(w))
+
+    def angle_of(self, total: Values) -> Values:
+        """The operating angle of sums of shifts; nan below the least."""
+        base = self.sides[0].base + self.sides[1].base
+        return inverse_involute(involute(self.angle) + np.asarray(total, float) * sin(self.angle) / base)
+
+    def sum_slope(self, w: Values) -> Values:
+        """ds/dw."""
+        base = self.sides[0].base + self.sides[1].base
+        return base * np.tan(w) ** 2 / sin(self.angle)
+
+    def room(self, i: int, sums: Sums, x: Values) -> Sloped:
+        """N1A2 - rho_F1 (i = 0) or N2A1 - rho_F2 (i = 1), and the derivative by x_i at constant sum."""
+        side = self.sides[i]
+        radius = side.mate_reference + self.addendum + sums.modification - x
+        rho = _curvature(radius, side.mate_base)
+        start, slope = side.form(x)
+        return sums.length - rho - start, radius / rho - slope
+
+    def tip(self, i: int, sums: Sums, x: Values) -> Values:
+        """r_a of the wheel itself."""
+        return self.sides[i].reference + self.addendum + sums.modification - sums.total + x
+
+    def thickness(self, i: int, sums: Sums, x: Values) -> Sloped:
+        """Half the angle of the tip less the one of the least thickness [rad], and its derivative by x_i."""
+        side = self.sides[i]
+        radius = self.tip(i, sums, x)
+        tangent = _curvature(radius, side.base) / side.base
+        own = np.arctan(tangent)
+        half = side.flat + x * sin(self.angle) / side.base - (tangent - own)
+        slope = (sin(self.angle) - np.sin(own)) / side.base
+        if side.thickness:
+            stretch = 1 / np.sqrt(1 + (radius * self.slant / side.reference) ** 2)
+            half = half - side.thickness / (2 * radius * stretch)
+            slope = slope + side.thickness * stretch / (2 * radius**2)
+        return half, slope
+
+    def overlap(self, sums: Sums, x1: Values) -> Sloped:
+        """eps_alpha - eps_min, and its derivative by x1."""
+        one, two = self.sides
+        first, second = self.tip(0, sums, x1), self.tip(1, sums, sums.total - x1)
+        rho1, rho2 = _curvature(first, one.base), _curvature(second, two.base)
+        value = (rho1 + rho2 - sums.length) / self.pitch - self.task.contact_ratio
+        return value, (first / rho1 - second / rho2) / self.pitch
+
+    def best_split(self, sums: Sums) -> Values:
+        """x1 of the largest contact ratio of each line: both tips at one pressure angle."""
+        one, two = self.sides
+        first, second = self.tip(0, sums, np.zeros_like(sums.total)), self.tip(1, sums, sums.total)
+        return (second * one.base - first * two.base) / (one.base + two.base)
+
+
+def _curvature(radius: Values, base: float) -> Values:
+    """Radius of curvature of the involute at a radius; a tiny positive number at and below the base circle."""
+    return np.sqrt(np.maximum((radius - base) * (radius + base), 1e-24))
+
+
+def frame_of(task: Task) -> Frame:
+    """The frame of a task."""
+    rack, cut = task.first.rack, task.first.section
+    pitch = pi / cos(task.first.helix) * cos(cut.angle)
+    one, two = task.first, task.second
+    sides = (_side(one, two, task.thickness[0]), _side(two, one, task.thickness[1]))
+    return Frame(task, sides, cut.angle, pitch, rack.addendum, tan(task.first.helix))
+
+
+def _side(own: Wheel, mate: Wheel, thickness: float) -> Side:
+    rack = own.rack
+    # the root circle must not vanish
+    lowest = max(-DEPTH * rack.addendum, rack.addendum + rack.clearance - own.reference + 0.05)
+    form = form_of(own, min(lowest, -rack.addendum))
+    flat = pi / (2 * own.teeth) + float(involute(own.section.angle))
+    return Side(own.reference, own.base, mate.reference, mate.base, own.least_shift, form, thickness, flat)

@@ -1,0 +1,1 @@
+"""A pinion inside a ring: geometry, sliding, interferences."""

@@ -1,0 +1,127 @@
+"""The verdict on a pinion in a ring, and why such a pair cannot be."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from math import ceil
+
+import numpy as np
+
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.gears.involute.internal.contact import internal_contact, internal_extremes
+from tmmcalc.gears.involute.internal.interference import interferences
+from tmmcalc.gears.involute.internal.pair import InternalPair, Tips, internal_of_shifts
+from tmmcalc.gears.involute.profile.rounding import Shape
+from tmmcalc.gears.involute.quality.verdicts import Check, QualityLimits, Verdict, at_least, at_most, wanted_angle
+
+REACH, STEP, HALVINGS = 2.0, 0.02, 30  # how far from the given shift an admissible one is sought
+
+
+def internal_checks(
+    pair: InternalPair, limits: QualityLimits | None = None, face_width: float = 0.0, fillet: Shape = "ellipse"
+) -> tuple[Check, ...]:
+    """Every indicator of an internal pair with its limit; ``face_width`` in normal modules.
+
+    Trimming interference is a warning: the pair works, but is assembled along its axis.
+    """
+    limits = limits or QualityLimits()
+    base = _above_base(pair)
+    if base:
+        return base
+    least, wanted = limits.contact_ratio, max(limits.contact_ratio, limits.contact_ratio_wanted)
+    meeting = internal_contact(pair, face_width, fillet)
+    found = [
+        wanted_angle(pair.angle, limits),
+        at_least("contact ratio", 0, meeting.shortened, (least, wanted), "transverse contact ratio"),
+    ]
+    for each in interferences(pair, fillet):
+        verdict: Verdict = "ok" if each.free else "warn" if each.kind == "trimming" else "fail"
+        found.append(Check(f"{each.kind} interference", 0, each.margin, 0.0, each.margin, verdict, each.text))
+    thickness = float(pair.pinion.thickness_at(pair.tips[0])), pair.ring.thickness_at(pair.tips[1])
+    tips = limits.tip_thickness, max(limits.tip_thickness, limits.tip_thickness_wanted)
+    for i, (value, clearance) in enumerate(zip(thickness, pair.clearances, strict=True), 1):
+        found.append(at_least("tip thickness", i, value, tips, f"tip thickness of gear {i}"))
+        c = pair.pinion.rack.clearance
+        found.append(at_least("clearance", i, clearance, (0.0, c), f"radial clearance at the root of gear {i}"))
+    return (*found, *_sliding(pair, meeting.segment, limits))
+
+
+def _above_base(pair: InternalPair) -> tuple[Check, ...]:
+    """Failures of tips that do not lie above their base circles."""
+    found = []
+    for i, (tip, base) in enumerate(zip(pair.tips, (pair.pinion.base, pair.ring.base), strict=True), 1):
+        if tip < base:
+            text = f"the tip circle of gear {i} lies within its base circle"
+            found.append(Check("tip circle", i, tip, base, tip - base, "fail", text))
+    return tuple(found)
+
+
+def _sliding(pair: InternalPair, segment: tuple[float, float], limits: QualityLimits) -> list[Check]:
+    if not 0 < segment[0] < segment[1]:
+        return []
+    found = internal_extremes(pair, segment)
+    result = [at_most("sliding", i, abs(v), limits.sliding) for i, v in ((1, found.theta1), (2, found.theta2))]
+    return [*result, at_most("pressure", 0, found.pressure_largest, limits.pressure)]
+
+
+def require_internal(
+    pair: InternalPair,
+    limits: QualityLimits | None = None,
+    tips: Tips = "clearance",
+    fillet: Shape = "ellipse",
+) -> None:
+    """Raise `NoSolutionError` if an internal pair cannot work, with every reason, its margin and the nearest shift.
+
+    ``tips`` is the rule by which the tips of other shifts are found.
+    """
+    broken = _failures(pair, limits, fillet)
+    if not broken:
+        return
+    least = min(broken, key=lambda check: check.margin)
+    raise NoSolutionError(
+        "; ".join(f"{check.text} (margin {check.margin:.4g})" for check in broken),
+        where="internal pair",
+        value=least.value,
+        limit=least.limit,
+        remedy=_remedy(pair, limits, tips, fillet),
+    )
+
+
+def _failures(pair: InternalPair, limits: QualityLimits | None, fillet: Shape) -> list[Check]:
+    return [check for check in internal_checks(pair, limits, fillet=fillet) if check.verdict == "fail"]
+
+
+def _remedy(pair: InternalPair, limits: QualityLimits | None, tips: Tips, fillet: Shape) -> str:
+    """The nearest shift of the pinion alone, of the ring alone, and of both at the same centre distance."""
+    parts = []
+    for text, d1, d2 in (("x1 alone", 1, 0), ("x2 alone", 0, 1), ("at this centre distance", 1, -1)):
+
+        def works(t: float, d1: int = d1, d2: int = d2) -> bool:
+            pinion = replace(pair.pinion, shift=float(pair.pinion.shift) + d1 * t)
+            ring = replace(pair.ring, shift=pair.ring.shift + d2 * t)
+            try:
+                return not _failures(internal_of_shifts(pinion, ring, tips), limits, fillet)
+            except NoSolutionError:
+                return False
+
+        t = _nearest(works)
+        if t is not None:
+            x1, x2 = float(pair.pinion.shift) + d1 * t, pair.ring.shift + d2 * t
+            parts.append(f"{text}: x1 = {x1:.6g}, x2 = {x2:.6g}")
+    if parts:
+        return "the nearest admissible shifts are, " + "; ".join(parts)
+    return "no nearby shifts make this pair possible: a greater difference of the teeth, or shorter teeth (stub rack)"
+
+
+def _nearest(works: Callable[[float], bool]) -> float | None:
+    """The smallest change of either sign that works."""
+    for size in np.arange(STEP, REACH + STEP / 2, STEP):
+        for sign in (1.0, -1.0):
+            if works(sign * float(size)):
+                low, high = float(size) - STEP, float(size)
+                for _ in range(HALVINGS):
+                    middle = (low + high) / 2
+                    low, high = (low, middle) if works(sign * middle) else (middle, high)
+                return sign * ceil(high * 1e4) / 1e4  # as printed, and still admissible
+    return None

@@ -1,0 +1,1 @@
+"""How good a pair is: contact ratios, flanks, sliding and pressure, verdicts, and why a pair cannot exist."""
