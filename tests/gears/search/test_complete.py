@@ -11,8 +11,10 @@ from fractions import Fraction
 import pytest
 
 from tmmcalc.gears.exact import around
+from tmmcalc.gears.kinds import from_tooth_ratio, to_tooth_ratio
 from tmmcalc.gears.layouts import LAYOUTS
-from tmmcalc.gears.model import Demands, Limits, TrainTask
+from tmmcalc.gears.model import Demands, Interval, Limits, TrainTask
+from tmmcalc.gears.search.relaxation import nearest_ratio
 from tmmcalc.gears.search.search import Synthesis, synthesise
 
 SMALL = Limits(least=10, largest=22, largest_pinion=14, least_ring=20, largest_ring=38)
@@ -165,3 +167,66 @@ def test_a_bounded_list_keeps_the_smallest_and_counts_all() -> None:
     assert part.count == whole.count > 1000
     assert not part.complete
     assert part.sets.teeth.tolist() == whole.sets.teeth.tolist()[:100]
+
+
+@pytest.mark.parametrize("equal", [True, False])
+@pytest.mark.parametrize(("layout", "nominal"), [("unfolded2", "2.6"), ("unfolded3", "3")])
+def test_removals_of_unfolded_trains_are_those_of_the_order(layout: str, nominal: str, equal: bool) -> None:
+    steepest = Fraction(7, 4)
+    demands = Demands(stage_ratio=steepest, diameter_band=Fraction(1, 10), equal_pinions=equal)
+    small = Limits(least=10, largest=20, largest_pinion=13)
+    work = replace(task(layout, nominal, "1/20", (), demands=demands), limits=small)
+    names = LAYOUTS[layout].wheels
+    of_ratio = of_stages = total = 0
+    for teeth in itertools.product(*ranges(work)):
+        z = dict(zip(names, teeth, strict=True))
+        pairs = [(z[names[k]], z[names[k + 1]]) for k in range(0, len(names), 2)]
+        if equal and len({pinion for pinion, _ in pairs}) > 1:
+            continue
+        total += 1
+        found = ratio(layout, z)
+        if found is not None and work.ratio.low <= found <= work.ratio.high:
+            of_ratio += 1
+            of_stages += all(pinion <= wheel <= steepest * pinion for pinion, wheel in pairs)
+    synthesis = synthesise(work)
+    assert synthesis.candidates == total
+    assert synthesis.removed == {
+        "ratio": total - of_ratio,
+        "stage_ratio": of_ratio - of_stages,
+        "diameter_band": of_stages - synthesis.count,
+    }
+
+
+@pytest.mark.parametrize(
+    ("layout", "kind", "asked", "proportions"),
+    [
+        ("AA", "i_1H", "-30", ((1, 1),)),
+        ("AA", "i_H1", "-1/100", ((1, 1),)),
+        ("AI", "i_1H", "100", ((1, 1), (2, 3))),
+        ("II", "i_H1", "5.03", ((3, 4),)),
+        ("AIbar", "i_1H", "4.9999", ((1,),)),
+        ("AII", "i_14", "-17.003", ((1, 1), (3, 4))),
+    ],
+)
+def test_the_nearest_ratios_are_the_nearest(
+    layout: str, kind: str, asked: str, proportions: tuple[tuple[int, ...], ...]
+) -> None:
+    scheme, wanted = LAYOUTS[layout], Fraction(asked)
+    nominal = to_tooth_ratio(scheme, kind, wanted)
+    work = replace(task(layout, "1", "0", *proportions), nominal=nominal, ratio=Interval(nominal, nominal))
+    every = []
+    for _, z in combinations(replace(work, ratio=Interval(Fraction(-(10**9)), Fraction(10**9)))):
+        found = ratio(layout, z)
+        if found and any(len(set(sums := centre_distances(layout, z, mu))) == 1 and sums[0] > 0 for mu in proportions):
+            own = from_tooth_ratio(scheme, kind, found)
+            if own is not None and own * wanted > 0:
+                every.append(own / wanted)
+    for outward in (False, True):
+        side = [part for part in every if (part > 1 if outward else part < 1)]
+        change = nearest_ratio(work, kind, outward)
+        if not side:
+            assert change is None
+            continue
+        best = min(side) - 1 if outward else 1 - max(side)
+        assert change is not None
+        assert change.needed == pytest.approx(float(best), rel=1e-9)
