@@ -95,7 +95,7 @@ def test_involutes_touch_on_the_line_of_action(case):
         assert abs(one - two) < 1e-11 * pair.ring.base
 
 
-@pytest.mark.parametrize("case", PAIRS)
+@pytest.mark.parametrize("case", [*PAIRS, (40, 100, 0.8, 0.4)])
 def test_trimming_against_a_pinion_drawn_out(case):
     """Corners of all phases, drawn out along the line of centres past the corner of the ring's space."""
     pair = pair_of(*case)
@@ -157,6 +157,13 @@ def test_tips_that_clear_the_fillet():
     clear = internal_of_shifts(pinion, ring, "clear")
     assert margins(clear)["fillet 1"] == pytest.approx(0.0, abs=1e-12)
     assert clear.tips[1] > ring.plain_tip
+    whole, left = (internal_contact(pair) for pair in (internal_of_shifts(pinion, ring), clear))
+    assert whole.shortened == pytest.approx(left.transverse) == pytest.approx(left.shortened)
+    assert whole.shortened < whole.transverse
+    shallow = Ring(60, cutter=Cutter(20, -0.2, tip=10.85))
+    cut = internal_of_shifts(wheel(24, 0.1), shallow), internal_of_shifts(wheel(24, 0.1), shallow, "plain")
+    assert cut[0].clearances[1] == pytest.approx(0.25)
+    assert cut[1].clearances[1] < 0.2
     own = internal_of_shifts(pinion, ring, (10.9, 29.3))
     assert own.tips == (10.9, 29.3)
 
@@ -171,6 +178,9 @@ def test_ring_cut_by_a_shaper():
     assert rounded.form < ring.form < ring.root
     touch = ring.curvature_at(ring.form) - mesh.length
     assert np.hypot(mesh.pinion.base, touch) == pytest.approx(12.5 + 1.35)
+    # the circle of the rounding touches the involute of the cutter where it ends
+    end = rounded.curvature_at(rounded.form) - mesh.length
+    assert np.hypot(mesh.pinion.base, end - 0.2) == pytest.approx(12.5 + 1.35 - 0.2)
     fillet = [margins(internal_of_shifts(wheel(20, 0.2), r))["fillet 2"] for r in (rounded, ring)]
     assert fillet[0] < fillet[1]
 

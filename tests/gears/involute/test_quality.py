@@ -233,6 +233,8 @@ def test_verdicts_name_the_fault():
     cut = checks(pair_of_shifts(wheel(14, 1.3), wheel(17, 0.1)))
     assert named(cut, "interference", 1)[0].verdict == "fail"
     assert "the tip of gear 2 cuts into the fillet of gear 1" in named(cut, "interference", 1)[0].text
+    both = checks(pair_of_shifts(wheel(8), wheel(8)))
+    assert [check.verdict for check in named(both, "undercut")] == ["fail", "fail"]
     strict = checks(pair_of_shifts(wheel(16, 0.0), wheel(40, 0.5)), QualityLimits(undercut=False))
     assert named(strict, "undercut", 1)[0].verdict == "fail"
     tolerated = checks(pair_of_shifts(wheel(16, 0.0), wheel(16, 0.5)))

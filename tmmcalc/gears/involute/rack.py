@@ -28,6 +28,13 @@ class Rack:
         """Radius rho* of the tip rounding."""
         return self.clearance / (1 - sin(self.angle)) if self.tip_radius is None else self.tip_radius
 
+    @property
+    def straight(self) -> float:
+        """Depth of b, the end of the straight flank, below the datum line: h_a* unless the rack has its own radius."""
+        if self.tip_radius is None:
+            return self.addendum
+        return self.addendum + self.clearance - self.tip_radius * (1 - sin(self.angle))
+
 
 @record
 class Section:
@@ -64,7 +71,7 @@ class Section:
     @property
     def tip_flat(self) -> float:
         """Half the width of the flat of the tip, in normal modules; negative: the tool cannot exist."""
-        return pi / 4 * self.module - self.rack.addendum * tan(self.angle) - self.radius * cos(self.angle)
+        return pi / 4 * self.module - self.rack.straight * tan(self.angle) - self.radius * cos(self.angle)
 
 
 RACKS: dict[str, Rack] = {
@@ -73,7 +80,6 @@ RACKS: dict[str, Rack] = {
     "ISO 53 B": Rack(radians(20), 1.0, 0.25, 0.30),
     "ISO 53 C": Rack(radians(20), 1.0, 0.25, 0.25),
     "ISO 53 D": Rack(radians(20), 1.0, 0.40, 0.39),
-    "GOST 9587": Rack(radians(20), 1.0, 0.35, None),
     "AGMA 14.5": Rack(radians(14.5), 1.0, 0.157, 0.209),
     "stub 20": Rack(radians(20), 0.8, 0.30, 0.304),
 }

@@ -55,23 +55,15 @@ class Wheel:
         return self.reference + self.rack.addendum + self.shift
 
     @property
-    def straight(self) -> float:
-        """Depth of b, the end of the straight flank, below the datum line: h_a* unless the rack has its own radius."""
-        rack = self.rack
-        if rack.tip_radius is None:
-            return rack.addendum
-        return rack.addendum + rack.clearance - rack.tip_radius * (1 - sin(rack.angle))
-
-    @property
     def limit(self) -> Number:
         """LN, signed: radius of curvature at the limit point L (4.55); negative: undercut."""
         angle = self.section.angle
-        return self.reference * sin(angle) - (self.straight - self.shift) / sin(angle)
+        return self.reference * sin(angle) - (self.rack.straight - self.shift) / sin(angle)
 
     @property
     def least_shift(self) -> float:
         """x_min: the least shift without undercut, exactly."""
-        return self.straight - self.reference * sin(self.section.angle) ** 2
+        return self.rack.straight - self.reference * sin(self.section.angle) ** 2
 
     @property
     def half_angle(self) -> Number:

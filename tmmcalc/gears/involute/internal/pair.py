@@ -119,15 +119,16 @@ def internal_of_distance(
 def _pair(pinion: Wheel, ring: Ring, angle: float, distance: float, tips: Tips | tuple[float, float]) -> InternalPair:
     """Tips by a rule, or radii.
 
-    ``plain``: as the rack gives them; ``clearance``: c* at both roots, but teeth no longer than plain; ``clear``: the
-    same, and the teeth of the ring cut short where they would reach into the fillet of the pinion or beyond N1.
+    ``plain``: as the rack gives them, which leaves at least c* at the root of the pinion; ``clearance``: the same, and
+    the teeth of the pinion cut short where they would leave less than c* at the root of a ring that its cutter made;
+    ``clear``: the same, and the teeth of the ring cut short where they would reach into the fillet of the pinion or
+    beyond N1.
     """
     if not isinstance(tips, str):
         return InternalPair(pinion, ring, angle, distance, tips)
     plain = float(pinion.plain_tip), ring.plain_tip
-    clearance = pinion.rack.clearance
-    kept = ring.root - distance - clearance, distance + float(pinion.root) + clearance
-    chosen = plain if tips == "plain" else (min(plain[0], kept[0]), max(plain[1], kept[1]))
+    kept = ring.root - distance - pinion.rack.clearance
+    chosen = plain if tips == "plain" else (min(plain[0], kept), plain[1])
     if tips == "clear":
         form = float(junction(pinion).curvature_radius)
         chosen = chosen[0], max(chosen[1], hypot(ring.base, distance * sin(angle) + form))

@@ -74,7 +74,7 @@ class Ring:
     def form(self) -> float:
         """Radius r_F where the involute ends at the root: by the cutter's rounding, or by the rack r + h_a* - x."""
         if self.cutter is None:
-            return self.reference + self.signed.straight - self.shift
+            return self.reference + self.rack.straight - self.shift
         angle, distance, tip = _cutting(self, self.cutter)
         base = Wheel(self.cutter.teeth, 0.0, self.helix, self.rack).base
         # the normal of the cutter's involute where its rounding begins passes through the centre of the rounding

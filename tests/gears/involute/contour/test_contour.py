@@ -1,0 +1,144 @@
+"""The contour against the worked case, its own defining conditions and a raster of independent margins."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from gears.involute.contour.pairs import PAIRS, case, random_tasks, task
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.gears.involute.contour.contour import contour, contours, interval
+from tmmcalc.gears.involute.contour.frame import frame_of
+from tmmcalc.gears.involute.contour.margins import margins
+from tmmcalc.gears.involute.pair import pair_of_shifts
+
+
+def test_margins_of_the_worked_case():
+    for point in case("IG-S09")["expected"]["points"]:
+        found = margins(task(14, 17), point["x1"], point["x2"])
+        pairs = {
+            "uc1": found.undercut1,
+            "uc2": found.undercut2,
+            "eps_alpha": found.contact_ratio + 1,
+            "s_a1": found.thickness1,
+            "s_a2": found.thickness2,
+            "int1": found.interference1,
+            "int2": found.interference2,
+            "theta1_A2": found.theta1,
+            "theta2_A1": found.theta2,
+        }
+        for name, value in pairs.items():
+            assert float(value) == pytest.approx(point[name], abs=1e-6), name
+
+
+def test_corners_and_area_of_the_worked_case():
+    strict, tolerated = contours(task(14, 17))
+    expected = case("IG-S09")["expected"]
+    names = {"undercut1", "undercut2", "interference1", "interference2"}
+    found = {frozenset(c.lines): c for c in strict.region.corners}
+    for corner in expected["strict_vertices"]:
+        lines = frozenset(k if k in names else "contact_ratio" for k in corner["curves"])
+        assert (found[lines].x1, found[lines].x2) == pytest.approx((corner["x1"], corner["x2"]), abs=1e-5)
+    assert len(found) == len(expected["strict_vertices"])
+    assert strict.region.area == pytest.approx(expected["strict_area"], abs=1e-3)
+    places = [(c.x1, c.x2) for c in tolerated.region.corners]
+    assert len(places) == len(expected["allowed_undercut_vertices"])
+    for corner in expected["allowed_undercut_vertices"]:
+        assert min(np.hypot(x1 - corner["x1"], x2 - corner["x2"]) for x1, x2 in places) < 2e-5
+
+
+@pytest.mark.parametrize("asked", [*PAIRS, *random_tasks(10)], ids=lambda t: f"{t.first.teeth}/{t.second.teeth}")
+def test_corners_meet_two_conditions_and_edges_one(asked):
+    for found in contours(asked):
+        for region in filter(None, (found.main, *found.pieces)):
+            for corner in region.corners:
+                here = margins(asked, corner.x1, corner.x2)
+                for line in corner.lines:
+                    if line.startswith("tip"):
+                        pair = pair_of_shifts(*asked.wheels(corner.x1, corner.x2))
+                        k = int(line[-1]) - 1
+                        assert abs(float(pair.tips[k]) - pair.wheels[k].reference) < 1e-10
+                        continue
+                    name = line.replace("interference", "tolerated")
+                    assert abs(float(getattr(here, name))) < 1e-10, corner
+            for edge in region.edges:
+                if edge.line.startswith("tip"):
+                    continue
+                name = edge.line.replace("interference", "tolerated")
+                here = margins(asked, edge.x1, edge.x2)
+                assert np.max(np.abs(getattr(here, name))) < 1e-9, edge.line
+            start = [(e.x1[0], e.x2[0]) for e in region.edges]
+            end = [(e.x1[-1], e.x2[-1]) for e in region.edges]
+            assert np.allclose(start, [end[-1], *end[:-1]], atol=1e-12)
+
+
+@pytest.mark.parametrize("asked", [*PAIRS, *random_tasks(12, 3)], ids=lambda t: f"{t.first.teeth}/{t.second.teeth}")
+def test_membership_and_area_against_a_raster(asked):
+    for found in contours(asked):
+        regions = [r for r in (found.main, *found.pieces) if r is not None]
+        low1, high1, low2, high2 = -2.0, 2.5, -2.0, 3.0
+        if found.main is not None:
+            one, two = found.main.outline
+            low1, high1, low2, high2 = one.min(), one.max(), two.min(), two.max()
+        n = 140
+        step1, step2 = (high1 - low1) / n, (high2 - low2) / n
+        x1, x2 = np.meshgrid(low1 + step1 * (np.arange(n) + 0.5), low2 + step2 * (np.arange(n) + 0.5), indexing="ij")
+        raster = margins(asked, x1, x2).least(found.strict) >= 0
+        inside = np.zeros_like(raster)
+        total = x1 + x2
+        for region in regions:
+            low = np.interp(total, region.total, region.low)
+            high = np.interp(total, region.total, region.high)
+            inside |= (total > region.total[0]) & (total < region.total[-1]) & (x1 > low) & (x1 < high)
+        assert np.sum(inside != raster) <= 0.004 * raster.sum() + 6
+        if found.main is not None and not found.pieces:
+            assert found.main.area == pytest.approx(raster.sum() * step1 * step2, rel=0.01)
+
+
+def test_area_is_that_of_a_much_finer_polygon():
+    found = contour(task(14, 17)).region
+    w = np.linspace(found.angles[0], found.angles[-1], 20001)[1:-1]
+    from tmmcalc.gears.involute.contour.bounds import cuts
+
+    lines = cuts(contour(task(14, 17)).frame, w)
+    low, high, _, _ = lines.ends(True)
+    assert found.area == pytest.approx(np.trapezoid(high - low, lines.sums.total), abs=5e-6)
+
+
+def test_branches_touch_at_the_pinch_points():
+    asked = task(100, 150)
+    assert abs(float(margins(asked, 1.0, -1.0).interference1)) < 1e-12
+    assert abs(float(margins(asked, -1.0, 1.0).interference2)) < 1e-12
+    found = contour(asked)
+    assert any(np.hypot(c.x1 - 1, c.x2 + 1) < 1e-9 for c in found.region.corners)
+    assert found.pieces
+    assert min(np.min(np.hypot(p.outline[0] - 1, p.outline[1] + 1)) for p in found.pieces) < 1e-9
+    assert found.region.outline[0].min() >= -1 - 1e-12
+
+
+def test_interval_on_a_line_of_constant_sum():
+    worked = case("IG-S14")
+    names = {"uc1": "undercut1", "int1": "interference1", "sa2": "thickness2", "eps": "contact_ratio"}
+    for variant, ((low, low_line), (high, high_line)) in zip(
+        worked["inputs"]["variants"], worked["expected"]["intervals"], strict=True
+    ):
+        frame = frame_of(task(14, 17, variant["eps_min"], variant["s_a_min"], 15))
+        found = interval(frame, worked["inputs"]["x_sum"])
+        assert (found.low, found.high) == pytest.approx((low, high), abs=1e-5)
+        assert (found.low_line, found.high_line) == (names[low_line], names[high_line])
+
+
+def test_an_empty_contour_tells_the_best_contact_ratio():
+    found = contour(task(14, 17, 1.6))
+    assert found.main is None
+    with pytest.raises(NoSolutionError, match=r"1\.4182") as error:
+        _ = found.region
+    assert error.value.value == pytest.approx(1.41823, abs=1e-5)
+
+
+def test_sums_that_no_pair_has_are_refused():
+    frame = frame_of(task(14, 17))
+    with pytest.raises(NoSolutionError, match="base circles"):
+        interval(frame, -3.0)
+    with pytest.raises(NoSolutionError, match="undercut"):
+        interval(frame, 0.0)
