@@ -15,6 +15,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.gears.involute.contour.bounds import Flags, cuts
 from tmmcalc.gears.involute.contour.contour import Contour, Interval, contour, interval
 from tmmcalc.gears.involute.contour.margins import Margins, margins
 from tmmcalc.gears.involute.contour.points import (
@@ -45,7 +46,7 @@ Strategy = Literal[
 Split = Literal["equal_sliding", "equal_strength", "max_contact_ratio", "middle"]
 STRATEGIES: tuple[str, ...] = get_args(Strategy)
 DESIRED = 1.2  # contact ratio of point D
-NARROWING = 6  # rounds, each eight times finer
+NARROWING = 5  # rounds, each eight times finer
 ROUNDING = 1e-9  # by which a point on the contour itself may miss it
 EQUAL = 1e-9  # difference of form factors that counts as none
 
@@ -95,7 +96,7 @@ def choose(
         return _judged(task, strategy, strict, x1, x2)
     if strategy == "zero":
         return _judged(task, strategy, strict, 0.0, 0.0)
-    area = contour(task, strict)
+    area = contour(task, strict, pieces=False)
     if strategy in ("given_aw", "equal_shift"):
         total = 0.0 if strategy == "equal_shift" else _sum(task, distance)
         return _on_sum(area, strategy, total, x1, x2, split)
@@ -106,7 +107,7 @@ def choose(
         one, two = _strength(area)
     else:
         rules = {"max_contact_strength": largest_sum, "max_contact_ratio": largest_contact_ratio, "balanced": deepest}
-        one, two = rules[strategy](area)[:2]  # type: ignore[operator]
+        one, two = rules[strategy](area)[:2]
     return _judged(task, strategy, strict, one, two, note=note)
 
 
@@ -141,7 +142,7 @@ def _judged(
     broken = () if inside else found.broken(strict)
     near = None
     if not inside:
-        area = contour(task, strict)
+        area = contour(task, strict, pieces=False)
         near = nearest(area, x1, x2) if area.main is not None else None
     return Choice(strategy, x1, x2, found, inside, broken, near, line, note)
 
@@ -192,7 +193,7 @@ def _sliding(area: Contour, desired: float) -> tuple[float, float, str]:
         return *found, ""
     region = area.region
 
-    def inside(w: Values) -> Values:
+    def inside(w: Values) -> Flags:
         line = contour_ends(area, w)
         x1 = sliding_split(area.frame, area.frame.sums(w))
         return (x1 >= line[0]) & (x1 <= line[1])
@@ -238,13 +239,11 @@ def _strength(area: Contour) -> tuple[float, float]:
 
 def contour_ends(area: Contour, w: Values) -> tuple[Values, Values]:
     """Least and largest x1 (n,) on the lines of operating angles w."""
-    from tmmcalc.gears.involute.contour.bounds import cuts
-
     low, high, _, _ = cuts(area.frame, w).ends(area.strict)
     return low, high
 
 
-def _best_end(holds: Callable[[Values], Values], w: Values, cost: Callable[[Values], Values]) -> float | None:
+def _best_end(holds: Callable[[Values], Flags], w: Values, cost: Callable[[Values], Values]) -> float | None:
     """The w of least cost among those that hold, its neighbours narrowed until they stop holding."""
     for _ in range(NARROWING):
         good = np.flatnonzero(holds(w))

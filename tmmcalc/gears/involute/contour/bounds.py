@@ -22,7 +22,7 @@ LOWER = ("interference2", "tolerated1", "undercut1", "thickness1", "thickness2",
 UPPER = ("interference1", "tolerated2", "undercut2", "thickness1", "thickness2", "contact_ratio", "tip2")
 NEVER = 1e3  # a bound where a condition holds nowhere: beyond all shifts
 STEPS = 60  # halving alone ends within them
-TOUCH = 1e-13
+TOUCH = 1e-13  # value that counts as zero where two branches touch
 CLOSE = 1e-9  # step after which Newton's method is exact
 
 Curve = Callable[[Sums, Values], Sloped]
@@ -136,7 +136,7 @@ def _edge(curve: Curve, sums: Sums, inside: Values, outside: Values, free: float
     there = curve(sums, outside)[0]
     # where two branches of a line touch, its value at the touch is zero but for rounding
     result[wanted & (there < TOUCH)] = outside[wanted & (there < TOUCH)]
-    which = np.flatnonzero(wanted & (there < 0))
+    which = np.flatnonzero(wanted & (there < -TOUCH))
     if which.size:
         result[which] = root(curve, sums.some(which), inside[which], outside[which])
     return result

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.errors import AccuracyError, NoSolutionError
 from tmmcalc.gears.involute.contour.bounds import LOWER, UPPER, cuts
 from tmmcalc.gears.involute.contour.frame import Frame, frame_of
 from tmmcalc.gears.involute.contour.task import LINES, Task
@@ -25,6 +25,9 @@ class Contour:
     pieces: tuple[
         Region, ...
     ]  # meshes with contact on one side of the pitch point only, and parts cut off the main region
+    untraced: tuple[
+        int, ...
+    ] = ()  # 1, 2: the mate's tip inside its reference circle; pieces there whose outline is not found
 
     @property
     def task(self) -> Task:
@@ -51,7 +54,7 @@ class Contour:
 
         if self.main is not None:
             return largest_contact_ratio(self)[2]
-        free = contour(replace(self.task, contact_ratio=0.0), self.strict)
+        free = contour(replace(self.task, contact_ratio=0.0), self.strict, pieces=False)
         return 0.0 if free.main is None else largest_contact_ratio(free)[2]
 
     @property
@@ -72,9 +75,9 @@ class Contour:
         return "a smaller tip thickness, more teeth, or the tolerated contour"
 
 
-def contour(task: Task, strict: bool = True) -> Contour:
-    """The strict or the tolerated contour; empty (main is None) if no shifts meet all conditions."""
-    return _contours(task, (strict,))[0]
+def contour(task: Task, strict: bool = True, *, pieces: bool = True) -> Contour:
+    """The strict or the tolerated contour, or its main region only; main is None if no shifts meet all conditions."""
+    return _contours(task, (strict,), (0, 1, 2) if pieces else (0,))[0]
 
 
 def contours(task: Task) -> tuple[Contour, Contour]:
@@ -83,11 +86,12 @@ def contours(task: Task) -> tuple[Contour, Contour]:
     return strict, tolerated
 
 
-def _contours(task: Task, kinds: tuple[bool, ...]) -> list[Contour]:
+def _contours(task: Task, kinds: tuple[bool, ...], branches: tuple[int, ...] = (0, 1, 2)) -> list[Contour]:
     frame = frame_of(task)
     found: dict[bool, list[Region]] = {kind: [] for kind in kinds}
+    untraced: dict[bool, list[int]] = {kind: [] for kind in kinds}
     mains: dict[bool, Region | None] = dict.fromkeys(kinds)
-    for branch in (0, 1, 2):
+    for branch in branches:
         if branch and frame.sides[2 - branch].least > 0:
             continue  # the wheel whose tip is low would be undercut far into its flank
         w = scan(frame, branch)
@@ -95,12 +99,18 @@ def _contours(task: Task, kinds: tuple[bool, ...]) -> list[Contour]:
             continue
         scanned = cuts(frame, w, branch)
         for kind in kinds:
-            parts = list(regions(frame, branch, kind, scanned))
+            try:
+                parts = list(regions(frame, branch, kind, scanned))
+            except AccuracyError:
+                if branch == 0:
+                    raise
+                untraced[kind].append(branch)
+                continue
             if branch == 0 and parts:
                 mains[kind] = max(parts, key=lambda part: part.area)
                 parts.remove(mains[kind])  # type: ignore[arg-type]
             found[kind] += parts
-    return [Contour(kind, frame, mains[kind], tuple(found[kind])) for kind in kinds]
+    return [Contour(kind, frame, mains[kind], tuple(found[kind]), tuple(untraced[kind])) for kind in kinds]
 
 
 @record

@@ -1,4 +1,4 @@
-"""Corners of the contour: two conditions at their limit at once, by Newton's method in (w, x1) for all of them together.
+"""Corners of the contour: two conditions at their limit at once, by Newton's method in (w, x1) for all together.
 
 Where one condition closes the region by itself (both ends of its interval meet) the second equation is that its
 derivative along the line of constant sum vanishes.

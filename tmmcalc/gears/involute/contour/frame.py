@@ -14,6 +14,7 @@ from __future__ import annotations
 from math import cos, pi, sin, tan
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.gears.involute.contour.form import Form, Sloped, form_of
 from tmmcalc.gears.involute.contour.task import Task
@@ -22,7 +23,10 @@ from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
 
-DEPTH = 2.5  # addenda below the reference circle down to which undercut is followed
+DEPTH = 5.0  # addenda below the reference circle down to which undercut is followed
+
+
+Chosen = NDArray[np.bool_] | NDArray[np.intp]
 
 
 @record
@@ -34,7 +38,7 @@ class Sums:
     modification: Values  # y
     length: Values  # g = N1N2
 
-    def some(self, which: Values) -> Sums:
+    def some(self, which: Chosen) -> Sums:
         """Only the lines chosen by a mask or by numbers."""
         return Sums(self.angle[which], self.total[which], self.modification[which], self.length[which])
 
@@ -139,8 +143,8 @@ def frame_of(task: Task) -> Frame:
 
 def _side(own: Wheel, mate: Wheel, thickness: float) -> Side:
     rack = own.rack
-    # the root circle must not vanish
-    lowest = max(-DEPTH * rack.addendum, rack.addendum + rack.clearance - own.reference + 0.05)
-    form = form_of(own, min(lowest, -rack.addendum))
+    # the main region lies above -h_a*; a wheel that can be free of undercut with x < 0 may have pieces far below
+    lowest = -DEPTH * rack.addendum if own.least_shift <= 0 else -rack.addendum
+    form = form_of(own, lowest)
     flat = pi / (2 * own.teeth) + float(involute(own.section.angle))
     return Side(own.reference, own.base, mate.reference, mate.base, own.least_shift, form, thickness, flat)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from tmmcalc.gears.involute.contour.form import form_curvature
 from tmmcalc.gears.involute.contour.task import Task
 from tmmcalc.gears.involute.pair import pair_of_shifts
-from tmmcalc.gears.involute.wheel import Wheel
+from tmmcalc.gears.involute.wheel import Number, Wheel
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
 
@@ -72,7 +72,7 @@ def margins(task: Task, x1: float | Values, x2: float | Values) -> Margins:
     tips = [np.asarray(tip) for tip in pair.tips]
     exists = (np.asarray(pair.angle) > 0) & (tips[0] > first.base) & (tips[1] > second.base)
 
-    def known(values: Values) -> Values:
+    def known(values: Number) -> Values:
         return np.where(exists, values, NONE)
 
     forms = [form_curvature(wheel) for wheel in (first, second)]

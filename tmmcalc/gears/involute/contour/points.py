@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.gears.involute.contour.bounds import cuts, root
 from tmmcalc.gears.involute.contour.contour import Contour
@@ -13,7 +14,7 @@ from tmmcalc.gears.involute.contour.frame import Frame, Sums
 from tmmcalc.gears.involute.contour.strength import tooth_form
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
-from tmmcalc.numerics.roots import bracketed
+from tmmcalc.numerics.roots import Indices, bracketed
 
 ZOOM = 17  # points of a round that narrows a maximum or a root
 ROUNDS = 9
@@ -78,7 +79,7 @@ def strength_split(frame: Frame, sums: Sums, low: Values, high: Values) -> tuple
     """
     one, two = frame.task.first, frame.task.second
 
-    def difference(x1: Values, which: Values) -> Values:
+    def difference(x1: Values, which: Indices) -> Values:
         some = sums.some(which)
         x2 = some.total - x1
         tips = frame.tip(0, some, x1), frame.tip(1, some, x2)
@@ -86,7 +87,7 @@ def strength_split(frame: Frame, sums: Sums, low: Values, high: Values) -> tuple
         second = tooth_form(Wheel(two.teeth, x2, two.helix, two.rack), tips[1])
         return first.factor - second.factor
 
-    x1 = bracketed(difference, low, high)
+    x1 = bracketed(difference, low, high, absolute=1e-12)
     return x1, difference(x1, np.arange(x1.size))
 
 
@@ -145,7 +146,7 @@ def deepest(contour: Contour) -> tuple[float, float, float]:
     return float(centre[0]), float(centre[1]), clear
 
 
-def _within(contour: Contour, points: Values) -> Values:
+def _within(contour: Contour, points: Values) -> NDArray[np.bool_]:
     """Whether points (n, 2) lie in the outline: between its ends on their line of constant sum."""
     region = contour.region
     total = points[:, 0] + points[:, 1]

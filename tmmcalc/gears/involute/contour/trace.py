@@ -169,10 +169,10 @@ def _components(frame: Frame, region: int, steps: list[tuple[Values, Kinds]]) ->
         return None
     rows = np.array([equations(*each.lines) for each in rough]).T
     places = np.array([(b.w, b.x1) for b in rough]).T
-    w, x1, found = polish(frame, places[0], places[1], rows, np.array(spans))
+    ws, xs, found = polish(frame, places[0], places[1], rows, np.array(spans))
     if not found:
         return None
-    exact = [Break(float(one), float(x), b.lines, b.side) for one, x, b in zip(w, x1, rough, strict=True)]
+    exact = [Break(float(one), float(x), b.lines, b.side) for one, x, b in zip(ws, xs, rough, strict=True)]
     ends = [k for k, b in enumerate(exact) if b.side == 0]
     return [sorted(exact[i : j + 1], key=lambda b: b.w) for i, j in zip(ends[::2], ends[1::2], strict=True)]
 
