@@ -46,7 +46,13 @@ def combined(parts: Sequence[tuple[Cycle, float]]) -> Cycle:
     for cycle, delay in parts:
         for name, values in zip(PARTS, _delayed(cycle, delay, on), strict=True):
             total[name] = total[name] + values
-    return Cycle(on, speed=parts[0][0].speed, error=max(cycle.error for cycle, _ in parts), **total)
+    return Cycle(
+        on,
+        *(total[name] for name in PARTS),
+        speed=parts[0][0].speed,
+        error=max(cycle.error for cycle, _ in parts),
+        balancing=sum(cycle.balancing for cycle, _ in parts),
+    )
 
 
 def _union(parts: Sequence[tuple[Cycle, float]], period: float) -> Panels:
