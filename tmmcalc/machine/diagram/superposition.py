@@ -48,7 +48,11 @@ def combined(parts: Sequence[tuple[Cycle, float]]) -> Cycle:
             total[name] = total[name] + values
     return Cycle(
         on,
-        *(total[name] for name in PARTS),
+        inertia=total["inertia"],
+        slope=total["slope"],
+        moment=total["moment"],
+        viscous=total["viscous"],
+        quadratic=total["quadratic"],
         speed=parts[0][0].speed,
         error=max(cycle.error for cycle, _ in parts),
         balancing=sum(cycle.balancing for cycle, _ in parts),
