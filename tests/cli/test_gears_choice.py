@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -66,7 +67,7 @@ def test_the_whole_chain_of_the_course(cli: Cli) -> None:
 def test_table_of_the_front(cli: Cli) -> None:
     code, out, _ = cli("gears", "compare", "gears.toml", "-q")
     assert code == 0
-    assert "best train          AI with 3 planets: 25/136/20/112 (row 3)" in out
+    assert "best train          AI with 3 planets: 25/136/20/112 (row 4)" in out
     assert "its inertia is the least, 3.1731 kg*m^2; next 3.5305 kg*m^2" in " ".join(out.split())
     heads = [line.split() for line in out.splitlines() if line.split()[:2] == ["i", "z_1"]]
     assert heads == [
@@ -89,13 +90,45 @@ def test_coefficients_with_their_sources(cli: Cli) -> None:
     assert "strong enough 11 of 11" in text
     coefficients = json.loads(cli("gears", "strength", "gears.toml", "-q", "-f", "json").out)["coefficients"]
     assert all(each["source"] for each in coefficients)
-    one = " ".join(cli("gears", "strength", "gears.toml", "-q", "--train", "3").out.split())
+    one = " ".join(cli("gears", "strength", "gears.toml", "-q", "--train", "4").out.split())
     assert "AI with 3 planets: 25/136/20/112" in one
     assert "mesh 1-2" in one
     assert f"A_H = {CASES['GT-S18']['expected']['A_H']:.4f} mm" in one
-    code, out, err = cli("gears", "strength", "gears.toml", "-q", "--train", "11")
+    code, out, err = cli("gears", "strength", "gears.toml", "-q", "--train", "12")
     assert (code, out) == (2, "")
-    assert "there is no row 11: 11 sets are sized" in err
+    assert "there is no row 12: 11 sets are sized" in err
+
+
+def test_rows_count_from_1_everywhere(cli: Cli) -> None:
+    """The row of the table, of the list, of --train and of choose is one number."""
+    for command in ("strength", "compare"):
+        listed = list(csv.DictReader(io.StringIO(cli("gears", command, "gears.toml", "-q", "-f", "csv").out)))
+        assert [row["i"] for row in listed] == [str(k) for k in range(1, 12)]
+    text = cli("gears", "strength", "gears.toml", "-q", "--rows", "11").out
+    lines = [line.split() for line in text.splitlines()]
+    shown = {cells[0]: "/".join(cells[1:5]) for cells in lines if len(cells) > 8 and "".join(cells[:5]).isdigit()}
+    assert len(shown) == 11
+    for row in ("1", "11"):
+        assert shown[row] in cli("gears", "strength", "gears.toml", "-q", "--train", row).out
+        asked = ("--set", f"criteria.choose={row}", "-q", "-f", "json")
+        best = json.loads(cli("gears", "compare", "gears.toml", *asked).out)
+        assert ("/".join(map(str, best["teeth"])), best["winner_row"]) == (shown[row], int(row))
+
+
+def test_given_sizes_are_shown_with_stresses_and_margins(cli: Cli) -> None:
+    flags = ("--set", 'strength.module=["2 mm", "3.5 mm"]', "--set", 'strength.width=["12 mm", "37 mm"]', "-q")
+    out = " ".join(cli("gears", "strength", "gears.toml", *flags, "--rows", "2").out.split())
+    for header in ("sigma_H", "sigma_HP", "margin_H", "sigma_F", "sigma_FP", "margin_F"):
+        assert f" {header} " in out
+    assert re.search(r" 1 22/118/17/97 2 \d", out)
+    assert "mm needed at this module" in out
+    listed = list(csv.DictReader(io.StringIO(cli("gears", "strength", "gears.toml", *flags, "-f", "csv").out)))
+    row = listed[3]
+    stress, permissible = float(row["sigma_H_1[Pa]"]), float(row["sigma_HP_1[Pa]"])
+    assert float(row["margin_H_1"]) == pytest.approx(1 - stress / permissible, rel=1e-12)
+    one = " ".join(cli("gears", "strength", "gears.toml", *flags, "--train", "4").out.split())
+    assert f"stage 1: {stress / 1e6:.6g} MPa, permissible {permissible / 1e6:.6g} MPa, margin" in one
+    assert "1 + beta_H psi, of the real width" in one
 
 
 def test_why_sets_are_rejected(cli: Cli) -> None:

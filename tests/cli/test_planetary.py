@@ -103,3 +103,45 @@ def test_run_and_check(cli: Cli) -> None:
     assert code == 0
     assert "\ngearing\n" in out
     assert Path("out/gearing.csv").exists()
+
+
+S20 = next(
+    case
+    for case in json.loads((Path(__file__).parents[1] / "cases" / "gear-trains.json").read_text())
+    if case["id"] == "GT-S20"
+)
+
+
+@pytest.mark.parametrize("item", range(3))
+@pytest.mark.parametrize("by_angles", [False, True])
+def test_real_teeth_of_pairs_of_planets(cli: Cli, folder: Path, item: int, by_angles: bool) -> None:
+    """GT-S20 from the command line; the second item by its mesh angles as well."""
+    given, expected = S20["inputs"]["items"][item], S20["expected"]["items"][item]
+    shape = f"t1 = {given['t1']}\nt2 = {given['t2']}\n"
+    if by_angles:
+        angles = {1: ["20 deg", "25 deg", "22 deg"]}.get(item, ["21 deg"] * 3)
+        shape = f"mesh_angles = {json.dumps(angles)}\n"
+    radial = f"[train.radial]\ny = {given['y']}\nassembly_number = {given['N']}\n{shape}"
+    train = f'[train]\nlayout = "2A-AA"\nratio = "{given["i_1H"]}"\nplanets = {given["k"]}\nz_max = 110\n'
+    (folder / "radial.toml").write_text(train + radial)
+    code, out, _ = cli(*COMMAND, "radial.toml", "-f", "json")
+    assert code == 0
+    (part,) = (value for title, value in json.loads(out).items() if "real-valued teeth" in title)
+    for key in ("Z1", "Z2", "Z3", "Z4", "denominator", "i_min_coaxial", "i_max_neighbour1", "i_bound_neighbour2"):
+        assert part[key] == pytest.approx(expected[key], abs=1e-4)
+    assert part["i_range"] == pytest.approx(expected["i_range"], abs=1e-4)
+    assert part["second_bracket"] == pytest.approx(expected["second_bracket"], abs=1e-4)
+    assert part["neighbour2_is_upper_bound"] is expected["neighbour2_is_upper_bound"]
+    assert abs(part["coaxial_residual"]) < 1e-6
+    first = [part["columns"][name][0] for name in ("y", "D", "i_min", "i_max")]
+    assert first == pytest.approx([given["y"], expected["denominator"], *expected["i_range"]], abs=1e-4)
+
+
+def test_yes_and_no_are_truths_for_programs(cli: Cli, folder: Path) -> None:
+    (folder / "several.toml").write_text('[train]\nlayout = ["AIbar", "AI"]\nratio = "7.29"\nsum_max = 90\n')
+    columns = json.loads(cli("gears", "synth", "--no-store", "-q", "several.toml", "-f", "json").out)["columns"]
+    assert {*columns["coprime"]} == {True, False}
+    assert {*columns["textbook"]} <= {True, False, ""}
+    printed = cli("gears", "synth", "--no-store", "-q", "several.toml").out
+    assert " yes " in printed or " no " in printed
+    assert "True" not in printed + cli("gears", "synth", "--no-store", "-q", "several.toml", "-f", "csv").out

@@ -9,7 +9,7 @@ import pytest
 
 from gears.criteria.worked import CASES
 from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.gears.radial import ratio_limits, real_teeth
+from tmmcalc.gears.radial import angle_ratios, ratio_limits, real_teeth, usual_assembly
 
 
 @pytest.mark.parametrize(
@@ -76,3 +76,16 @@ def test_faults() -> None:
             ratio_limits(3, **wrong)
     with pytest.raises(UsageError):
         real_teeth(5.0, 0, 30)
+
+
+def test_mesh_angles_give_the_parameters() -> None:
+    found = angle_ratios((math.radians(20), math.radians(25), math.radians(22)))
+    given = CASES["GT-S20"]["inputs"]["items"][1]
+    assert found == pytest.approx((given["t1"], given["t2"]), abs=1e-9)
+
+
+@pytest.mark.parametrize(("ratio", "planets", "least"), [(5.0, 3, 18), (3.5, 6, 17), (6.3, 4, 20)])
+def test_the_usual_number_of_assembly_is_the_least(ratio: float, planets: int, least: int) -> None:
+    number = usual_assembly(ratio, planets, least)
+    assert real_teeth(ratio, planets, number).z1 >= least - 1e-6
+    assert real_teeth(ratio, planets, number - 1).z1 < least

@@ -36,6 +36,7 @@ FAULTS = [
     (f"{WHOLE}objectives = []\n", "criteria.objectives", "empty list", "one value"),
     (f'{WHOLE}choose = "sice"\n', "criteria.choose", "does not say which train", 'did you mean "size"?'),
     (f"{WHOLE}choose = -1\n", "criteria.choose", "-1 does not say which train", "rows of criteria.csv"),
+    (f"{WHOLE}choose = 0\n", "criteria.choose", "0 does not say which train", "from 1"),
     (f"{WHOLE}choose = true\n", "criteria.choose", "does not say which train", "criteria.csv"),
     (f"{WHOLE}weights = {{ mas = 1 }}\n", "criteria.weights.mas", "unknown key", '"mass"'),
     (f"{WHOLE}weights = {{ mass = -1 }}\n", "criteria.weights.mass", "a weight is at least 0", "such as 2"),

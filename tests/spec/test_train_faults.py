@@ -14,6 +14,7 @@ from .scenes import HOSTILE, TRAIN
 Faults = Callable[[str], list[Fault]]
 
 AI = '[train]\nlayout = "AI"\n'
+RADIAL = '[train]\nlayout = "2A-AA"\nratio = 5\nradial = '
 UNFOLDED = '[train]\nlayout = "unfolded2"\nratio = "8.15"\n'
 
 # the whole spec; then the path of its one fault, a piece of its message and of its remedy
@@ -52,6 +53,16 @@ FAULTS = [
     (AI + 'ratio = 8\ntolerance = "100 %"\n', "train.tolerance", "100 % or more", "1 %"),
     (AI + 'ratio = 8\ntolerance = 8\ntolerance_kind = "absolute"\n', "train.tolerance", "as large as", "smaller"),
     (AI + 'ratio = 8\ntolerance = "1 %"\ntolerance_kind = "absolute"\n', "train.tolerance", "relative", "remove"),
+    (AI + "ratio = 8\nradial = { y = 1.2 }\n", "train.radial", "of no use to layout AI", "remove it"),
+    (RADIAL + "{ y = 0 }\n", "train.radial.y", "a ratio is above 0", "1.2"),
+    (RADIAL + '{ mesh_angles = ["20 deg", "21 deg"] }\n', "train.radial.mesh_angles", "list of 3", "22 deg"),
+    (RADIAL + '{ mesh_angles = ["20 deg", "50 deg", "20 deg"] }\n', "train.radial.mesh_angles", "10 and 44", "22 deg"),
+    (
+        RADIAL + '{ t1 = 1.1, mesh_angles = ["20 deg", "21 deg", "20 deg"] }\n',
+        "train.radial.mesh_angles",
+        "mesh_angles together with t1",
+        "remove one",
+    ),
     (AI + "ratio = 8\nplanets = 0\n", "train.planets", "between 1 and 12", "between 1 and 12"),
     (AI + "ratio = 8\nplanets = [3, 3]\n", "train.planets", "3 is named twice", "remove"),
     (AI + "ratio = 8\nz_min = 160\n", "train.z_min", "z_min = 160 leaves no number of teeth with z_max = 150", "first"),

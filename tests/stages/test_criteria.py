@@ -144,9 +144,11 @@ def test_layouts(several: Selection) -> None:
 
 def test_a_row_that_is_asked_for() -> None:
     best = chosen(AI, LOADED, "choose = 7")
-    assert (best.winner.place, best.choose) == (7, "row")
-    with pytest.raises(UsageError, match="there is no row 11: 11 trains"):
-        chosen(AI, LOADED, "choose = 11")
+    assert (best.winner.place, best.choose) == (6, "row")
+    assert chosen_columns(best)["i"][6] == 7
+    assert chosen(AI, LOADED, "choose = 11").winner.place == 10
+    with pytest.raises(UsageError, match="there is no row 12: 11 trains"):
+        chosen(AI, LOADED, "choose = 12")
 
 
 def test_the_most_efficient() -> None:

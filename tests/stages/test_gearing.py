@@ -13,6 +13,7 @@ import tmmcalc
 from tmmcalc.errors import UsageError
 from tmmcalc.gears.gearing import Gearing
 from tmmcalc.pipeline.runner import run
+from tmmcalc.report.gearing import gearing_document
 from tmmcalc.report.planetary import planetary_document
 from tmmcalc.spec import templates
 
@@ -123,16 +124,26 @@ def test_choice_of_a_synthesis() -> None:
         zip(zip(*types.table.columns[:2], strict=True), zip(*types.table.columns[2:], strict=True), strict=True)
     )
     assert rows["AIbar", "1"][:2] == pytest.approx((7.29, 6.29))
-    assert rows["AIbar", "1"][3] == rows["AI", "1"][3] == "yes"
-    assert rows["AA", "H"][3] == "no"
+    assert rows["AIbar", "1"][3] is rows["AI", "1"][3] is True
+    assert rows["AA", "H"][3] is False
     assert limits.table is not None
     assert limits.table.columns[2][1:3] == pytest.approx([13.92, 5.82], abs=0.01)
-    assert limits.table.columns[3][:3] == ["yes", "yes", "no"]
+    assert limits.table.columns[3][:3] == [True, True, False]
     z1, z2, z3 = (int(z) for z in trains.variants[0].sets.teeth[1])
     values = {key: value for fact in chosen.facts for key, value in fact.values.items()}
     assert values["i_1_H_exact"] == str(Fraction(z1 + z3, z1))
     assert values["known_speeds[rad/s]"] == {"1": 50.0, "3": 0.0}
     assert f"{z1}/{z2}/{z3}" in chosen.title
+
+
+def test_power_that_is_rounding_alone_is_nothing() -> None:
+    """A train that locks itself gives nothing out: the rest of in less lost is not printed."""
+    text = '[gearing]\nlayout = "AA"\nteeth = [99, 100, 101, 100]\nefficiency = 0.9\nspeeds = { 1 = 100 }\n'
+    for torque in (7, 10, 13, 19, 23):
+        spec = tmmcalc.parse_spec(f"{text}torques = {{ 1 = {torque} }}\n")
+        result = run(spec, target="gearing").results["gearing"]
+        facts = {fact.label: fact.text for fact in gearing_document(result, "title").facts}
+        assert ", 0 W out, " in facts["power"]
 
 
 def test_choice_beyond_the_sets() -> None:

@@ -19,6 +19,7 @@ from tmmcalc.gears.stepping import stepped
 from tmmcalc.gears.trace import found_by_textbook
 from tmmcalc.gears.train import Trains, Variant
 from tmmcalc.pipeline.runner import run
+from tmmcalc.report.pictures.gears.placed import placed
 from tmmcalc.spec.synthesis import to_train
 
 CASES: dict[str, Any] = {
@@ -48,7 +49,7 @@ def rows(found: Variant) -> list[list[int]]:
 
 
 def coprime(found: Variant) -> int:
-    return int(np.count_nonzero(set_columns(found)["coprime"] == "yes"))
+    return int(np.count_nonzero(set_columns(found)["coprime"]))
 
 
 def expected(case: str) -> dict[str, Any]:
@@ -141,6 +142,18 @@ def test_pairs_of_planets() -> None:
     (at,) = np.flatnonzero((found.sets.teeth == CASES["GT-S21"]["inputs"]["closure_example"]).all(axis=1))
     angle = case["closure_example"]["alpha_w12_deg"]
     assert set_columns(found)["alpha_max[deg]"][at] == pytest.approx(angle, abs=1e-4)
+
+
+def test_gap_of_pairs_of_planets_is_that_of_the_picture() -> None:
+    """At the operating centre distances, of all neighbours; by hand: 138 teeth raise 18 + 2 24 + 66 = 132."""
+    found = variant('layout = "2A-AA"\nratio = 5\nz_max = 80\n')
+    gaps, angles = set_columns(found)["gap[module]"], set_columns(found)["alpha_max[deg]"]
+    for row in {0, len(gaps) // 2, len(gaps) - 1, int(angles.argmax()), int(angles.argmin())}:
+        drawn = placed(found.sets, row).gap
+        assert drawn is not None
+        assert gaps[row] == pytest.approx(drawn.size, abs=1e-9)
+    (at,) = np.flatnonzero((found.sets.teeth == [18, 24, 66, 72]).all(axis=1))
+    assert gaps[at] == pytest.approx(42 * 138 / 132 * np.sqrt(0.75) - 26, abs=1e-12)
 
 
 TASKS = [

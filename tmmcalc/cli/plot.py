@@ -41,8 +41,8 @@ def command(
         typer.Option(
             CHOOSE,
             metavar="N",
-            min=0,
-            help="Train to draw: of train the set N as gears synth lists them, of criteria the row N of criteria.csv.",
+            min=1,
+            help="Train to draw, from 1: of train set N as gears synth lists them, of criteria row N of criteria.csv.",
             show_default=False,
         ),
     ] = None,

@@ -22,9 +22,9 @@ def set_columns(variant: Variant) -> dict[str, np.ndarray]:
     if sets.scheme.branched and sets.scheme.stages > 1:
         columns |= {f"mu_{stage + 1}": sets.modules[:, stage] for stage in range(sets.scheme.stages)}
     ratio, error = ratios(request, sets)
-    columns |= {request.kind: ratio, "error[%]": 100 * error, "coprime": _said(measures.coprime_meshes(sets))}
+    columns |= {request.kind: ratio, "error[%]": 100 * error, "coprime": measures.coprime_meshes(sets)}
     if variant.textbook is not None and request.method == "complete":
-        columns["textbook"] = _said(variant.textbook)
+        columns["textbook"] = variant.textbook
     columns |= dict(_of_branches(task, sets))
     if task.module is not None and len(sets):
         columns["a_12[m]"] = measures.distance(task, sets)
@@ -56,8 +56,7 @@ def _of_branches(task: TrainTask, sets: ToothSets) -> Iterator[tuple[str, np.nda
     if not sets.scheme.branched:
         return
     if sets.planets > 2 and task.demands.gap is not None:
-        # the room beyond the gap asked for; with the gap it is what a caliper would find
-        yield "gap[module]", measures.room(task, sets) + float(task.demands.gap if sets.layout != "2A-AA" else 0)
+        yield "gap[module]", measures.tip_gap(task, sets)
     if task.demands.largest_angle is not None:
         yield "alpha_max[deg]", degrees(sets.angles.max(axis=1))
     elif sets.layout in ("coaxial", "AA", "AI"):
@@ -67,13 +66,18 @@ def _of_branches(task: TrainTask, sets: ToothSets) -> Iterator[tuple[str, np.nda
         yield "assembly", number.astype(np.int64) if task.demands.assembly else number
 
 
-def _said(mask: np.ndarray) -> np.ndarray:
-    return np.where(mask, YES, NO)
+def said(columns: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """The columns with words in place of true and false."""
+    return {header: np.where(c, YES, NO) if c.dtype == np.bool_ else c for header, c in columns.items()}
 
 
-def stacked(trains: Trains) -> dict[str, np.ndarray]:
-    """The columns of all variants, one after the other; what a layout has not is blank in its rows."""
+def stacked(trains: Trains, *, words: bool = True) -> dict[str, np.ndarray]:
+    """The columns of all variants, one after the other; what a layout has not is blank in its rows.
+
+    With ``words`` it is yes and no, as in a file for people, else true and false.
+    """
     tables = [{**_named(variant), **set_columns(variant)} for variant in trains.variants if len(variant.sets)]
+    tables = [said(table) for table in tables] if words else tables
     headers = dict.fromkeys(header for table in tables for header in table)
     ordered = sorted(headers, key=lambda header: not header.startswith(("layout", "planets", "z_")))
     return {header: _column([table.get(header) for table in tables], tables) for header in ordered}
@@ -85,12 +89,13 @@ def _named(variant: Variant) -> dict[str, np.ndarray]:
 
 
 def _column(parts: list[np.ndarray | None], tables: list[dict[str, np.ndarray]]) -> np.ndarray:
-    """One column; of parts that are absent or texts it is text."""
+    """One column; where parts are absent it is text, of true and false it stays so."""
     if all(part is not None for part in parts):
         return np.concatenate([part for part in parts if part is not None])
+    kind = object if any(part is not None and part.dtype == np.bool_ for part in parts) else str
     blanks = (np.full(len(table["layout"]), "") for table in tables)
     texts = [
-        blank if part is None else np.array([str(v) for v in part.tolist()])
+        blank if part is None else part.astype(object) if kind is object else np.array([*map(str, part.tolist())])
         for part, blank in zip(parts, blanks, strict=True)
     ]
-    return np.concatenate(texts)
+    return np.concatenate([text.astype(object) for text in texts] if kind is object else texts)

@@ -12,11 +12,25 @@ article on this train; its formulas (9) and (11) hold for t2 = 1 only and are re
 
 from __future__ import annotations
 
+import math
+
 from tmmcalc.errors import NoSolutionError, UsageError
 from tmmcalc.gears.bounds import half_pitch
 from tmmcalc.records import record
 
 WHERE = "train 2A-AA"
+WITHIN = (0.8, 1.2)  # t1 and t2 that are usual
+
+
+@record
+class RadialShape:
+    """What the equations leave free: the planets to each other, the mesh angles, the number of assembly."""
+
+    y: float = 1.0  # Z3/Z2
+    t1: float = 1.0
+    t2: float = 1.0
+    assembly: int | None = None  # N = (Z1 + Z4)/k; None: the least that gives sun 1 its least teeth
+    angles: tuple[float, float, float] | None = None  # [rad] of the meshes 1-2, 2-3, 3-4, if they gave t1 and t2
 
 
 @record
@@ -48,6 +62,25 @@ class RatioLimits:
         return self.bracket < 0
 
 
+def angle_ratios(angles: tuple[float, float, float]) -> tuple[float, float]:
+    """t1 and t2 of the operating pressure angles [rad] of the meshes 1-2, 2-3, 3-4.
+
+    >>> [round(t, 12) for t in angle_ratios((0.0, math.pi / 3, 0.0))]
+    [2.0, 1.0]
+    """
+    first, between, last = map(math.cos, angles)
+    return first / between, first / last
+
+
+def usual_assembly(ratio: float, planets: int, least: int) -> int:
+    """The least N that gives sun 1 ``least`` teeth or more.
+
+    >>> usual_assembly(5, 3, 17)
+    29
+    """
+    return math.ceil(least * ratio / planets - 1e-9)
+
+
 def real_teeth(
     ratio: float, planets: int, assembly: int, *, y: float = 1.0, t1: float = 1.0, t2: float = 1.0
 ) -> RadialTeeth:
@@ -59,7 +92,7 @@ def real_teeth(
     RadialTeeth(z1=18.0, z2=27.0, z3=27.0, z4=72.0, denominator=2.0, residual=0.0)
     """
     _check(planets, y, t1, t2)
-    denominator = _denominator(y, t1, t2)
+    below = denominator(y, t1, t2)
     if ratio * t2 <= 1 + t2:
         raise NoSolutionError(
             f"i_1H = {ratio:.6g} leaves planet 2 without teeth: it has to exceed {(1 + t2) / t2:.6g}",
@@ -70,9 +103,9 @@ def real_teeth(
         )
     z1 = planets * assembly / ratio
     z4 = z1 * (ratio - 1)
-    z2 = z1 * (t2 * (ratio - 1) - 1) / denominator
+    z2 = z1 * (t2 * (ratio - 1) - 1) / below
     z3 = y * z2
-    return RadialTeeth(z1, z2, z3, z4, denominator, z1 + z2 + (z2 + z3) * t1 - (z3 + z4) * t2)
+    return RadialTeeth(z1, z2, z3, z4, below, z1 + z2 + (z2 + z3) * t1 - (z3 + z4) * t2)
 
 
 def ratio_limits(planets: int, *, y: float = 1.0, t1: float = 1.0, t2: float = 1.0) -> RatioLimits:
@@ -86,7 +119,7 @@ def ratio_limits(planets: int, *, y: float = 1.0, t1: float = 1.0, t2: float = 1
     (2.0, 14.928203)
     """
     _check(planets, y, t1, t2)
-    _denominator(y, t1, t2)
+    denominator(y, t1, t2)
     coaxial = (1 + t2) / t2
     if planets < 3:
         return RatioLimits(coaxial, None, 0.0, None, coaxial, None)
@@ -105,10 +138,11 @@ def _second(s: float, y: float, t1: float, t2: float) -> tuple[float, float]:
     return bracket, s * (1 + t1 * (1 + y) + y) - y * (1 + t2)
 
 
-def _denominator(y: float, t1: float, t2: float) -> float:
-    denominator = 1 + t1 * (1 + y) - y * t2
-    if denominator > 0:
-        return denominator
+def denominator(y: float, t1: float, t2: float) -> float:
+    """D = 1 + t1 (1 + y) - y t2; raises `NoSolutionError` where it is not positive: the train does not close."""
+    found = 1 + t1 * (1 + y) - y * t2
+    if found > 0:
+        return found
     raise NoSolutionError(
         f"y = Z3/Z2 = {y:.6g} does not close: it has to be below (1 + t1)/(t2 - t1) = {(1 + t1) / (t2 - t1):.6g}",
         where=WHERE,

@@ -12,6 +12,7 @@ import numpy as np
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.gears.layouts import Layout
 from tmmcalc.gears.model import Interval, ToothSets, TrainTask
+from tmmcalc.gears.radial import RadialShape
 from tmmcalc.gears.search.measures import block_of
 from tmmcalc.gears.search.relaxation import Relaxation, relaxations
 from tmmcalc.gears.search.search import KEPT, Synthesis, synthesise
@@ -34,6 +35,7 @@ class Request:
     method: Literal["complete", "textbook"] = "complete"
     keep: int = KEPT  # most sets that are held
     remarks: tuple[str, ...] = ()  # what is unusual about the task
+    radial: RadialShape | None = None  # of 2A-AA, if it is given
 
     @property
     def scheme(self) -> Layout:

@@ -9,7 +9,7 @@ import numpy as np
 
 from tmmcalc.gears.criteria.choice import OBJECTIVES, Reason
 from tmmcalc.gears.criteria.comparison import Comparison
-from tmmcalc.gears.selection.columns import chosen_columns, pair_columns
+from tmmcalc.gears.selection.columns import YES, chosen_columns, pair_columns
 from tmmcalc.gears.selection.pairs import SERIES
 from tmmcalc.gears.selection.results import Guide, Pairs, Selection, Weighed
 from tmmcalc.gears.selection.task import ROW, WEIGHTED
@@ -41,7 +41,8 @@ def criteria_document(result: Selection, title: str, *, rows: int = ROWS, everyt
         *(fact for guide in result.guides for fact in _guide_facts(result, guide)),
         *(() if result.pairs is None else _pair_facts(result.pairs)),
     )
-    view = plain(columns) if everything else drawn(_front_rows(result, columns, rows))
+    whole = {**columns, "front": columns["front"] == YES}
+    view = plain(whole) if everything else drawn(_front_rows(result, columns, rows))
     more = "--format csv prints all trains and columns"
     parts = () if result.pairs is None or everything else tuple(_pair_documents(result.pairs, rows))
     return Document(title, facts, tuple(_notes(result)), view, wide=True, more=more, parts=parts)
@@ -78,14 +79,14 @@ def _winner_facts(result: Selection) -> Iterator[Fact]:
     best = result.winner
     values = {
         "winner": best.name,
-        "winner_row": best.place,
+        "winner_row": best.place + 1,
         "layout": best.layout,
         "planets": best.planets,
         "teeth": list(best.teeth),
         "modules[m]": list(best.modules),
         "widths[m]": list(best.widths),
     }
-    text = f"{best.title}: {'/'.join(map(str, best.teeth))} (row {best.place})\n"
+    text = f"{best.title}: {'/'.join(map(str, best.teeth))} (row {best.place + 1})\n"
     text += f"m = {lengths(best.modules)}, b = {lengths(best.widths)}"
     yield Fact("best train", text, values)
     yield Fact("because", _because(result), {"choose": result.choose})
@@ -114,7 +115,7 @@ def _because(result: Selection) -> str:
     value = reason.runner_up_value
     second = number(value, 4) if result.choose == WEIGHTED else _value(result.choose, value)
     ties = f"; {reason.tied} more {'is' if reason.tied == 1 else 'are'} as good" if reason.tied else ""
-    return f"{text}; next {second} (row {reason.runner_up}){ties}"
+    return f"{text}; next {second} (row {reason.runner_up + 1}){ties}"
 
 
 def _extreme(key: str) -> str:
@@ -125,7 +126,7 @@ def _minimum_facts(result: Selection, columns: dict[str, np.ndarray]) -> Iterato
     for reason in result.minima:
         key = reason.criterion
         text = f"{_value(key, reason.value)}: {_train(columns, reason.winner)}{_tied(reason)}"
-        values = {f"best_{key}": reason.value, f"best_{key}_row": reason.winner}
+        values = {f"best_{key}": reason.value, f"best_{key}_row": reason.winner + 1}
         yield Fact(f"{_extreme(key)} {_called(key)}", text, values)
 
 
@@ -134,11 +135,11 @@ def _tied(reason: Reason) -> str:
 
 
 def _train(columns: dict[str, np.ndarray], row: int) -> str:
-    """Layout, planets, teeth and row of a train."""
+    """Layout, planets, teeth and row of a train; rows are shown from 1."""
     teeth = [column[row] for header, column in columns.items() if header.startswith("z_")]
     numbers = "/".join(str(z) for z in teeth if str(z))
     planets = int(columns["K"][row])
-    return f"{columns['layout'][row]}{f' K = {planets}' if planets > 1 else ''} {numbers} (row {row})"
+    return f"{columns['layout'][row]}{f' K = {planets}' if planets > 1 else ''} {numbers} (row {row + 1})"
 
 
 def _front_fact(result: Selection, rows: int) -> Fact:
@@ -146,7 +147,7 @@ def _front_fact(result: Selection, rows: int) -> Fact:
     text = f"{count} of {len(result.ranking.order)} trains by {', '.join(map(_called, result.objectives))}"
     if count > rows:
         text += f"; the first {rows} are shown"
-    return Fact("Pareto front", text, {"objectives": list(result.objectives), "front": result.front.tolist()})
+    return Fact("Pareto front", text, {"objectives": list(result.objectives), "front": (result.front + 1).tolist()})
 
 
 def _ranking_fact(result: Selection, columns: dict[str, np.ndarray]) -> Fact:
@@ -154,7 +155,7 @@ def _ranking_fact(result: Selection, columns: dict[str, np.ndarray]) -> Fact:
     ranking = result.ranking
     first = ranking.order[:BEST].tolist()
     lines = [f"{number(float(ranking.scores[row]), 4)}: {_train(columns, row)}" for row in first]
-    values = {"weights": ranking.weights, "ranking": first}
+    values = {"weights": ranking.weights, "ranking": [row + 1 for row in first]}
     return Fact("by weights", "\n".join(lines), values)
 
 

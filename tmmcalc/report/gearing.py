@@ -16,6 +16,7 @@ from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
 MORE = "--format json prints all of them"
+NOISE = 1e-10  # part of the power put in: what is below it is the rounding of the equilibrium
 LONGEST = 24  # characters of a fraction that is printed; longer ones go to programs alone
 
 
@@ -145,7 +146,9 @@ def _power_facts(result: Gearing) -> Iterator[Fact]:
     if flow is None:
         return
     lost = float(flow.losses.sum())
-    text = f"{_power(flow.power_in)} in, {_power(flow.power_in - lost)} out, {_power(lost)} lost"
+    peak = max(abs(flow.power_in), abs(lost))
+    given = (flow.power_in, flow.power_in - lost, lost)
+    text = "{} in, {} out, {} lost".format(*(_power(watts, peak) for watts in given))
     if flow.efficiency is not None and not result.ways:
         text += f"\neta = {number(flow.efficiency)}"
     values = {
@@ -164,7 +167,10 @@ def _power_facts(result: Gearing) -> Iterator[Fact]:
     yield from _sharing_facts(result)
 
 
-def _power(watts: float) -> str:
+def _power(watts: float, peak: float = 0.0) -> str:
+    """A power for people; 0 if it is noise against ``peak``."""
+    if abs(watts) < NOISE * peak:
+        watts = 0.0
     return f"{number(watts / 1000, 6)} kW" if abs(watts) >= 1e4 else f"{number(watts, 6)} W"
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from tmmcalc.report.document import Document, View
 from tmmcalc.report.numbers import column, scientific
@@ -43,7 +43,7 @@ def fitted(document: Document, width: int) -> tuple[list[Cells], int]:
 
 def _cells(view: View, k: int) -> tuple[list[str], bool]:
     """Cells of column k, and whether they are text; a word in place of a number stands among the numbers."""
-    values = view.columns[k]
+    values = [yes_or_no(v) for v in view.columns[k]]
     numbers = [v for v in values if not isinstance(v, str)]
     if not numbers or all(isinstance(v, int) for v in numbers):
         return [str(v) for v in values], len(numbers) < len(values)
@@ -52,3 +52,10 @@ def _cells(view: View, k: int) -> tuple[list[str], bool]:
     else:
         cells = iter(column(numbers, view.peaks[k] if view.peaks else 0.0))
     return [v if isinstance(v, str) else next(cells) for v in values], False
+
+
+def yes_or_no(value: Any) -> Any:
+    """A cell for people: words in place of true and false."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return value

@@ -17,6 +17,7 @@ from tmmcalc.gears.train import Request, Trains, Variant
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.gearing import gearing_document
 from tmmcalc.report.numbers import number
+from tmmcalc.report.radial import radial_document
 
 PLANETS = range(2, 9)  # of the textbook's table 4.7
 
@@ -43,6 +44,7 @@ def planetary_document(
         )
     requests = [variant.request for variant in result.variants if variant.request.scheme.planetary]
     parts = [*_type_parts(requests, power, internal, everything), *_limit_parts(requests)]
+    parts += [radial_document(request, everything) for request in requests if request.task.layout == "2A-AA"]
     parts += [_variant_part(variant, choose, speed) for variant in result.variants]
     return Document(title, parts=tuple(parts))
 
@@ -67,7 +69,7 @@ def _type_parts(requests: list[Request], power: bool, internal: bool, everything
             "i_1H": [_cell(p.i_1h, everything) for p in found],
             "U": [_cell(p.tooth_ratio, everything) for p in found],
             "eta": [_cell(p.efficiency, everything) for p in found],
-            "suits": ["yes" if p.admissible else "no" for p in found],
+            "suits": [p.admissible for p in found],
             "why": [p.remark for p in found],
         }
         text = f"{'power' if power else 'kinematic'} drive, internal wheels {'can' if internal else 'cannot'} be cut"
@@ -103,7 +105,7 @@ def _limit_parts(requests: list[Request]) -> Iterator[Document]:
         "planets": [limit.planets for limit in limits],
         "U rational": ["" if limit.rational is None else limit.rational for limit in limits],
         "U permissible": ["" if limit.permissible is None else limit.permissible for limit in limits],
-        "goes in": ["yes" if limit.permissible is None or u < limit.permissible else "no" for limit in limits],
+        "goes in": [limit.permissible is None or u < limit.permissible for limit in limits],
     }
     facts = (
         Fact("tooth ratio", f"U = {number(u, 10)}", {"U": u}),

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any, Literal, TextIO
 
 from tmmcalc.report.document import Document
+from tmmcalc.report.layout import yes_or_no
 
 Format = Literal["table", "csv", "json", "toml"]
 
@@ -67,7 +68,8 @@ def _csv(document: Document) -> str:
         writer.writerows((k, v) for k, v in _flat(_payload(document)) if k != "title")
     else:
         writer.writerow(document.table.headers)
-        writer.writerows(zip(*document.table.columns, strict=True))
+        rows = zip(*document.table.columns, strict=True)
+        writer.writerows([yes_or_no(cell) for cell in row] for row in rows)
     return buffer.getvalue()
 
 

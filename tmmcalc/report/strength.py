@@ -13,7 +13,8 @@ from tmmcalc.errors import UsageError
 from tmmcalc.gears.sizing import MOMENT, REDUCTION, Sized, Sizing
 from tmmcalc.gears.strength.coefficient import Coefficient
 from tmmcalc.gears.strength.columns import OUTCOMES, sized_columns, stacked
-from tmmcalc.gears.strength.explain import coefficients, reason, remarks
+from tmmcalc.gears.strength.explain import SPREADS, coefficients, real_width, reason, remarks
+from tmmcalc.gears.strength.results import Strength
 from tmmcalc.gears.strength.series import Outcome
 from tmmcalc.gears.strength.solve import NARROWEST, WIDEST
 from tmmcalc.report.document import Document, Fact
@@ -21,7 +22,8 @@ from tmmcalc.report.gearsizes import drawn, lengths, plain, quantity
 from tmmcalc.report.numbers import number
 
 ROWS, FEW = 20, 5  # rows of the table; of the summary of a whole run
-LAST = ("m_H", "m_F", "governs", "psi", "sigma")  # columns that stand behind modules, widths and outcome
+CHECKED = ("sigma_H", "sigma_HP", "margin_H", "sigma_F", "sigma_FP", "margin_F")  # what a check shows first
+LAST = ("m_H", "m_F", "governs", "psi", "sigma", "margin", "K_")  # columns that stand behind modules, widths, outcome
 
 WHENCE = {MOMENT: "of the moment that is given", REDUCTION: "of the largest reduced moment"}
 
@@ -33,20 +35,30 @@ def strength_summary(result: Sizing, title: str) -> Document:
 
 def strength_document(result: Sizing, title: str, *, rows: int = ROWS, everything: bool = False) -> Document:
     """Facts, notes and the first ``rows`` sets of every variant; with ``everything`` all sets in one table instead."""
-    parts = tuple(_variant_document(sized, 0 if everything else rows) for sized in result.variants)
+    before = np.cumsum([0, *(len(sized.sets) for sized in result.variants)]).tolist()
+    shown = 0 if everything else rows
+    parts = tuple(_variant_document(*each, shown) for each in zip(result.variants, before[:-1], strict=True))
     document = replace(parts[0], title=title) if len(parts) == 1 else Document(title, parts=parts)
     return replace(document, table=plain(stacked(result))) if everything else document
 
 
 def train_document(result: Sizing, title: str, row: int) -> Document:
-    """Every coefficient of one set, its outcome and what is unusual; raises `UsageError` if there is no such row."""
-    at = row
+    """Every coefficient of one set, its outcome and what is unusual; rows count from 1.
+
+    Raises `UsageError` if there is no such row.
+    """
+    count = sum(len(sized.sets) for sized in result.variants)
+    at = row - 1 if row >= 1 else count
     for sized in result.variants:
         if at < len(sized.sets):
             return _one_document(sized, f"{title}, row {row}", at)
         at -= len(sized.sets)
     raise UsageError(
-        f"there is no row {row}: {row - at} sets are sized", where="--train", value=row, remedy="see strength.csv"
+        f"there is no row {row}: {count} sets are sized",
+        where="--train",
+        value=row,
+        limit=count,
+        remedy=f"1 to {count}, as in strength.csv",
     )
 
 
@@ -58,14 +70,39 @@ def _one_document(sized: Sized, title: str, at: int) -> Document:
         Fact("outcome", reason(found, at), {"accepted": bool(found.accepted[at])}),
         Fact("modules", lengths(found.module[at].tolist()), {"modules[m]": found.module[at].tolist()}),
         Fact("face widths", lengths(found.width[at].tolist()), {"widths[m]": found.width[at].tolist()}),
+        *_stress_facts(found, at),
         *_coefficient_facts(coefficients(sized.sets, sized.task, at)),
     ]
     return Document(title, tuple(facts), tuple(f"warning: {remark}" for remark in remarks(found, at)))
 
 
-def _variant_document(sized: Sized, rows: int) -> Document:
-    facts = (_torque_fact(sized), *_count_facts(sized), *_coefficient_facts(sized.strength.coefficients))
-    view = drawn(_ordered(sized, rows)) if rows and len(sized.sets) else None
+def _stress_facts(found: Strength, at: int) -> Iterator[Fact]:
+    """Stresses of all stages beside the permissible ones, with the unused part of these."""
+    kinds = (
+        ("contact", found.contact_stress, found.permissible_contact, found.contact_margin),
+        ("bending", found.bending_stress, found.permissible_bending, found.bending_margin),
+    )
+    for kind, stress, permissible, margin in kinds:
+        lines = [
+            f"stage {k + 1}: {quantity(stress[at, k], 'Pa')}, permissible {quantity(permissible[at, k], 'Pa')}, "
+            f"margin {number(100 * margin[at, k], 4)} %"
+            for k in range(stress.shape[1])
+        ]
+        values = {
+            f"{kind}_stress[Pa]": stress[at].tolist(),
+            f"permissible_{kind}[Pa]": permissible[at].tolist(),
+            f"{kind}_margin": margin[at].tolist(),
+        }
+        yield Fact(f"{kind} stress", "\n".join(lines), values)
+
+
+def _variant_document(sized: Sized, before: int, rows: int) -> Document:
+    told = sized.strength.coefficients
+    if real_width(sized.task):  # each train has its own
+        told = tuple(each for each in told if each.symbol not in SPREADS)
+    facts = (_torque_fact(sized), *_count_facts(sized), *_coefficient_facts(told))
+    shown = _by_stages if sized.strength.checked else _ordered
+    view = drawn(shown(sized, before, rows)) if rows and len(sized.sets) else None
     more = "--format csv prints all of them"
     return Document(sized.title, facts, tuple(_notes(sized)), view, wide=True, more=more)
 
@@ -128,13 +165,31 @@ def _together(places: Sequence[str]) -> str:
     return f"{kind}s {', '.join(place.partition(' ')[2] for place in places)}"
 
 
-def _ordered(sized: Sized, rows: int) -> dict[str, np.ndarray]:
-    """The first rows, with what a reader asks for first in front."""
+def _ordered(sized: Sized, before: int, rows: int) -> dict[str, np.ndarray]:
+    """The first rows, numbered after ``before`` ones of earlier variants; what a reader asks for first in front."""
     columns = {
         header: column[:rows] for header, column in sized_columns(sized).items() if header not in ("layout", "K")
     }
     headers = sorted(columns, key=lambda header: header.startswith(LAST))
-    return {header: columns[header] for header in headers}
+    numbers = np.arange(before + 1, before + 1 + min(rows, len(sized.sets)))
+    return {"i": numbers, **{header: columns[header] for header in headers}}
+
+
+def _by_stages(sized: Sized, before: int, rows: int) -> dict[str, np.ndarray]:
+    """Stresses, permissible ones and margins of the first sets, one row a stage k: so all of them fit on a page."""
+    columns, stages = sized_columns(sized), sized.sets.scheme.stages
+    count = min(rows, len(sized.sets))
+    teeth = ["/".join(map(str, numbers)) for numbers in sized.sets.teeth[:count].tolist()]
+    shown = {
+        "i": np.repeat(np.arange(before + 1, before + 1 + count), stages),
+        "z": np.repeat(np.array(teeth), stages),
+        "k": np.tile(np.arange(1, stages + 1), count),
+    }
+    for symbol in (*CHECKED, "m", "b"):
+        unit = "" if symbol.startswith("margin") else "[Pa]" if symbol.startswith("sigma") else "[m]"
+        each = np.stack([columns[f"{symbol}_{k + 1}{unit}"][:count] for k in range(stages)], axis=1).ravel()
+        shown[f"{symbol}{unit or '[%]'}"] = each if unit else np.round(100 * each, 2)
+    return {**shown, "outcome": np.repeat(columns["outcome"][:count], stages)}
 
 
 def _notes(sized: Sized) -> Iterator[str]:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.gears.advice import CALLED, remedies, removals, why_none
-from tmmcalc.gears.columns import YES, set_columns, stacked
+from tmmcalc.gears.columns import set_columns, stacked
 from tmmcalc.gears.model import Interval
 from tmmcalc.gears.train import Request, Trains, Variant
 from tmmcalc.report.document import Document, Fact, View
@@ -40,7 +40,7 @@ def train_document(result: Trains, title: str, *, rows: int = ROWS, everything: 
     document = replace(parts[0], title=title) if len(parts) == 1 else Document(title, parts=parts)
     if not everything:
         return document
-    return replace(document, table=_view(stacked(result)))
+    return replace(document, table=_view(stacked(result, words=False)))
 
 
 def _variant_document(variant: Variant, rows: int) -> Document:
@@ -49,7 +49,7 @@ def _variant_document(variant: Variant, rows: int) -> Document:
         *_task_facts(variant.request),
         *_removal_facts(variant),
         *_set_facts(variant, rows),
-        *([] if view is None else [_legend_fact(view)]),
+        *([] if view is None else [_legend_fact(view, variant.request.task.layout)]),
     )
     more = "--format csv prints all of them"
     return Document(variant.request.title, facts, tuple(_notes(variant)), view, wide=True, more=more)
@@ -140,7 +140,7 @@ def _set_facts(variant: Variant, rows: int) -> Iterator[Fact]:
     lines = [f"{synthesis.count}"]
     for header, words in (("coprime", "with coprime meshes"), ("textbook", "found by the textbook's stepping")):
         if header in columns:
-            values[header] = int(np.count_nonzero(columns[header] == YES))
+            values[header] = int(np.count_nonzero(columns[header]))
             lines.append(f"{values[header]}{of_them} {words}")
     yield Fact("tooth sets", "\n".join(lines), values)
     if 0 < rows < held:
@@ -164,9 +164,11 @@ def _view(columns: dict[str, np.ndarray]) -> View:
     return View(list(columns), [column.tolist() for column in columns.values()])
 
 
-def _legend_fact(view: View) -> Fact:
+def _legend_fact(view: View, layout: str) -> Fact:
     """What stands in the table."""
     lines = [text for header, text in LEGEND.items() if header in view.headers]
+    if layout == "2A-AA" and "gap[module]" in view.headers:
+        lines.append("gap at the operating centre distances; tested by (8) at those of the rack, which are smaller")
     return Fact("in the table", "\n".join(["error of the ratio against the one asked for", *lines]))
 
 

@@ -22,19 +22,19 @@ class Choose(Reader):
 
     def read(self, value: object) -> str | int:
         """Return the word or the number; raise UnitError with the fault in plain words."""
-        if isinstance(value, int) and not isinstance(value, bool) and value >= 0:
+        if isinstance(value, int) and not isinstance(value, bool) and value >= 1:
             return value
         if isinstance(value, str) and value in self.WORDS:
             return value
         close = nearest(value, self.WORDS) if isinstance(value, str) else None
         guess = f'did you mean "{close}"? ' if close else ""
-        kinds = f"there are: {listing(self.WORDS)}, and the numbers of the rows of criteria.csv"
+        kinds = f"there are: {listing(self.WORDS)}, and the numbers of the rows of criteria.csv, from 1"
         raise UnitError(f"{show(value)} does not say which train is chosen", f"{guess}{kinds}")
 
     def describe(self) -> dict[str, Any]:
         """Return the JSON Schema: a word or a whole number."""
-        kinds = [{"type": "string", "enum": list(self.WORDS)}, {"type": "integer", "minimum": 0}]
-        return {"anyOf": kinds, "description": "A criterion, weighted, or the number of a row of criteria.csv."}
+        kinds = [{"type": "string", "enum": list(self.WORDS)}, {"type": "integer", "minimum": 1}]
+        return {"anyOf": kinds, "description": "A criterion, weighted, or the number of a row of criteria.csv, from 1."}
 
 
 Objectives = Annotated[list[str], OneOrMore(Known("criterion", tuple(OBJECTIVES)))]

@@ -11,6 +11,7 @@ from tmmcalc.gears.exact import around
 from tmmcalc.gears.kinds import kinds_of, to_tooth_ratio, turns_back
 from tmmcalc.gears.layouts import Layout, layout_of
 from tmmcalc.gears.model import Demands, Interval, Limits, TrainTask
+from tmmcalc.gears.radial import RadialShape, angle_ratios
 from tmmcalc.gears.strength.series import eighths
 from tmmcalc.gears.train import Request
 
@@ -70,7 +71,19 @@ def _request(table: TrainTable, layout: Layout, planets: int) -> Request:
         module=table.modules[0] if table.modules is not None else table.module,
     )
     remarks = tuple(_remarks(table, task, least))
-    return Request(task, kind, nominal, admitted, relative, table.method, table.keep, remarks)
+    return Request(task, kind, nominal, admitted, relative, table.method, table.keep, remarks, _radial(table, layout))
+
+
+def _radial(table: TrainTable, layout: Layout) -> RadialShape | None:
+    """Parameters of 2A-AA; t1 and t2 given, or of the mesh angles."""
+    given = table.radial
+    if given is None or layout.key != "2A-AA":
+        return None
+    if given.mesh_angles is None:
+        return RadialShape(given.y, given.t1, given.t2, given.assembly_number)
+    first, between, last = given.mesh_angles
+    angles = (first, between, last)
+    return RadialShape(given.y, *angle_ratios(angles), given.assembly_number, angles)
 
 
 def _nominal(table: TrainTable, layout: Layout) -> Fraction:

@@ -9,7 +9,7 @@ from pydantic import Field
 from tmmcalc.gears.layouts import LAYOUTS
 
 from .choices import Exact, Known, Listed, OneOrMore, OrFalse, Whole
-from .quantities import Angle, Quantity, Size
+from .quantities import Angle, Number, Quantity, Size
 from .table import Table
 
 TEETH = (6, 1000)  # of external wheels, the least and the most that can be asked for
@@ -35,6 +35,23 @@ StageRatio = Annotated[Fraction | Literal[False], OrFalse(Exact("the largest rat
 Band = Annotated[Fraction | Literal[False], OrFalse(Exact("a relative difference", "0.05", above=0, below=1))]
 Distances = Annotated[list[float] | Literal[False], OrFalse(Listed(_LENGTH, '["80 mm", "120 mm"]', 2))]
 Envelope = Annotated[float | Literal[False], OrFalse(_LENGTH)]
+RadialRatio = Annotated[float, Number("a ratio", "1.2", above=0, at_most=100)]
+RadialAngles = Annotated[list[float], Listed(Quantity("angle"), '["22 deg", "21 deg", "20 deg"]', 3)]
+AssemblyNumber = Annotated[int, Field(ge=1, le=RING_TEETH[1])]
+
+
+class RadialTable(Table):
+    """The train 2A-AA before its teeth are rounded: what its equations leave free."""
+
+    y: RadialRatio = Field(default=1.0, description="Teeth of planet 3 over those of planet 2.")
+    t1: RadialRatio = Field(default=1.0, description="cos a_w12/cos a_w23 of the operating pressure angles.")
+    t2: RadialRatio = Field(default=1.0, description="cos a_w12/cos a_w34 of the operating pressure angles.")
+    mesh_angles: RadialAngles | None = Field(
+        default=None, description="Or the operating pressure angles of the meshes 1-2, 2-3, 3-4 themselves."
+    )
+    assembly_number: AssemblyNumber | None = Field(
+        default=None, description="N = (Z1 + Z4)/k (default: the least with z_min teeth of sun 1 or more)."
+    )
 
 
 class ConstraintsTable(Table):
@@ -119,6 +136,9 @@ class TrainTable(Table):
     pressure_angle: Angle = Field(default=math.pi / 9, description="Pressure angle of the rack.")
     addendum: Addendum = Field(default=Fraction(1), description="Addendum of the rack, in modules.")
     module: Size | None = Field(default=None, description="Module of stage 1, for distances and sizes.")
+    radial: RadialTable | None = Field(
+        default=None, description="Parameters of the equations of 2A-AA, for its real-valued teeth and limits."
+    )
     constraints: ConstraintsTable = Field(
         default_factory=ConstraintsTable, description="What else the tooth numbers have to keep."
     )

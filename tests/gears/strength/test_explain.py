@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,8 @@ from gears.strength.scenes import sets_of, steel_40kh, task_of
 from tmmcalc.errors import UsageError
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.strength.explain import coefficients, reason, remarks
+from tmmcalc.gears.strength.hardness import Hardness
+from tmmcalc.gears.strength.material import Material
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.task import StageTask, StrengthTask, pinion_torque
 
@@ -62,6 +66,52 @@ def test_reasons_state_what_is_required_and_what_there_is() -> None:
     apart = solve_strength(sets, task_of(75.0, modules=(0.002, 0.003)))
     assert "do not stand in the proportion" in reason(apart, 0)
     assert "2, 3 mm given" in reason(apart, 0)
+
+
+def test_the_cause_of_an_overload_is_named_with_the_number_that_is_enough() -> None:
+    """The width that is asked for is enough, a millimetre less is not; a module that is too small is named itself."""
+    sets = sets_of("AI", [[22, 118, 17, 97]], planets=3)
+    required = solve_strength(sets, task_of(60.0)).required[0]
+    modules = (4e-3, 7e-3)
+    assert (required < modules).all()
+
+    def checked(first: float, given: tuple[float, float] = modules) -> str:
+        return reason(solve_strength(sets, task_of(60.0, modules=given, widths=(first, 0.2))), 0)
+
+    narrow = re.search(r"stage 1 has the width 1 mm, (\d+) mm needed at this module$", checked(0.001))
+    assert narrow is not None
+    enough = int(narrow[1]) / 1000
+    assert checked(enough) == "strong enough"
+    assert "width" in checked(enough - 0.001)
+    small = checked(0.001, (1e-3, 1.75e-3))
+    assert f"stage 1 has the module 1 mm, {1000 * required[0]:.4g} mm needed at psi_bd" in small
+
+
+def test_load_distribution_is_that_of_the_real_width() -> None:
+    sets, task = sets_of("AI", planets=3), task_of(60.0, modules=(2e-3, 3.5e-3), widths=(0.019, 0.037))
+    shown = {(c.of, c.symbol): c for c in coefficients(sets, task, 0)}
+    z = int(sets.of("1")[0])
+    psi, beta = 19 / (2 * z), shown["stage 1", "beta_H"].value
+    assert shown["stage 1", "psi"].value == pytest.approx(psi, rel=1e-13)
+    assert shown["stage 1", "K_Hbeta"].value == pytest.approx(1 + beta * psi, rel=1e-13)
+    assert shown["stage 1", "K_Hbeta"].source == "1 + beta_H psi, of the real width"
+    assert shown["stage 1", "K_Fbeta"].source == "1 + beta_F psi, of the real width"
+
+
+def test_the_wheel_that_governs_the_bending_is_shown() -> None:
+    """A wheel of a weaker material decides: its coefficients give the module, and both wheels are shown."""
+    hard = Material("carburised", Hardness(58.0, "HRC"), "18KhGT")
+    soft = Material("improved", Hardness(280.0, "HB"), "40KhN")
+    task = StrengthTask(40.0, (StageTask(hard, soft),))
+    sets = sets_of("unfolded2", [[17, 61, 18, 41]], planets=1)
+    own = {c.symbol: c for c in coefficients(sets, task, 0) if c.of == "mesh 1-2"}
+    m_F = own["A_F"].value * (own["Y_F"].value / own["Z"].value ** 2) ** (1 / 3)
+    assert solve_strength(sets, task).bending_module[0, 0] == pytest.approx(m_F, rel=1e-13)
+    assert own["Y_F"].value == pytest.approx(3.568 + 201.95 / 61**2, rel=1e-13)
+    assert "of wheel 2, which governs" in own["A_F"].source
+    assert own["Y_F of wheel 1"].value == pytest.approx(3.568 + 201.95 / 17**2, rel=1e-13)
+    assert own["sigma_FP"].value < own["sigma_FP of wheel 1"].value
+    assert "of wheel 1, which does not govern" in own["A_F of wheel 1"].source
 
 
 def test_remarks() -> None:

@@ -88,7 +88,7 @@ def test_small_planets_are_the_pinions() -> None:
 
 
 def test_wheels_that_cannot_mesh() -> None:
-    with pytest.raises(UsageError, match="set 1: the ring has 40 teeth, its planet 48"):
+    with pytest.raises(UsageError, match="set 2: the ring has 40 teeth, its planet 48"):
         mesh_loads(sets_of("AIbar", [[18, 48, 114], [18, 48, 40]]))
     with pytest.raises(UsageError, match="has 4 wheels"):
         mesh_loads(sets_of("AI", [18, 48, 114]))

@@ -282,7 +282,7 @@ class TestCriteria:
         result = order.results["criteria"]
         for choose in (None, 1):
             figure = criteria_figure(result, order.results["train"], choose)
-            place = result.winner.place if choose is None else choose
+            place = result.winner.place if choose is None else choose - 1
             sets = result.variants[result.pool.variant[place]].sets
             (table,) = [table for axes in figure.axes for table in axes.tables]
             teeth = [int(table[k + 1, 1].get_text().get_text()) for k in range(len(sets.scheme.wheels))]
@@ -291,7 +291,7 @@ class TestCriteria:
 
     def test_a_row_that_there_is_not(self, order: Order) -> None:
         result = order.results["criteria"]
-        for choose in (-1, len(result.pool)):
+        for choose in (0, len(result.pool) + 1):
             with pytest.raises(UsageError, match=f"no row {choose}"):
                 criteria_figure(result, order.results["train"], choose)
 

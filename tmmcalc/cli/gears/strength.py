@@ -30,7 +30,7 @@ def command(
     train: Annotated[
         int | None,
         typer.Option(
-            "--train", metavar="I", min=0, help="One set, by its row i: every coefficient.", show_default=False
+            "--train", metavar="I", min=1, help="One set, by its row i, from 1: every coefficient.", show_default=False
         ),
     ] = None,
     out: Out = None,

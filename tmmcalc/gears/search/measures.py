@@ -61,6 +61,25 @@ def room(task: TrainTask, sets: ToothSets) -> Values:
     return least
 
 
+def tip_gap(task: TrainTask, sets: ToothSets) -> Values:
+    """Least gap (n,) between the tips of neighbouring planets [module] at the operating centre distances.
+
+    That of 2A-AA is not what its condition (8) tests, which takes the centre distances of the rack; planets 2 and 3 of
+    neighbouring pairs count as well.
+    """
+    if sets.layout != "2A-AA":
+        return room(task, sets) + float(task.demands.gap or 0)
+    z2, z3 = sets.of("2"), sets.of("3")
+    inner, _, outer = stretches(task, block_of(sets))
+    # twice the radii of the orbits, in modules
+    near, far = (sets.of("1") + z2) * inner, (z3 + sets.of("4")) * outer
+    turn = 2 * np.pi / sets.planets
+    s, tips = np.sin(turn / 2), 2 * float(task.addendum)
+    across = np.sqrt(near**2 + far**2 - 2 * near * far * np.cos(turn)) / 2 - (z2 + z3) / 2
+    least: Values = np.minimum.reduce([near * s - z2, far * s - z3, across]) - tips
+    return least
+
+
 def ring_difference(task: TrainTask, sets: ToothSets) -> Values:
     """Least number of teeth that a ring has more than its pinion."""
     inner = [abs(sets.of(m.first) - sets.of(m.second)) for m in sets.scheme.meshes if m.internal]

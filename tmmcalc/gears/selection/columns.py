@@ -11,14 +11,14 @@ NO, YES = "no", "yes"
 
 
 def chosen_columns(result: Selection) -> dict[str, np.ndarray]:
-    """All trains of all variants, one a row: teeth, modules, widths, criteria, front, rank by the weights."""
+    """All trains, one a row: teeth, modules, widths, criteria, front, rank by the weights; i from 1."""
     columns = joined([_of_variant(each) for each in result.variants if len(each.sets)])
     count = len(result.ranking.order)
     rank = np.empty(count, np.int64)
     rank[result.ranking.order] = np.arange(1, count + 1)
     on_front = np.full(count, NO, dtype="<U3")
     on_front[result.front] = YES
-    return {"i": np.arange(count), **columns, "front": on_front, "rank": rank}
+    return {"i": np.arange(1, count + 1), **columns, "front": on_front, "rank": rank}
 
 
 def _of_variant(each: Weighed) -> dict[str, np.ndarray]:

@@ -89,15 +89,15 @@ def _at(sized: Sized, rows: np.ndarray) -> tuple[ToothSets, np.ndarray, np.ndarr
 
 def _choice(everything: Pool, ranking: Ranking, task: SelectionTask) -> tuple[str, Reason]:
     if isinstance(task.choose, int):
-        if task.choose >= len(everything):
+        if not 1 <= task.choose <= len(everything):
             raise UsageError(
                 f"there is no row {task.choose}: {len(everything)} trains are strong enough",
                 where="criteria",
                 value=task.choose,
-                limit=len(everything) - 1,
-                remedy="choose a row of criteria.csv, a criterion, or weighted",
+                limit=len(everything),
+                remedy=f"choose a row of criteria.csv, 1 to {len(everything)}, a criterion, or weighted",
             )
-        return ROW, Reason(ROW, task.choose, float(task.choose), None, None, 0)
+        return ROW, Reason(ROW, task.choose - 1, float(task.choose), None, None, 0)
     return task.choose, ranking.reason if task.choose == WEIGHTED else least(everything, task.choose)
 
 

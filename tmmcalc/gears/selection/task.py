@@ -14,7 +14,7 @@ class SelectionTask:
 
     objectives: tuple[str, ...] = ("mass", "inertia", "size")  # of front, minima and comparisons
     weights: tuple[tuple[str, float], ...] = ()  # of criteria in the ranking; empty: all objectives alike
-    choose: str | int = "inertia"  # a criterion, WEIGHTED, or the number of a row
+    choose: str | int = "inertia"  # a criterion, WEIGHTED, or the number of a row, from 1
     meshes: MeshEfficiency = MeshEfficiency()
     series: bool = False  # two trains AIbar in series are compared as well
 

@@ -3,7 +3,9 @@
 m_H m_F         modules that contact and bending ask for
 governs         which of the two decides
 m psi b         standard (or given) module, width coefficient psi*, face width
-sigma_H sigma_F stresses at this module and width
+sigma_H sigma_F stresses at this module and width; sigma_HP, sigma_FP the permissible ones, margin_H, margin_F the
+                unused part of them, negative where a stage is overloaded
+K_Hbeta K_Fbeta load distribution of these stresses
 """
 
 from __future__ import annotations
@@ -48,10 +50,16 @@ def _of_stage(sized: Sized, k: int) -> Iterator[tuple[str, np.ndarray]]:
     yield f"psi_{stage}", found.psi[:, k]
     yield f"b_{stage}[m]", found.width[:, k]
     yield f"sigma_H_{stage}[Pa]", found.contact_stress[:, k]
+    yield f"sigma_HP_{stage}[Pa]", found.permissible_contact[:, k]
+    yield f"margin_H_{stage}", found.contact_margin[:, k]
     yield f"sigma_F_{stage}[Pa]", found.bending_stress[:, k]
+    yield f"sigma_FP_{stage}[Pa]", found.permissible_bending[:, k]
+    yield f"margin_F_{stage}", found.bending_margin[:, k]
+    yield f"K_Hbeta_{stage}", found.contact_spread[:, k]
+    yield f"K_Fbeta_{stage}", found.bending_spread[:, k]
 
 
 def stacked(sizing: Sizing) -> dict[str, np.ndarray]:
-    """The columns of all variants, one after the other."""
+    """The columns of all variants, one after the other, rows numbered from 1."""
     columns = joined([sized_columns(sized) for sized in sizing.variants if len(sized.sets)])
-    return {"i": np.arange(len(columns["layout"])), **columns}
+    return {"i": np.arange(1, len(columns["layout"]) + 1), **columns}

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,9 +15,12 @@ from tmmcalc.gears.strength.demand import K_D, K_M, LEAST_TEETH, form_factors
 from tmmcalc.gears.strength.loads import MeshLoads, mesh_loads
 from tmmcalc.gears.strength.results import Strength
 from tmmcalc.gears.strength.series import Outcome
-from tmmcalc.gears.strength.solve import NARROWEST, WIDEST
+from tmmcalc.gears.strength.solve import NARROWEST, SLACK, WIDEST, solve_strength
 from tmmcalc.gears.strength.task import StrengthTask
+from tmmcalc.gears.strength.widths import PER_MM
 from tmmcalc.records import record
+
+SPREADS = ("K_Hbeta", "K_Fbeta")
 
 
 def coefficients(sets: ToothSets, task: StrengthTask, at: int) -> tuple[Coefficient, ...]:
@@ -32,7 +37,35 @@ def coefficients(sets: ToothSets, task: StrengthTask, at: int) -> tuple[Coeffici
     )
     loads = mesh_loads(one)
     meshes = (c for k in range(len(one.scheme.meshes)) for c in _mesh(one, task, basis, loads, k))
-    return (*train, *basis.coefficients, *meshes)
+    return (*train, *_of_real_width(one, task, basis.coefficients), *meshes)
+
+
+def real_width(task: StrengthTask) -> bool:
+    """Whether the stresses have the K_beta of the real width in place of that of psi_bd."""
+    return bool(task.widths) or task.iterate
+
+
+def _of_real_width(one: ToothSets, task: StrengthTask, told: tuple[Coefficient, ...]) -> Iterator[Coefficient]:
+    """K_beta as the stresses have it, with the ratio b/d_1 that it follows from."""
+    if not real_width(task):
+        yield from told
+        return
+    found = solve_strength(one, task)
+    reference = mesh_loads(one).reference
+    for each in told:
+        if each.symbol == "psi_bd":
+            k = int(each.of.removeprefix("stage ")) - 1
+            width, module, teeth = (float(values[0, k]) for values in (found.width, found.module, reference))
+            text = f"b/d_1 of the real width, {1e3 * width:g} mm / ({1e3 * module:g} mm * {teeth:g})"
+            yield replace(each, source=f"{each.source}; for the modules that are required")
+            yield Coefficient(each.of, "psi", width / (module * teeth), "-", text)
+        elif each.symbol in SPREADS:
+            k = int(each.of.removeprefix("stage ")) - 1
+            spread = found.contact_spread if each.symbol == "K_Hbeta" else found.bending_spread
+            beta = each.symbol.replace("K_", "beta_")[:6]
+            yield replace(each, value=float(spread[0, k]), source=f"1 + {beta} psi, of the real width")
+        else:
+            yield each
 
 
 def _mesh(one: ToothSets, task: StrengthTask, basis: Basis, loads: MeshLoads, k: int) -> Iterator[Coefficient]:
@@ -40,23 +73,33 @@ def _mesh(one: ToothSets, task: StrengthTask, basis: Basis, loads: MeshLoads, k:
     of = f"mesh {mesh.first}-{mesh.second}"
     stage = basis.stages[mesh.stage]
     pinion, wheel = (basis.wheels[int(columns[0, k])] for columns in (loads.pinion, loads.wheel))
-    name = one.scheme.wheels[int(loads.pinion[0, k])]
+    names = [one.scheme.wheels[int(columns[0, k])] for columns in (loads.pinion, loads.wheel)]
+    name = names[0]
     u, q = float(loads.u[0, k]), float(loads.q[0, k])
     sign = "-" if mesh.internal else "+"
     sigma_HP = min(pinion.permissible_contact, wheel.permissible_contact)
+    at_psi = ", K_beta at psi_bd" if real_width(task) else ""
     # of the mesh's own pinion, as the textbook tells them, were the width told of it
     share = task.torque / (one.planets * stage.psi_bd)
     A_H = K_D * np.cbrt(share * (1 + stage.beta_contact * stage.psi_bd) / (sigma_HP / 1e6) ** 2) / 1000
-    A_F = K_M * np.cbrt(share * (1 + stage.beta_bending * stage.psi_bd) / (pinion.permissible_bending / 1e6)) / 1000
-    form = float(form_factors(one, one.scheme)[0, loads.pinion[0, k]])
     yield Coefficient(of, "Z", float(loads.teeth[0, k]), "-", f"teeth of the pinion, wheel {name}")
     yield Coefficient(of, "u", u, "-", "teeth of the larger wheel over those of the smaller")
     yield Coefficient(of, f"(u {sign} 1)/u", float(loads.factor[0, k]), "-", "(4.38), (4.39)")
     yield Coefficient(of, "q", q, "-", "torque on the pinion over T1")
     yield Coefficient(of, "T", task.torque * q / one.planets, "N*m", f"on wheel {name} in one branch")
-    yield Coefficient(of, "Y_F", form, "-", f"3.568 + 201.95/Z^2 of wheel {name}")
-    yield Coefficient(of, "A_H", float(A_H), "m", "(4.40): K_d cbrt(T1 K_Hbeta/(K psi_bd sigma_HP^2))")
-    yield Coefficient(of, "A_F", float(A_F), "m", "(4.40): K_m cbrt(T1 K_Fbeta/(K psi_bd sigma_FP))")
+    yield Coefficient(of, "A_H", float(A_H), "m", f"(4.40): K_d cbrt(T1 K_Hbeta/(K psi_bd sigma_HP^2)){at_psi}")
+    forms = [float(form_factors(one, one.scheme)[0, columns[0, k]]) for columns in (loads.pinion, loads.wheel)]
+    limits = [pinion.permissible_bending, wheel.permissible_bending]
+    weaker = 0 if forms[0] / limits[0] >= forms[1] / limits[1] else 1
+    for own in (weaker, 1 - weaker):
+        symbol = "" if own == weaker else f" of wheel {names[own]}"
+        which = f"wheel {names[own]}, which {'governs' if own == weaker else 'does not govern'} the bending"
+        kind = "3.568 as of a rack" if names[own] in one.scheme.rings else "3.568 + 201.95/Z^2"
+        A_F = K_M * np.cbrt(share * (1 + stage.beta_bending * stage.psi_bd) / (limits[own] / 1e6)) / 1000
+        yield Coefficient(of, f"Y_F{symbol}", forms[own], "-", f"{kind}, of {which}")
+        yield Coefficient(of, f"sigma_FP{symbol}", limits[own], "Pa", f"of {which}")
+        text = f"(4.40): K_m cbrt(T1 K_Fbeta/(K psi_bd sigma_FP)), of {which}{at_psi}"
+        yield Coefficient(of, f"A_F{symbol}", float(A_F), "m", text)
 
 
 @record
@@ -77,6 +120,8 @@ def reason(result: Strength, at: int) -> str:
     if outcome is Outcome.ACCEPTED:
         return text
     required, there = (_in_mm(values[at]) for values in (result.required, result.module))
+    if outcome is Outcome.OVERLOADED and result.checked:
+        return f"{text.format(stages=_stages_overloaded(result, at))}: {'; '.join(_causes(result, at))}"
     if outcome is Outcome.OVERLOADED:
         stages = _stages_overloaded(result, at)
         return f"{text.format(stages=stages)}: {required} required, {there} there"
@@ -92,11 +137,35 @@ _REASONS = {
 }
 
 
-def _stages_overloaded(result: Strength, at: int) -> str:
-    over = np.minimum(result.contact_margin[at], result.bending_margin[at]) < -1e-9
+def _causes(result: Strength, at: int) -> Iterator[str]:
+    """What is too small in every overloaded stage: the width, if the module is enough at psi_bd; else the module.
+
+    The share s of the permissible value goes as K_beta/b with K_beta = 1 + beta b/d_1, so it is 1 at the width
+    b s/(K_beta - s (K_beta - 1)).
+    """
+    psi_bd = [each.value for each in result.coefficients if each.symbol == "psi_bd"]
+    for k in _overloaded(result, at):
+        module, required, width = (float(v[at, k]) for v in (result.module, result.required, result.width))
+        if required > module * (1 + SLACK):
+            usual = f"{1000 * required:.4g} mm needed at psi_bd = {psi_bd[k]:.4g}"
+            yield f"stage {k + 1} has the module {1000 * module:.4g} mm, {usual}"
+            continue
+        contact = (1 - float(result.contact_margin[at, k])) ** 2, float(result.contact_spread[at, k])
+        bending = 1 - float(result.bending_margin[at, k]), float(result.bending_spread[at, k])
+        needed = max(width * share / (K - share * (K - 1)) for share, K in (contact, bending))
+        whole = math.ceil(needed * PER_MM * (1 - SLACK))
+        yield f"stage {k + 1} has the width {1000 * width:.4g} mm, {whole} mm needed at this module"
+
+
+def _overloaded(result: Strength, at: int) -> list[int]:
+    over = np.minimum(result.contact_margin[at], result.bending_margin[at]) < -SLACK
     if not result.checked:
         over = result.module[at] < result.required[at]
-    return " and ".join(f"stage {k + 1}" for k in np.flatnonzero(over))
+    return [int(k) for k in np.flatnonzero(over)]
+
+
+def _stages_overloaded(result: Strength, at: int) -> str:
+    return " and ".join(f"stage {k + 1}" for k in _overloaded(result, at))
 
 
 def _in_mm(modules: np.ndarray) -> str:

@@ -79,7 +79,7 @@ def _check_rings(layout: Layout, z1: Values, z2: Values) -> None:
         if wrong.size:
             at = int(wrong[0])
             raise UsageError(
-                f"set {at}: the ring has {ring[at, k]:g} teeth, its planet {planet[at, k]:g}",
+                f"set {at + 1}: the ring has {ring[at, k]:g} teeth, its planet {planet[at, k]:g}",
                 where=f"strength, mesh {mesh.first}-{mesh.second}",
                 value=ring[at, k],
                 limit=planet[at, k],
@@ -107,7 +107,7 @@ def _on_first_of_three(sets: ToothSets) -> Values:
     wrong = np.flatnonzero(difference == 0)
     if wrong.size:
         raise UsageError(
-            f"set {int(wrong[0])}: wheel 4 stands still, for Z2 Z4 = Z3 Z2'",
+            f"set {int(wrong[0]) + 1}: wheel 4 stands still, for Z2 Z4 = Z3 Z2'",
             where="strength",
             remedy="leave it out",
         )

@@ -149,7 +149,7 @@ def draw_train(result: Trains, file: Path, *, choose: int = 1) -> None:
 def draw_criteria(result: Selection, trains: Trains, file: Path, *, choose: int | None = None) -> None:
     """Draw the Pareto diagram, pairs of further criteria, and to scale the winner or another train.
 
-    ``choose`` is a row of the stage's table, from 0. Raises `UsageError` for a row that there is not.
+    ``choose`` is a row of the stage's table, from 1. Raises `UsageError` for a row that there is not.
     """
     form = _form(file)
     _check_matplotlib()

@@ -17,7 +17,7 @@ from .outline import Outline, Raw, is_integer, subtable, word
 from .values import amount, amounts, check_bare_speed
 
 _NUMBER, _TOLERANCE = Exact("a number", "1"), Exact("a tolerance", "1 %", percent=True)
-STEEPEST = math.radians(44)  # of an operating pressure angle
+FLATTEST, STEEPEST = math.radians(10), math.radians(44)  # of operating pressure angles
 _PROGRAMS = ("unfolded2", "unfolded3", "coaxial", "AIbar", "AA", "AI")
 
 
@@ -38,6 +38,7 @@ _USES: dict[str, tuple[Callable[[Layout], bool], str]] = {
     "z_pinion_max": (_unfolded, "only an unfolded train limits its pinions"),
     "ring_min": (lambda layout: bool(layout.rings), "it has no internal wheels"),
     "ring_max": (lambda layout: bool(layout.rings), "it has no internal wheels"),
+    "radial": (lambda layout: layout.key == "2A-AA", "its parameters are those of pairs of planets"),
     "constraints.mesh_angle_max": (lambda layout: layout.branched, "it has no common axis"),
     "constraints.assembly": (lambda layout: layout.branched, "it has neither planets nor parallel layshafts"),
     "constraints.adjacency_gap": (lambda layout: layout.branched, "it has neither planets nor parallel layshafts"),
@@ -247,4 +248,19 @@ def check_angles(outline: Outline) -> Iterator[Finding]:
         yield Finding(("train", "constraints", "mesh_angle_max"), rule, 'write "26 deg", for example')
 
 
-CHECKS = (check_keys, check_ratio, check_tolerance, check_limits, check_modules, check_angles)
+def check_radial(outline: Outline) -> Iterator[Finding]:
+    """t1 and t2 of 2A-AA are given in one way; mesh angles are those of gears."""
+    radial = subtable(_train(outline), "radial")
+    if "mesh_angles" not in radial:
+        return
+    path = ("train", "radial", "mesh_angles")
+    both = [key for key in ("t1", "t2") if key in radial]
+    if both:
+        yield Finding(path, f"mesh_angles together with {' and '.join(both)}: they give them", "remove one of them")
+    angles = amounts(radial["mesh_angles"], "angle") or []
+    if any(not FLATTEST <= angle <= STEEPEST for angle in angles if angle is not None):
+        rule = f"{show(radial['mesh_angles'])}: an operating pressure angle is between 10 and 44 deg"
+        yield Finding(path, rule, 'write ["22 deg", "21 deg", "20 deg"], for example')
+
+
+CHECKS = (check_keys, check_ratio, check_tolerance, check_limits, check_modules, check_angles, check_radial)

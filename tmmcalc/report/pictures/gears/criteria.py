@@ -23,19 +23,19 @@ USUAL = 3  # objectives that the first diagram shows together: mass, inertia, si
 
 
 def criteria_figure(result: Selection, trains: Trains, choose: int | None = None) -> Figure:
-    """The winner's sheets, or those of row ``choose`` of the stage's table, from 0.
+    """The winner's sheets, or those of row ``choose`` of the stage's table, from 1.
 
     Raises `UsageError` for a row that there is not.
     """
     count = len(result.pool)
-    place = result.winner.place if choose is None else choose
+    place = result.winner.place if choose is None else choose - 1
     if not 0 <= place < count:
         raise UsageError(
-            f"there is no row {place} of criteria.csv",
+            f"there is no row {place + 1} of criteria.csv",
             where="plot",
-            value=place,
-            limit=count - 1,
-            remedy=f"0 to {count - 1}",
+            value=place + 1,
+            limit=count,
+            remedy=f"1 to {count}",
         )
     more = len(result.objectives) > USUAL or bool(set(result.objectives) - {"mass", "inertia", "size"})
     paired = more and len(result.objectives) > 1
@@ -55,7 +55,7 @@ def _heading(result: Selection, place: int) -> str:
     reason = result.reason
     first = f"{len(result.pool)} trains strong enough; {len(result.front)} of them on the Pareto front"
     if place != result.winner.place:
-        return f"{first}\nrow {place} is drawn; chosen is row {result.winner.place}, {result.winner.name}"
+        return f"{first}\nrow {place + 1} is drawn; chosen is row {result.winner.place + 1}, {result.winner.name}"
     if reason.criterion not in CRITERIA:
         return f"{first}\nchosen by {reason.criterion}: {result.winner.name}"
     _, factor, unit = CRITERIA[reason.criterion]
