@@ -57,9 +57,36 @@ def test_an_engine() -> None:
     np.testing.assert_allclose(eta[known], 1 / (1 + F * slope(result))[known], rtol=1e-12)
 
 
-def test_a_load_that_helps_a_working_machine_has_no_efficiency() -> None:
-    """The same force both ways gives back what it takes, and the friction makes it a working machine."""
+def test_an_engine_that_drives_a_load() -> None:
+    """What the load takes is useful too: with nothing rubbing all of the power is, however little is left over."""
+    mechanism = with_grid(with_input(full_turn(crank_slider(R, L)), speed=3.0), positions=24)
+    loads = (
+        Load("gas", 3, "force", Constant(-Q), window=Window(angles=BACK)),
+        Load("generator", 1, "moment", Constant(-25.0)),
+    )
+    result = solve_reduction(mechanism, Loading(loads=loads), solve_kinematics(mechanism))
+    eta, known = efficiency(result)
+    np.testing.assert_array_equal(known, np.sin(result.phi) > 1e-9)
+    np.testing.assert_allclose(eta[known], 1.0, rtol=1e-12)
+
+
+def test_a_force_that_gives_back_what_it_takes_drives_and_is_driven() -> None:
+    """It puts more work in than the drive that makes up for the friction: by the rule of the cycle an engine."""
     result = reduced(F, OUT, BACK)
+    eta, known = efficiency(result)
+    np.testing.assert_array_equal(known, np.sin(result.phi) > 1e-9)
+    np.testing.assert_allclose(eta[known], 1 / (1 + F * slope(result))[known], rtol=1e-12)
+
+
+def test_a_load_that_helps_a_working_machine_has_no_efficiency() -> None:
+    """A weaker force on the way back than on the way out helps the drive, and nothing useful is done there."""
+    mechanism = with_grid(with_input(full_turn(crank_slider(R, L)), speed=3.0), positions=24)
+    loads = tuple(
+        Load(name, 3, "force", Constant(-size), window=Window(angles=window))
+        for name, size, window in (("Q", Q, OUT), ("help", Q / 4, BACK))
+    )
+    pairs = (Pair("B0", F),)
+    result = solve_reduction(mechanism, Loading(loads=loads, pairs=pairs), solve_kinematics(mechanism))
     _, known = efficiency(result)
     np.testing.assert_array_equal(known, np.sin(result.phi) < -1e-9)
 

@@ -1,7 +1,8 @@
 """Instant efficiency: what part of the power at one position is useful (textbook 3.36, 3.37 with power for work).
 
-Of a working machine N_c/(N_c + N_F) while its loads resist, of an engine (N_d + N_F)/N_d while its loads drive and
-overcome friction. Elsewhere nothing useful is done and there is no efficiency: at dead centres, on an idle stroke,
+Useful is the power against resisting loads and what is left over; put in is that of driving loads and what a drive has
+to add. Of a working machine it is N_c/(N_c + N_F) while loads resist, of an engine (N_d + N_F)/N_d while loads drive
+and overcome friction. Elsewhere nothing useful is done and there is no efficiency: at dead centres, on an idle stroke,
 where a load of a working machine helps the drive. Weights, springs and inertia give back over a cycle what they take.
 """
 
@@ -23,17 +24,26 @@ Flags = NDArray[np.bool_]
 
 def efficiency(result: Reduction) -> tuple[Real, Flags]:
     """Instant efficiency (n,), from 0 to 1, and where there is one (n,); 0 where there is none."""
-    loads, losses = _power(result, ("load",)), _power(result, LOSSES)
-    engine = math.fsum(c.work for c in result.contributions if c.kind == "load" or c.kind in LOSSES) > 0
-    useful, spent = (loads + losses, loads) if engine else (-loads, -loads - losses)
-    known = (useful > NOTHING * _largest(result, ("load",))) & (spent > 0)
+    loads, losses = _powers(result, ("load",)), _powers(result, LOSSES).sum(axis=0)
+    driving, resisting = np.maximum(loads, 0.0).sum(axis=0), np.minimum(loads, 0.0).sum(axis=0)
+    total = driving + resisting + losses
+    useful, spent = np.maximum(total, 0.0) - resisting, np.maximum(-total, 0.0) + driving
+    own = driving if _is_engine(result) else -resisting
+    known = (own > NOTHING * _largest(result, ("load",))) & (useful > NOTHING * spent)
     return np.where(known, useful / np.where(known, spent, 1.0), 0.0), known
 
 
-def _power(result: Reduction, kinds: tuple[str, ...]) -> Real:
-    """Power (n,) of all causes of these kinds along the motion [W]."""
+def _is_engine(result: Reduction) -> bool:
+    """Whether the driving loads put more work into a cycle than a drive that gives what is lacking."""
+    loads = [c.work for c in result.contributions if c.kind == "load"]
+    total = math.fsum((*loads, *(c.work for c in result.contributions if c.kind in LOSSES)))
+    return math.fsum(work for work in loads if work > 0) > max(-total, 0.0)
+
+
+def _powers(result: Reduction, kinds: tuple[str, ...]) -> Real:
+    """Powers (causes, n) of all causes of these kinds along the motion [W]."""
     rows = [k for k, contribution in enumerate(result.contributions) if contribution.kind in kinds]
-    return np.asarray(result.moment[rows].sum(axis=0) * result.speed)
+    return np.asarray(result.moment[rows] * result.speed)
 
 
 def _largest(result: Reduction, kinds: tuple[str, ...]) -> float:
