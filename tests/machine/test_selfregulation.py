@@ -149,6 +149,10 @@ drive = "none"
 inertia = 0.5
 [flywheel]
 delta = 0.01
+[[transients]]
+from = "steady"
+motor = "off"
+duration = "3 s"
 """
 
 
@@ -168,6 +172,12 @@ def test_the_flywheel_of_a_machine_without_drive_is_the_true_one(whole: Any) -> 
     needed = flywheel_document(whole["flywheel"], "t")
     assert "under its loads at" in next(fact.text for fact in needed.facts if fact.label == "flywheel needed")
     assert not any("motor" in fact.text for fact in needed.facts if fact.label != "or on the motor shaft")
+
+
+def test_a_motion_in_time_begun_in_it_repeats_it(whole: Any) -> None:
+    regime, motion = whole["motion"].regime, whole["transient"].motions[0]
+    turned = np.mod(motion.theta[-1], TURN)
+    np.testing.assert_allclose(motion.omega[-1], regime.omega_at(turned), rtol=1e-6)
 
 
 def test_the_work_of_a_cycle_is_zero(whole: Any) -> None:

@@ -89,6 +89,7 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
         shafts=shafts,
         wheel_at_motor=wheel is not None and wheel.shaft == "motor",
         back=partial(back_of, linkage, reduction) if rubs else None,
+        undriven=motion.undriven and moved is None,
         notes=(POSITIONAL,) if motion.positional and moved is not None else (),
     )
     return solve_transients(machine, tasks, mean_speed(upstream, motion))

@@ -15,6 +15,7 @@ from tmmcalc.machine.model import DriveShaft, TransientTask
 from tmmcalc.machine.motors.characteristics import Characteristic
 from tmmcalc.machine.positional import positional
 from tmmcalc.machine.regime import Regime
+from tmmcalc.machine.selfregulation import self_regulated
 from tmmcalc.machine.steady import driven
 from tmmcalc.machine.transient.model import Back, Drive, Mass, ratios
 from tmmcalc.machine.transient.results import Transient
@@ -40,6 +41,7 @@ class Machine:
     shafts: tuple[DriveShaft, ...] = ()
     wheel_at_motor: bool = False  # the flywheel turns with the motor
     back: Back | None = None  # both cycles with the friction of the crank turning back, if pairs rub
+    undriven: bool = False  # the steady motion is that of the loads alone
     notes: tuple[str, ...] = ()  # on what the drive takes of the project
 
 
@@ -78,6 +80,8 @@ def drive_of(machine: Machine) -> tuple[Drive, tuple[str, ...]]:
 
 def _steady(machine: Machine, speed: float) -> Regime:
     """The steady motion, the drive taken as rigid."""
+    if machine.undriven:
+        return self_regulated(machine.cycle, machine.inertia.total)
     if machine.reduced is None:
         return positional(machine.cycle, machine.inertia.total, speed)
     return driven(machine.cycle, machine.inertia.total, machine.reduced, time_constant=machine.time_constant)
