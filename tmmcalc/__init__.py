@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     )
     from tmmcalc.gears.gearing import Gearing
     from tmmcalc.gears.model import Demands, Interval, Limits, ToothSets, TrainTask
-    from tmmcalc.gears.network.builder import Train, network_of
+    from tmmcalc.gears.network.builder import Train, efficiency_of, flow_of, network_of, ratio_of
     from tmmcalc.gears.network.efficiency import DriveEfficiency
     from tmmcalc.gears.network.model import Mesh, Network
     from tmmcalc.gears.search.search import Synthesis, synthesise
@@ -150,9 +150,12 @@ __all__ = [
     "Viscous",
     "Window",
     "__version__",
+    "efficiency_of",
+    "flow_of",
     "load_spec",
     "network_of",
     "parse_spec",
+    "ratio_of",
     "run",
     "solve_balance",
     "solve_criteria",
@@ -181,10 +184,7 @@ _HOMES = {
         "ToothSets",
         "TrainTask",
     ),
-    "tmmcalc.gears.network.builder": (
-        "Train",
-        "network_of",
-    ),
+    "tmmcalc.gears.network.builder": ("Train", "efficiency_of", "flow_of", "network_of", "ratio_of"),
     "tmmcalc.gears.network.efficiency": ("DriveEfficiency",),
     "tmmcalc.gears.network.model": (
         "Mesh",

@@ -10,7 +10,7 @@ import pytest
 from gears.criteria.worked import TEETH, lengths, sets
 from tmmcalc.errors import NoSolutionError, UsageError
 from tmmcalc.gears.criteria.choice import OBJECTIVES, costs, front, least, minima, ranked
-from tmmcalc.gears.criteria.comparison import compare, most_planets_best
+from tmmcalc.gears.criteria.comparison import compare
 from tmmcalc.gears.criteria.evaluate import Basis, Criteria, evaluate, ratio_error
 from tmmcalc.gears.model import Values
 
@@ -84,8 +84,6 @@ def test_numbers_of_planets() -> None:
     assert (found.winner, found.value, found.runner_up, found.runner_up_value) == (3, 3.0, 2, 4.0)
     assert [(best.option, best.count, best.index) for best in found.options] == [(2, 2, 1), (3, 3, 0), (4, 0, None)]
     assert found.options[1].values["mass"] == 3.0
-    assert most_planets_best(options, ["mass"]) == {"mass": True}
-    assert most_planets_best({2: variants([1.0]), 3: variants([2.0])}, ["mass"]) == {"mass": False}
     with pytest.raises(NoSolutionError):
         compare({"none": variants([])}, "mass")
 

@@ -5,7 +5,7 @@ Every option is a list of variants with their criteria; each is represented by i
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import TypeVar
 
 from tmmcalc.errors import NoSolutionError
@@ -56,12 +56,6 @@ def compare(options: Mapping[Option, Measured], criterion: str) -> Comparison:
         None if second is None else second.option,
         None if second is None else second.values[criterion],
     )
-
-
-def most_planets_best(by_planets: Mapping[int, Measured], objectives: Sequence[str]) -> dict[str, bool]:
-    """By criterion, whether the largest number of planets that has a variant is the best, as the course expects."""
-    able = [planets for planets, measured in by_planets.items() if len(measured.mass)]
-    return {key: compare(by_planets, key).winner == max(able, default=0) for key in objectives}
 
 
 def _best(option: int | str, measured: Measured, criterion: str) -> Best:
