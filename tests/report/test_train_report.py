@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 import tmmcalc
 from tmmcalc.pipeline.runner import run
 from tmmcalc.report.document import Document
@@ -56,3 +58,20 @@ def test_the_summary_is_short() -> None:
     for part in train_summary(result, "train").parts:
         assert part.table is not None
         assert len(part.table.columns[0]) == 5
+
+
+def test_bounds_of_the_step_are_told_for_one_proportion() -> None:
+    """The textbook's worked example, GT-S07."""
+    text = '[train]\nlayout = "AI"\nratio = 22\nratio_kind = "u"\ntolerance = 0.02\nmodule_ratios = [[2, 3]]\n'
+    ((values, said),) = [(fact.values, fact.text) for fact in document(text).facts if fact.label == "step e"]
+    assert values == pytest.approx(
+        {
+            "e_min_teeth": 31.897599,
+            "e_first": 32,
+            "e_max": 166.5,
+            "e_min_neighbours": 29.290715,
+            "e_min_neighbours_textbook": 31.638835,
+        },
+        abs=1e-5,
+    )
+    assert said.startswith("from 32 to 166.5: by teeth 31.8976, by neighbours")

@@ -9,14 +9,16 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.gears.advice import CALLED, remedies, removals, why_none
+from tmmcalc.gears.bounds import step_bounds
 from tmmcalc.gears.columns import set_columns, stacked
-from tmmcalc.gears.model import Interval
+from tmmcalc.gears.model import Interval, TrainTask
 from tmmcalc.gears.train import Request, Trains, Variant
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
 ROWS, FEW = 20, 5  # rows of the table; of the summary of a whole run
 LISTED = 6  # proportions of modules that are named one by one
+STEPPED = ("coaxial", "AA", "AI")  # the textbook steps through e
 
 LEGEND = {
     "m_1:m_2": "m_1:m_2 modules of the stages",
@@ -79,6 +81,24 @@ def _task_facts(request: Request) -> Iterator[Fact]:
     yield Fact("numbers of teeth", text, values)
     if scheme.branched and scheme.stages > 1:
         yield _modules_fact(task.proportions)
+    if scheme.key in STEPPED and len(task.proportions) == 1:
+        yield _steps_fact(task)
+
+
+def _steps_fact(task: TrainTask) -> Fact:
+    """The textbook's bounds of e for the one proportion of modules; the search does not rest on them."""
+    mu1, mu2 = task.proportions[0]
+    bounds = step_bounds(task, (mu1, mu2))
+    values: dict[str, Any] = {"e_min_teeth": bounds.teeth.root, "e_first": bounds.first, "e_max": bounds.largest}
+    text = f"from {bounds.first} to {number(bounds.largest, 4)}: by teeth {number(bounds.teeth.root, 6)}"
+    if bounds.neighbours is not None and bounds.neighbours_book is not None:
+        values["e_min_neighbours"] = bounds.neighbours.root
+        values["e_min_neighbours_textbook"] = bounds.neighbours_book.root
+        own, book = (number(part.root, 6) for part in (bounds.neighbours, bounds.neighbours_book))
+        text += f", by neighbours {own} (textbook {book})"
+    if not bounds.compatible:
+        text += "\nnone is left: fewer planets, or larger wheels"
+    return Fact("step e", text, values)
 
 
 def _ratio(request: Request) -> tuple[str, dict[str, Any]]:

@@ -39,17 +39,6 @@ def tooth_ratio(sets: ToothSets) -> tuple[Integers, Integers]:
     return numerator // common, denominator // common
 
 
-def ratio_error(task: TrainTask, sets: ToothSets) -> Values:
-    """Relative deviation of the tooth ratio from the nominal one, signed; from exact integers, rounded once."""
-    numerator, denominator = tooth_ratio(sets)
-    p, q = task.nominal.numerator, task.nominal.denominator
-    if abs(p) * int(denominator.max(initial=1)) < 2**62 and q * int(abs(numerator).max(initial=1)) < 2**62:
-        error: Values = (numerator * q - p * denominator) / (p * denominator)
-        return error
-    pairs = zip(numerator.tolist(), denominator.tolist(), strict=True)
-    return np.array([float((n * q - p * d) / (p * d)) for n, d in pairs])
-
-
 def coprime_meshes(sets: ToothSets) -> np.ndarray:
     """Whether the wheels of every mesh of a set have no common factor: every tooth meets every other."""
     return np.logical_and.reduce([np.gcd(sets.of(m.first), sets.of(m.second)) == 1 for m in sets.scheme.meshes])
