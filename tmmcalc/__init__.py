@@ -43,9 +43,10 @@ if TYPE_CHECKING:
         TmmError,
         UsageError,
     )
+    from tmmcalc.gears.factors import euclid, prime_factors
     from tmmcalc.gears.gearing import Gearing
     from tmmcalc.gears.model import Demands, Interval, Limits, ToothSets, TrainTask
-    from tmmcalc.gears.network.builder import Train, efficiency_of, flow_of, network_of, ratio_of
+    from tmmcalc.gears.network.builder import Train, bevel_differential, efficiency_of, flow_of, network_of, ratio_of
     from tmmcalc.gears.network.efficiency import DriveEfficiency
     from tmmcalc.gears.network.model import Mesh, Network
     from tmmcalc.gears.search.search import Synthesis, synthesise
@@ -150,11 +151,14 @@ __all__ = [
     "Viscous",
     "Window",
     "__version__",
+    "bevel_differential",
     "efficiency_of",
+    "euclid",
     "flow_of",
     "load_spec",
     "network_of",
     "parse_spec",
+    "prime_factors",
     "ratio_of",
     "run",
     "solve_balance",
@@ -176,6 +180,7 @@ __all__ = [
 
 _HOMES = {
     "tmmcalc.api": ("run", *(name for name in __all__ if name.startswith("solve_") and name != "solve_dyad")),
+    "tmmcalc.gears.factors": ("euclid", "prime_factors"),
     "tmmcalc.gears.gearing": ("Gearing",),
     "tmmcalc.gears.model": (
         "Demands",
@@ -184,7 +189,14 @@ _HOMES = {
         "ToothSets",
         "TrainTask",
     ),
-    "tmmcalc.gears.network.builder": ("Train", "efficiency_of", "flow_of", "network_of", "ratio_of"),
+    "tmmcalc.gears.network.builder": (
+        "Train",
+        "bevel_differential",
+        "efficiency_of",
+        "flow_of",
+        "network_of",
+        "ratio_of",
+    ),
     "tmmcalc.gears.network.efficiency": ("DriveEfficiency",),
     "tmmcalc.gears.network.model": (
         "Mesh",
