@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 from bench_gears import gears
+from bench_pairs import pairs
 from random_mechanisms import build
 from timing import bar_text, median_time
 
@@ -60,7 +61,7 @@ app(["x"])
 
 def main() -> None:
     """Print all tables."""
-    missed = [*startup(), *kinematics(), *forces(), *machine(), *project(), *gears()]
+    missed = [*startup(), *kinematics(), *forces(), *machine(), *project(), *gears(), *pairs()]
     growth()
     memory()
     print(f"\n{len(missed)} bars missed{': ' if missed else ''}{'; '.join(missed)}")

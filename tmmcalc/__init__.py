@@ -19,13 +19,16 @@ if TYPE_CHECKING:
     from tmmcalc.api import (
         run,
         solve_balance,
+        solve_blocking,
         solve_criteria,
         solve_flywheel,
         solve_forces,
         solve_gearing,
         solve_kinematics,
         solve_motion,
+        solve_pairs,
         solve_power,
+        solve_profiles,
         solve_reduction,
         solve_strength,
         solve_structure,
@@ -45,6 +48,14 @@ if TYPE_CHECKING:
     )
     from tmmcalc.gears.factors import euclid, prime_factors
     from tmmcalc.gears.gearing import Gearing
+    from tmmcalc.gears.involute.internal.ring import Cutter
+    from tmmcalc.gears.involute.quality.verdicts import QualityLimits
+    from tmmcalc.gears.involute.rack import RACKS, Rack
+    from tmmcalc.gears.meshing.contours import Blocking
+    from tmmcalc.gears.meshing.profiles import Profiles
+    from tmmcalc.gears.meshing.results import MeshPair, Pairs
+    from tmmcalc.gears.meshing.solve import solve_pair
+    from tmmcalc.gears.meshing.task import PairTask
     from tmmcalc.gears.model import Demands, Interval, Limits, ToothSets, TrainTask
     from tmmcalc.gears.network.builder import Train, bevel_differential, efficiency_of, flow_of, network_of, ratio_of
     from tmmcalc.gears.network.efficiency import DriveEfficiency
@@ -87,6 +98,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "PRP",
+    "RACKS",
     "RPP",
     "RPR",
     "RRP",
@@ -95,9 +107,11 @@ __all__ = [
     "Assembly",
     "AssemblyError",
     "Balances",
+    "Blocking",
     "Body",
     "Constant",
     "Coupling",
+    "Cutter",
     "Cycle",
     "Demands",
     "DriveEfficiency",
@@ -120,16 +134,22 @@ __all__ = [
     "Loading",
     "Mechanism",
     "Mesh",
+    "MeshPair",
     "Method",
     "Motion",
     "Network",
     "NoSolutionError",
     "Output",
     "Pair",
+    "PairTask",
+    "Pairs",
     "Point",
     "Polynomial",
     "Power",
+    "Profiles",
     "Quadratic",
+    "QualityLimits",
+    "Rack",
     "Reduction",
     "Selection",
     "SingularityError",
@@ -162,6 +182,7 @@ __all__ = [
     "ratio_of",
     "run",
     "solve_balance",
+    "solve_blocking",
     "solve_criteria",
     "solve_dyad",
     "solve_flywheel",
@@ -169,7 +190,10 @@ __all__ = [
     "solve_gearing",
     "solve_kinematics",
     "solve_motion",
+    "solve_pair",
+    "solve_pairs",
     "solve_power",
+    "solve_profiles",
     "solve_reduction",
     "solve_strength",
     "solve_structure",
@@ -178,10 +202,20 @@ __all__ = [
     "synthesise",
 ]
 
+_ELSEWHERE = ("solve_dyad", "solve_pair")  # functions of one part, not of a spec
+
 _HOMES = {
-    "tmmcalc.api": ("run", *(name for name in __all__ if name.startswith("solve_") and name != "solve_dyad")),
+    "tmmcalc.api": ("run", *(name for name in __all__ if name.startswith("solve_") and name not in _ELSEWHERE)),
     "tmmcalc.gears.factors": ("euclid", "prime_factors"),
     "tmmcalc.gears.gearing": ("Gearing",),
+    "tmmcalc.gears.involute.internal.ring": ("Cutter",),
+    "tmmcalc.gears.involute.quality.verdicts": ("QualityLimits",),
+    "tmmcalc.gears.involute.rack": ("RACKS", "Rack"),
+    "tmmcalc.gears.meshing.contours": ("Blocking",),
+    "tmmcalc.gears.meshing.profiles": ("Profiles",),
+    "tmmcalc.gears.meshing.results": ("MeshPair", "Pairs"),
+    "tmmcalc.gears.meshing.solve": ("solve_pair",),
+    "tmmcalc.gears.meshing.task": ("PairTask",),
     "tmmcalc.gears.model": (
         "Demands",
         "Interval",

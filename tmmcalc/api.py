@@ -14,6 +14,9 @@ from tmmcalc.linkage.structure import solve_structure as _structure
 
 if TYPE_CHECKING:
     from tmmcalc.gears.gearing import Gearing
+    from tmmcalc.gears.meshing.contours import Blocking
+    from tmmcalc.gears.meshing.profiles import Profiles
+    from tmmcalc.gears.meshing.results import Pairs
     from tmmcalc.gears.selection.results import Selection
     from tmmcalc.gears.sizing import Sizing
     from tmmcalc.gears.train import Trains
@@ -112,6 +115,24 @@ def solve_criteria(spec: Spec) -> Selection:
 def solve_gearing(spec: Spec) -> Gearing:
     """Speeds, torques, power flow and efficiency of the train that a spec writes as members and meshes."""
     return _solved(spec, "gearing")
+
+
+def solve_pairs(spec: Spec) -> Pairs:
+    """Geometry, checks and measures of the pairs of gears of a spec, written out or those of its train.
+
+    Raises `NoSolutionError` for pairs that cannot work, with every reason and the nearest admissible shifts.
+    """
+    return _solved(spec, "pair")
+
+
+def solve_blocking(spec: Spec) -> Blocking:
+    """The blocking contours of the external pairs of a spec: all admissible shifts, and where the chosen ones stand."""
+    return _solved(spec, "blocking")
+
+
+def solve_profiles(spec: Spec) -> Profiles:
+    """Half a tooth of every wheel of the pairs of a spec; lengths in metres."""
+    return _solved(spec, "profile")
 
 
 def run(

@@ -173,3 +173,29 @@ def test_a_torque_diagram_is_accepted() -> None:
         "constants = { M0 = [] }",
     ):
         assert not accepts(schema, tomllib.loads(head + law), schema), law
+
+
+def test_pairs_are_accepted() -> None:
+    schema = json_schema()
+    text = (
+        '[pair]\nteeth = [14, 27]\nmodule = "5 mm"\nhelix_angle = "-15 deg"\nrack = "stub 20"\nx1 = 0.5\nx2 = "1/3"\n'
+        'angle_range = ["15 deg", 0.5]\nspan_teeth = [3]\npoints = 30\n[[pair.meshes]]\nmesh = "2\'-3"\n'
+        'cutter = { teeth = 20, tip_diameter = "80 mm" }\nball_diameters = ["8 mm", 0.009]\n'
+    )
+    assert accepts(schema, tomllib.loads(text), schema)
+    for old, new in [
+        ("[14, 27]", "[14, 2]"),
+        ("[14, 27]", "[14, 27, 30]"),
+        ('"5 mm"', "5"),
+        ('"-15 deg"', "-2"),
+        ('"stub 20"', '"stub"'),
+        ("x1 = 0.5", "x1 = 6"),
+        ("0.5]", "0.5, 0.6]"),
+        ("[3]", "[]"),
+        ("points = 30", "points = 1"),
+        ("mesh =", "points = 30\nmesh ="),
+        ("teeth = 20, ", ""),
+        ("0.009", "9"),
+    ]:
+        assert old in text
+        assert not accepts(schema, tomllib.loads(text.replace(old, new, 1)), schema), new

@@ -367,9 +367,9 @@ def test_a_misspelt_key_is_not_missing_as_well(faults_of: Faults) -> None:
 
 NO_SUBJECT = (
     "mechanism",
-    "missing key: a spec describes a mechanism, or else a torque diagram, an engine, a rotor or a train",
+    "missing key: a spec describes a mechanism, or else a torque diagram, an engine, a rotor or gears",
     "add [mechanism.input], [[mechanism.links]], [[mechanism.joints]]; "
-    "[torque], [engine], [rotor], [train] or [gearing]",
+    "[torque], [engine], [rotor], [train], [gearing] or [pair]",
 )
 MOTOR = '[motor]\nname = "4A132S4"\n'
 

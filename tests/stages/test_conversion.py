@@ -48,6 +48,17 @@ def test_there_and_back() -> None:
     assert back.drive.tolist() == [1.0, 2.0]
 
 
+@record
+class Asked:
+    shifts: tuple[float | None, float | None]
+    inner: Part | None
+
+
+def test_what_is_not_known_in_a_pair_comes_back_as_that() -> None:
+    record_of = to_record(Asked((None, 0.5), None))
+    assert from_record(Asked, record_of) == Asked((None, 0.5), None)
+
+
 @pytest.mark.parametrize(
     ("result", "words"),
     [

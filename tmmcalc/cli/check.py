@@ -15,6 +15,12 @@ from tmmcalc.errors import TmmError
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
 
+_FOLLOWERS = {
+    "translating": "a translating follower",
+    "oscillating": "an oscillating follower",
+    "flat": "a flat-faced follower",
+}
+
 
 def command(
     specs: Annotated[list[Path], typer.Argument(help="Project specs (TOML).", metavar="SPEC", show_default=False)],
@@ -56,6 +62,14 @@ def _held(spec: Spec) -> Iterator[str]:
         yield f"a gear train, {' or '.join(spec.train.layout)}"
     if spec.gearing is not None:
         yield f"gearing, {spec.gearing.layout or f'{len(spec.gearing.meshes)} meshes'}"
+    if spec.pair is not None:
+        yield (
+            "pairs of the train"
+            if spec.pair.of_train
+            else _count(spec.pair.meshes or [spec.pair], "pair") + " of gears"
+        )
+    if spec.cam is not None:
+        yield f"a cam with {_FOLLOWERS[spec.cam.follower]}"
 
 
 def _count(listed: Sized, noun: str) -> str:

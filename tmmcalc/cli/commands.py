@@ -14,7 +14,7 @@ COMMANDS = {
     "motion": ("tmmcalc.cli.motion", "Steady motion of the machine over the cycle."),
     "transient": ("tmmcalc.cli.transient", "Start-up, braking, run-down, load changes in time."),
     "balance": ("tmmcalc.cli.balance", "Shaking forces of linkage, engine, rotor; counterweights."),
-    "gears": ("tmmcalc.cli.gears", "Gear trains: tooth numbers within all constraints."),
+    "gears": ("tmmcalc.cli.gears", "Gears: trains, strength, pairs, blocking contours, profiles."),
     "run": ("tmmcalc.cli.run", "Run every stage that the spec has."),
     "plot": ("tmmcalc.cli.plot", "Draw the result of a stage to an svg, png or pdf file."),
 }
@@ -24,4 +24,8 @@ GEARS = {
     "planetary": ("tmmcalc.cli.gears.planetary", "Speeds, torques, power flow, efficiency of any train."),
     "strength": ("tmmcalc.cli.gears.strength", "Modules and face widths of all tooth sets."),
     "compare": ("tmmcalc.cli.gears.compare", "Mass, inertia, size, efficiency; the best train."),
+    "pair": ("tmmcalc.cli.gears.pair", "Geometry, shifts and checks of pairs of gears."),
+    "blocking": ("tmmcalc.cli.gears.blocking", "Blocking contours: all admissible shifts of a pair."),
+    "profile": ("tmmcalc.cli.gears.profile", "Tooth profiles; svg, dxf and csv files of gears."),
+    "measure": ("tmmcalc.cli.gears.measure", "Span, size over balls, chords of the teeth."),
 }

@@ -11,7 +11,7 @@ from tmmcalc.errors import UsageError
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
 
-POSITIONS, POLYGONS, CHOOSE = "--positions", "--polygons", "--choose"
+POSITIONS, POLYGONS, CHOOSE, PHASE = "--positions", "--polygons", "--choose", "--phase"
 
 
 class Order(NamedTuple):
@@ -35,6 +35,16 @@ class Order(NamedTuple):
             said = f"{self.flags[flag]!r} names {len(rows)} positions"
             raise UsageError(said, where=flag, remedy="name one of them")
         return rows[0] if rows else None
+
+    def angle(self, flag: str) -> float:
+        """The angle [rad] that a flag gives, 0 without it."""
+        from tmmcalc.spec.units import UnitError, parse
+
+        said = self.flags.get(flag)
+        try:
+            return 0.0 if said is None else parse(said, "angle")
+        except UnitError as fault:
+            raise UsageError(fault.message, where=flag, remedy=fault.remedy) from None
 
     @property
     def choice(self) -> int | None:
@@ -115,6 +125,24 @@ def _criteria(order: Order) -> None:
     draw_criteria(order.results["criteria"], order.results["train"], order.file, choose=order.choice)
 
 
+def _pair(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_pair
+
+    draw_pair(order.results["pair"], order.file, choose=order.choice, phase=order.angle(PHASE))
+
+
+def _blocking(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_blocking
+
+    draw_blocking(order.results["blocking"], order.file, choose=order.choice)
+
+
+def _profile(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_profile
+
+    draw_profile(order.results["pair"], order.file, choose=order.choice)
+
+
 DRAWINGS = {
     "kinematics": Drawing(_kinematics, (POSITIONS, POLYGONS)),
     "forces": Drawing(_forces, (POLYGONS,)),
@@ -125,6 +153,9 @@ DRAWINGS = {
     "balance": Drawing(_balance),
     "train": Drawing(_train, (CHOOSE,)),
     "criteria": Drawing(_criteria, (CHOOSE,)),
+    "pair": Drawing(_pair, (CHOOSE, PHASE)),
+    "blocking": Drawing(_blocking, (CHOOSE,)),
+    "profile": Drawing(_profile, (CHOOSE,)),
 }
 
 

@@ -36,7 +36,7 @@ def command(
     force: Annotated[bool, typer.Option("--force", help="Replace a file that exists.")] = False,
     quiet: Quiet = False,
 ) -> None:
-    """Write a commented starter spec. With -o the schema for TOML editors is written beside it.
+    """Write a commented starter spec. With -o the schema for TOML editors, and tables that it names, go beside it.
 
     Example: tmmcalc init four-bar -o my.toml
     """
@@ -55,7 +55,7 @@ def command(
     if out is None:
         put(text)
     else:
-        _write(out, text, force, quiet)
+        _write(out, text, templates.beside(template), force, quiet)
 
 
 def _listing(described: dict[str, str]) -> str:
@@ -68,17 +68,21 @@ def _listing(described: dict[str, str]) -> str:
     return "\n".join([*lines, ""])
 
 
-def _write(out: Path, text: str, force: bool, quiet: bool) -> None:
-    """Write the spec, and the schema that its first line names."""
+def _write(out: Path, text: str, tables: list[Path], force: bool, quiet: bool) -> None:
+    """Write the spec, the schema that its first line names, and the tables that it names."""
     from tmmcalc.cli.work import check_place
     from tmmcalc.pipeline.atomic import replace_file
     from tmmcalc.spec.schema import schema_text
 
     check_place(out, "init")
-    if out.exists() and not force:
-        raise UsageError(f"{out} exists", where="init", remedy="choose another name, or use --force")
     schema = out.parent / SCHEMA
-    replace_file(out, text.encode())
-    replace_file(schema, schema_text().encode())
+    copies = {out.parent / table.name: table.read_bytes() for table in tables}
+    changed = [copy for copy, content in copies.items() if copy.exists() and copy.read_bytes() != content]
+    there = [*([out] if out.exists() else []), *changed]
+    if there and not force:
+        raise UsageError(f"{there[0]} exists", where="init", remedy="choose another name, or use --force")
+    for file, content in {out: text.encode(), schema: schema_text().encode(), **copies}.items():
+        replace_file(file, content)
     if not quiet:
-        say(f"wrote {out} and {schema}; next: tmmcalc run {out}", "dim")
+        tables_too = "".join(f", with {copy}" for copy in copies)
+        say(f"wrote {out} and {schema}{tables_too}; next: tmmcalc run {out}", "dim")

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.drawings import CHOOSE, DRAWINGS, POLYGONS, POSITIONS, Order, drawing_of
+from tmmcalc.cli.drawings import CHOOSE, DRAWINGS, PHASE, POLYGONS, POSITIONS, Order, drawing_of
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Quiet, Set, SpecFile
 from tmmcalc.cli.work import Job, check_place
@@ -42,9 +42,14 @@ def command(
             CHOOSE,
             metavar="N",
             min=1,
-            help="Train to draw, from 1: of train set N as gears synth lists them, of criteria row N of criteria.csv.",
+            help="Train or pair to draw, from 1: of train set N as gears synth lists them, of criteria row N of "
+            "criteria.csv, of pair, blocking and profile pair N (default: all).",
             show_default=False,
         ),
+    ] = None,
+    phase: Annotated[
+        str | None,
+        typer.Option(PHASE, metavar="ANGLE", help="Turn of the pinion from the contact at P: '10 deg'."),
     ] = None,
     quiet: Quiet = False,
     overrides: Set = None,
@@ -58,11 +63,13 @@ def command(
     the time. balance: hodographs of the shaking force, what the schemes leave of it, an engine's force and couple.
     train: a tooth set to scale from the side and from the end, all sets by size and error, what the constraints
     removed, curves of ratio, efficiency and module ratio. criteria: inertia against mass with the Pareto front, pairs
-    of criteria, the chosen train to scale. The stage is computed afresh; no stage files are read or written.
+    of criteria, the chosen train to scale. pair: teeth in mesh with the line of action, sliding and pressure along it.
+    blocking: the blocking contour with its numbered lines and points. profile: how the rack cuts the teeth, each tooth
+    enlarged. The stage is computed afresh; no stage files are read or written.
 
     Example: tmmcalc plot my.toml kinematics -o my.svg --polygons 6
     """
-    flags = {POSITIONS: positions, POLYGONS: polygons, CHOOSE: None if choose is None else str(choose)}
+    flags = {POSITIONS: positions, POLYGONS: polygons, CHOOSE: None if choose is None else str(choose), PHASE: phase}
     drawing = drawing_of(stage, flags)
     file = out or Path(f"{spec.stem}.svg")
     check_place(file, "plot")

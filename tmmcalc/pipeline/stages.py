@@ -80,6 +80,25 @@ STAGES: dict[str, Stage] = {
             wanted=True,
         ),
         _stage(
+            "pair",
+            "geometry, checks and measures of pairs of gears",
+            uses=("criteria",),
+            spares=True,
+            wanted=True,
+        ),
+        _stage(
+            "blocking",
+            "blocking contours of the pairs: all admissible shifts",
+            needs=("pair",),
+            wanted=True,
+        ),
+        _stage(
+            "profile",
+            "tooth profiles of the wheels of all pairs",
+            needs=("pair",),
+            wanted=True,
+        ),
+        _stage(
             "power",
             "work per cycle, efficiency, power, the motor",
             needs=("reduction",),

@@ -26,6 +26,9 @@ SUMMARIES = {
     "gearing": "tmmcalc.report.gearing:gearing_summary",
     "strength": "tmmcalc.report.strength:strength_summary",
     "criteria": "tmmcalc.report.criteria:criteria_summary",
+    "pair": "tmmcalc.report.pair:pair_summary",
+    "blocking": "tmmcalc.report.blocking:blocking_summary",
+    "profile": "tmmcalc.report.profile:profile_summary",
 }
 
 

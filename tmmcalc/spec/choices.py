@@ -1,15 +1,16 @@
-"""Further field types: exact numbers, words of a known list, one value or several, a value or false."""
+"""Further field types: exact numbers, quantities within limits, known words, one value or several, or false."""
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
 from .phrases import listing, nearest, show
-from .quantities import Reader
-from .units import UnitError
+from .quantities import Quantity, Reader
+from .units import DIMENSIONS, UnitError
 
 _DECIMAL = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{1,3})?"
 _LONGEST = 60  # characters of a number: the arithmetic is exact, whatever the digits
@@ -69,6 +70,44 @@ class Exact(Reader):
 
     def _advice(self) -> str:
         return f"write a number, such as {self.example}"
+
+
+class Within(Reader):
+    """A quantity between two limits in ``unit``, both included, whose SI value is ``scale`` of it.
+
+    A bare number, which is in SI, is below ``bare``: a larger one is meant in ``unit``.
+    """
+
+    def __init__(
+        self, dimension: str, unit: str, scale: float, low: float, high: float, bare: float = math.inf
+    ) -> None:
+        self.quantity = Quantity(dimension)
+        self.unit = unit
+        self.scale = scale
+        self.ends = (low, high)
+        self.bare = bare
+
+    def read(self, value: object) -> float:
+        """Return the value in SI; raise UnitError with the fault in plain words."""
+        number = self.quantity.read(value)
+        assert isinstance(number, float)
+        low, high = self.ends
+        inside = low * self.scale <= number <= high * self.scale
+        if isinstance(value, int | float) and not (inside and number < self.bare) and low <= value <= high:
+            si = DIMENSIONS[self.quantity.dimensions[0]].si
+            or_si = f' or "{value:g} {si}"' if inside else ""
+            raise UnitError(f"{show(value)} without a unit is in {si}", f'write "{value:g} {self.unit}"{or_si}')
+        if not inside:
+            limits = f"it is between {low:g} and {high:g} {self.unit}"
+            raise UnitError(f"{show(value)} is out of range; {limits}", "write a value between them")
+        return number
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema: a number in SI within the limits, or a string of number and unit."""
+        found = self.quantity.describe()
+        low, high = (end * self.scale for end in self.ends)
+        found["anyOf"][0].update(minimum=low, maximum=min(high, self.bare))
+        return found
 
 
 class Whole(Reader):

@@ -66,6 +66,13 @@ MISSING = {
     "gearing.meshes.first_teeth": ("every wheel has its number of teeth", "add first_teeth = 18"),
     "gearing.meshes.second": ("a mesh has two members", 'add second = "planet"'),
     "gearing.meshes.second_teeth": ("every wheel has its number of teeth", "add second_teeth = 48"),
+    "pair.cutter.teeth": ("a cutter has its number of teeth", "add teeth = 20"),
+    "pair.meshes.cutter.teeth": ("a cutter has its number of teeth", "add teeth = 20"),
+    "cam.follower": ("a cam has a follower", 'add follower = "translating", "oscillating" or "flat"'),
+    "cam.stroke": ("a follower has its stroke", 'add stroke = "30 mm", or "20 deg" of an oscillating one'),
+    "cam.rise": ("the rise takes an angle of the cam", 'add rise = "60 deg"'),
+    "cam.return_angle": ("the return takes an angle of the cam", 'add return_angle = "60 deg"'),
+    "cam.elastic.stiffness": ("an elastic follower has its stiffness", 'add stiffness = "2000 N/mm"'),
 }
 
 ARRAYS_OF_TABLES = (
@@ -85,7 +92,10 @@ ARRAYS_OF_TABLES = (
     "rotor.unbalances",
     "gearing.members",
     "gearing.meshes",
+    "pair.meshes",
 )
+
+_LAWS = ("law", "rise_law", "return_law")  # of [cam]
 
 # Lists that are not points: what they hold, and an example; with brackets, the lists that are elements of a list.
 LISTS = {
@@ -122,6 +132,16 @@ LISTS = {
     "gearing.teeth": ("a list of numbers of teeth", "teeth = [22, 118, 17, 97]"),
     "gearing.locked": ("a list of pairs of members", 'locked = [["sun", "H"]]'),
     "train.modules": ("the modules of the two stages", 'modules = ["2 mm", "3.5 mm"]'),
+    **{f"cam.{key}.points": ("a list of two points or more", "points = [[0, 0], [0.5, 0.4], [1, 1]]") for key in _LAWS},
+    **{f"cam.{key}.points[]": ("a part of the phase and a displacement", "[0.5, 0.4]") for key in _LAWS},
+    **{
+        f"cam.{key}.acceleration": ("a list of two points or more", "acceleration = [[0, 1], [1, -1]]") for key in _LAWS
+    },
+    **{f"cam.{key}.acceleration[]": ("a part of the phase and an acceleration", "[0.25, 1]") for key in _LAWS},
+    **{f"cam.{key}.polynomial": ("a list of 3 to 30 coefficients", "polynomial = [0, 0, 3, -2]") for key in _LAWS},
+    "cam.loads.force_table.phi": ("a list of two angles or more", 'phi = ["0 deg", "90 deg", "270 deg"]'),
+    "cam.loads.force_table.force": ("a list of two forces or more", 'force = [0, "-150 N", 0]'),
+    "cam.loads.force_table.moment": ("a list of two moments or more", 'moment = [0, "-4 N*m", 0]'),
 }
 
 # Tables that are written in one line.
@@ -139,6 +159,9 @@ INLINE = {
     "gearing.torques": 'torques = { sun = "20 N*m" }',
     "gearing.load": 'load = { H = "150 N*m" }',
     "gearing.powers": 'powers = { sun = "4 kW" }',
+    "pair.cutter": "cutter = { teeth = 20, shift = 0.1, rounding = 0.2 }",
+    "pair.meshes.cutter": "cutter = { teeth = 20, shift = 0.1, rounding = 0.2 }",
+    "cam.loads.force_table": 'force_table = { phi = ["0 deg", "180 deg"], force = ["-150 N", 0] }',
     "transients.load_steps": 'load_steps = [{ factor = 0.5, time = "3 s" }]',
     "transients.brake": 'brake = { moment = "200 N*m", from = "2 s" }',
     "balance.counterweights": 'counterweights = [{ link = 1, radius = "60 mm" }]',

@@ -1,4 +1,4 @@
-"""Files that a spec names: CSV tables of loads and of a torque diagram, a catalogue of motors.
+"""Files that a spec names: CSV tables of loads, of a torque diagram, of laws of motion; a catalogue of motors.
 
 Their paths count from the folder of the spec. A table is two columns under a header ``name[unit]``, separated by
 commas, semicolons or tabs:
@@ -16,7 +16,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path as FilePath
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .checks.outline import Raw, subtable, tables, word
 from .findings import Finding
@@ -40,13 +40,23 @@ class _Form(NamedTuple):
 
     noun: str
     key: str
-    x: tuple[str, ...]
+    x: tuple[str, ...]  # an empty word among them: plain numbers
     values: tuple[str, ...]
     example: str
+
+    @property
+    def keys(self) -> set[str]:
+        """Keys of the table that the file stands in place of."""
+        return {self.key, *self.values} if self is not _LAW else {"points"}
 
 
 _LOAD = _Form("a load", "x", ("angle", "length"), ("force", "moment"), "write a header such as phi[deg],Q[N]")
 _TORQUE = _Form("a torque diagram", "theta", ("angle",), ("moment",), "write a header such as theta[deg],M[N*m]")
+_FORCE = _Form("a force on a cam", "phi", ("angle",), ("force", "moment"), "write a header such as phi[deg],Q[N]")
+_LAW = _Form(
+    "a law of motion", "k", ("angle", ""), ("length", "angle", ""), "write a header such as k,s or phi[deg],s[mm]"
+)
+LAW_KEYS = ("law", "rise_law", "return_law")  # of [cam]
 
 
 class Rows(NamedTuple):
@@ -71,6 +81,10 @@ class _Column(NamedTuple):
     unit: str
     dimension: str
 
+    def is_of(self, dimensions: tuple[str, ...]) -> bool:
+        """Whether it is of one of the dimensions; an unknown unit is of none."""
+        return self.dimension in dimensions and bool(self.unit) == bool(self.dimension)
+
     def read(self, cell: str) -> float:
         """Return a number of the column in SI; raise UnitError if it is none."""
         text = cell.replace("−", "-")
@@ -89,7 +103,7 @@ def read_files(data: Raw, folder: FilePath) -> tuple[list[Finding], dict[Path, R
     found: list[Finding] = []
     rows: dict[Path, Rows] = {}
     for path, table, form in _tables(data):
-        if isinstance(table.get("file"), str) and not {form.key, *form.values} & {*table}:
+        if isinstance(table.get("file"), str) and not form.keys & {*table}:
             read, faults = _read_table(table, folder, form)
             found += _findings(table["file"], faults, (*path, "file"))
             if read is not None:
@@ -104,9 +118,12 @@ def read_files(data: Raw, folder: FilePath) -> tuple[list[Finding], dict[Path, R
 
 def named_files(spec: Spec, folder: FilePath) -> list[FilePath]:
     """Return the files that a spec from this folder was read with: its tables, its catalogue."""
-    curves = [load.table for load in spec.loads]
-    names = [curve.file for curve in curves if curve is not None]
-    names.append(spec.torque.table.file if spec.torque is not None and spec.torque.table is not None else None)
+    curves: list[Any] = [load.table for load in spec.loads]
+    curves.append(spec.torque.table if spec.torque is not None else None)
+    if spec.cam is not None:
+        curves += [getattr(spec.cam, key) for key in LAW_KEYS]
+        curves.append(spec.cam.loads.force_table if spec.cam.loads is not None else None)
+    names = [curve.file for curve in curves if curve is not None and not isinstance(curve, str)]
     catalogue = spec.motor.catalogue if spec.motor is not None else None
     found = [folder / name for name in names if name is not None]
     return list(dict.fromkeys([*found, *([FilePath(catalogue)] if catalogue is not None else [])]))
@@ -116,6 +133,10 @@ def _tables(data: Raw) -> Iterator[tuple[Path, Raw, _Form]]:
     for index, load in tables(data, "loads"):
         yield ("loads", index, "table"), subtable(load, "table"), _LOAD
     yield ("torque", "table"), subtable(subtable(data, "torque"), "table"), _TORQUE
+    cam = subtable(data, "cam")
+    for key in LAW_KEYS:
+        yield ("cam", key), subtable(cam, key), _LAW
+    yield ("cam", "loads", "force_table"), subtable(subtable(cam, "loads"), "force_table"), _FORCE
 
 
 def _findings(file: str, faults: list[_FileError], path: Path) -> list[Finding]:
@@ -148,9 +169,12 @@ def _read_table(table: Raw, folder: FilePath, form: _Form) -> tuple[Rows | None,
         faults.append(_FileError(number, "fewer than two rows under the header", "write one row for each x"))
     if faults:
         return None, faults
-    at, table[y.dimension] = map(list, zip(*pairs, strict=True))
-    # an angle beyond a turn has to say that it is one; of loads x may be a length or a plain number
-    table[form.key] = [f"{angle!r} rad" for angle in at] if form is _TORQUE else at
+    if form is _LAW:
+        table["points"] = [[*pair] for pair in pairs]
+    else:
+        at, table[y.dimension] = map(list, zip(*pairs, strict=True))
+        # an angle beyond a turn has to say that it is one; of loads x may be a length or a plain number
+        table[form.key] = [f"{angle!r} rad" for angle in at] if form in (_TORQUE, _FORCE) else at
     return Rows(table["file"], [line for line, _ in body], f"1 {x.unit}" if x.unit else ""), []
 
 
@@ -193,16 +217,17 @@ def _columns(header: list[str], of: str, line: int, form: _Form) -> tuple[_Colum
     if of in _COUNTED and x.unit:
         what = _COUNTED[of]
         raise _FileError(line, f"{show(header[0])} has a unit; x are {what}", "write a name without unit, such as i")
-    if of not in _COUNTED and x.dimension not in form.x:
+    if of not in _COUNTED and not x.is_of(form.x):
         raise _not_of(header[0], form.x, line, form)
-    if y.dimension not in form.values:
+    if not y.is_of(form.values):
         raise _not_of(header[1], form.values, line, form)
     return x, y
 
 
 def _not_of(name: str, dimensions: tuple[str, ...], line: int, form: _Form) -> _FileError:
-    kinds = either(f"{dimension}s" for dimension in dimensions)
-    return _FileError(line, f"{show(name)} is not a column of {kinds} with its unit", form.example)
+    kinds = either(f"{dimension}s" for dimension in dimensions if dimension)
+    plain = ", or of numbers without one" if "" in dimensions else ""
+    return _FileError(line, f"{show(name)} is not a column of {kinds} with its unit{plain}", form.example)
 
 
 def _column(cell: str) -> _Column:

@@ -107,10 +107,13 @@ def _read_files(data: dict[str, Any], folder: FilePath) -> tuple[list[Finding], 
 
 
 def _names_files(data: dict[str, Any]) -> bool:
-    """Whether a load or the torque diagram has a file, or the motor a catalogue; what is misplaced has none."""
+    """Whether a load, the torque diagram or the cam has a file, the motor a catalogue; what is misplaced has none."""
     loads, motor = data.get("loads"), data.get("motor")
     curved = [*(loads if isinstance(loads, list) else ()), data.get("torque")]
     curves = [table.get("table") for table in curved if isinstance(table, dict)]
+    if isinstance(cam := data.get("cam"), dict):
+        held = cam.get("loads")
+        curves += [*cam.values(), held.get("force_table") if isinstance(held, dict) else None]
     return any(isinstance(curve, dict) and "file" in curve for curve in curves) or (
         isinstance(motor, dict) and "catalogue" in motor
     )

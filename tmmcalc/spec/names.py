@@ -39,6 +39,11 @@ def transient_names(names: Names) -> list[str]:
     return [name or ("transient" if i == 1 and free else f"transient {i}") for i, name in enumerate(names, 1)]
 
 
+def pair_names(names: Names) -> list[str]:
+    """Pairs by their number in the spec; a single one needs no name."""
+    return [name or f"pair {i}" for i, name in enumerate(names, 1)] if len(names) > 1 else [names[0] or ""]
+
+
 NUMBERED: dict[str, Callable[[Names], list[str]]] = {
     "springs": spring_names,
     "shafts": shaft_names,

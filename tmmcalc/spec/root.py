@@ -13,6 +13,7 @@ from .table import Table
 
 if TYPE_CHECKING:
     from .balance import BalanceTable
+    from .cam import CamTable
     from .criteria import CriteriaTable
     from .drive import DriveTable
     from .engine import EngineTable
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from .loads import LoadTable
     from .motion import MotionTable
     from .motor import MotorTable
+    from .pair import PairTable
     from .reduction import ReductionTable
     from .rotor import RotorTable
     from .shafts import ShaftTable
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
     from .transmission import TransmissionTable
 else:
     BalanceTable = late("balance", "BalanceTable")
+    CamTable = late("cam", "CamTable")
     CriteriaTable = late("criteria", "CriteriaTable")
     DriveTable = late("drive", "DriveTable")
     EngineTable = late("engine", "EngineTable")
@@ -40,6 +43,7 @@ else:
     LoadTable = late("loads", "LoadTable")
     MotionTable = late("motion", "MotionTable")
     MotorTable = late("motor", "MotorTable")
+    PairTable = late("pair", "PairTable")
     ReductionTable = late("reduction", "ReductionTable")
     RotorTable = late("rotor", "RotorTable")
     ShaftTable = late("shafts", "ShaftTable")
@@ -82,6 +86,10 @@ class Spec(Table):
         default=None, description="Strength of the train: torque, materials, modules and face widths."
     )
     criteria: CriteriaTable | None = Field(default=None, description="By what the best train is chosen.")
+    pair: PairTable | None = Field(
+        default=None, description="Pairs of gears: written out, or those of the train that is chosen."
+    )
+    cam: CamTable | None = Field(default=None, description="A disk cam and its follower.")
 
     @property
     def linkage(self) -> MechanismTable:

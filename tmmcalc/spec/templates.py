@@ -45,6 +45,19 @@ def text(name: str) -> str:
     return whole.replace(f"{_DIRECTIVE}../", f"{_DIRECTIVE}./", 1) if whole.startswith(_DIRECTIVE) else whole
 
 
+def beside(name: str) -> list[Path]:
+    """Return the files that a ready spec names, such as its CSV tables; their paths count from the spec.
+
+    >>> [file.name for file in beside("cam-own-law")]
+    ['cam-law.csv']
+    """
+    from .files import named_files  # late: only what is written needs it
+    from .loader import load_spec
+
+    home = path(name)
+    return named_files(load_spec(home), home.parent)
+
+
 def description(name: str) -> str:
     """Return the one-line description of a ready spec: the first line of its first comment."""
     for line in text(name).splitlines():

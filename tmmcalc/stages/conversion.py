@@ -73,7 +73,7 @@ def from_record(kind: Any, record: Record) -> Any:
 def plain(value: Any, arrays: dict[str, np.ndarray] | None = None, path: str = "") -> Any:
     """The value as nested dicts and lists, arrays taken out under their path.
 
-    Fields that are None are left out, as TOML has no null.
+    Fields that are None are left out, as TOML has no null; in a list an empty table stands for it.
     """
     if is_dataclass(value) and not isinstance(value, type):
         pairs = ((f.name, getattr(value, f.name)) for f in fields(value))
@@ -82,7 +82,7 @@ def plain(value: Any, arrays: dict[str, np.ndarray] | None = None, path: str = "
     if isinstance(value, dict):
         return {str(k): plain(v, arrays, f"{path}.{k}") for k, v in value.items() if v is not None}
     if isinstance(value, tuple | list):
-        return [plain(v, arrays, f"{path}.{k}") for k, v in enumerate(value)]
+        return [{} if v is None else plain(v, arrays, f"{path}.{k}") for k, v in enumerate(value)]
     if isinstance(value, Fraction):
         return str(value)
     return [value.real, value.imag] if isinstance(value, complex) else value
@@ -109,7 +109,7 @@ def restore(kind: Any, data: Any, arrays: Mapping[str, np.ndarray] | None = None
         return kind(**{name: restore(hint, data.get(name), arrays, f"{start}{name}") for name, hint in hints.items()})
     if origin in (Union, UnionType):
         inner = next(a for a in args if a is not type(None))
-        return None if data is None else restore(inner, data, arrays, path)
+        return None if data is None or data == {} else restore(inner, data, arrays, path)
     if origin is tuple:
         kinds = [args[0]] * len(data) if args[-1] is Ellipsis else args
         return tuple(restore(a, v, arrays, f"{path}.{k}") for k, (a, v) in enumerate(zip(kinds, data, strict=True)))

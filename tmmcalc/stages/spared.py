@@ -20,6 +20,11 @@ def strength(spec: Spec) -> tuple[str, ...]:
     return ("reduction",) if given else ()
 
 
+def pair(spec: Spec) -> tuple[str, ...]:
+    """Pairs that are written out need no train."""
+    return () if pairs_of_train(spec) else TRAIN
+
+
 def power(spec: Spec) -> tuple[str, ...]:
     """The ratio of the gears matters to a motor, and is given or that of the train."""
     return TRAIN if spec.motor is None or _ratio_given(spec) else ()
@@ -39,6 +44,11 @@ def motion(spec: Spec) -> tuple[str, ...]:
 def transient(spec: Spec) -> tuple[str, ...]:
     """As of the flywheel."""
     return flywheel(spec)
+
+
+def pairs_of_train(spec: Spec) -> bool:
+    """Whether the pairs of the spec are those of its train."""
+    return spec.pair is not None and spec.pair.of_train
 
 
 def _ratio_given(spec: Spec) -> bool:

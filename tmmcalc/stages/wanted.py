@@ -8,6 +8,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from tmmcalc.stages.spared import pairs_of_train
+
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
 
@@ -99,6 +101,26 @@ def criteria(spec: Spec) -> str | None:
     return strength(spec)
 
 
+def pair(spec: Spec) -> str | None:
+    """Pairs are written out, or those of a train that is chosen."""
+    if spec.pair is None:
+        return "no [pair]: no pair of gears is asked for"
+    return criteria(spec) if pairs_of_train(spec) else None
+
+
+def blocking(spec: Spec) -> str | None:
+    """The contour is that of two external wheels."""
+    reason = pair(spec)
+    if reason is None and not pairs_of_train(spec) and "external" not in _kinds(spec):
+        return "no external pair: a ring or a rack has no blocking contour"
+    return reason
+
+
+def profile(spec: Spec) -> str | None:
+    """Every pair has profiles."""
+    return pair(spec)
+
+
 def gearing(spec: Spec) -> str | None:
     """Speeds and powers are those of a train that is written out."""
     return "no [gearing]: no train is written out" if spec.gearing is None else None
@@ -107,6 +129,15 @@ def gearing(spec: Spec) -> str | None:
 def shakes(spec: Spec) -> bool:
     """Whether the spec has a linkage with masses whose crank turns fully."""
     return _masses(spec) and _acyclic(spec) is None
+
+
+def _kinds(spec: Spec) -> set[str]:
+    """Kinds of the pairs that are written out."""
+    table = spec.pair
+    if table is None:
+        return set()
+    general = table.kind or "external"
+    return {mesh.kind or general for mesh in table.meshes} or {general}
 
 
 def _rotor(spec: Spec) -> bool:

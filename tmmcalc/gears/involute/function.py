@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import atan, cbrt, inf, nan, pi, tan
+from typing import overload
 
 import numpy as np
 
@@ -29,12 +30,20 @@ _SMALL = 0.3  # [rad] below it the difference tan(a) - a would lose digits
 _STEPS = 6  # of Newton's method: from the start below four are enough everywhere
 
 
-def involute(angle: float | Values) -> Values:
+@overload
+def involute(angle: float) -> float: ...
+@overload
+def involute(angle: Values) -> Values: ...
+@overload
+def involute(angle: float | Values) -> float | Values: ...
+def involute(angle: float | Values) -> float | Values:
     """inv(a) = tan(a) - a for angles [rad] from 0 to below pi/2, any shape; to rounding also where both nearly cancel.
 
     >>> round(float(involute(np.radians(20.0))), 16)
     0.0149043838673364
     """
+    if isinstance(angle, float):  # twenty times as fast, and most calls are of this kind
+        return _involute_of_one(angle)
     a = np.asarray(angle, dtype=float)
     square = np.minimum(a * a, _SMALL**2)
     series = np.zeros_like(square)
@@ -44,7 +53,22 @@ def involute(angle: float | Values) -> Values:
     return result
 
 
-def inverse_involute(value: float | Values) -> Values:
+def _involute_of_one(angle: float) -> float:
+    if abs(angle) >= _SMALL:
+        return tan(angle) - angle
+    square, series = angle * angle, 0.0
+    for coefficient in reversed(_TAYLOR):
+        series = series * square + coefficient
+    return angle**3 * series
+
+
+@overload
+def inverse_involute(value: float) -> float: ...
+@overload
+def inverse_involute(value: Values) -> Values: ...
+@overload
+def inverse_involute(value: float | Values) -> float | Values: ...
+def inverse_involute(value: float | Values) -> float | Values:
     """The angle [rad] from 0 to pi/2 whose involute is ``value`` (any shape, >= 0); nan for negative values.
 
     Newton's method from the right of the root, where the convex function makes every step safe (textbook 4.57).
@@ -52,6 +76,8 @@ def inverse_involute(value: float | Values) -> Values:
     >>> round(float(np.degrees(inverse_involute(0.0149043838673364))), 12)
     20.0
     """
+    if isinstance(value, float):
+        return _angle_of_one(value)
     q = np.asarray(value, dtype=float)
     with np.errstate(invalid="ignore", divide="ignore"):
         root = np.cbrt(3 * q)
@@ -63,3 +89,16 @@ def inverse_involute(value: float | Values) -> Values:
             a = a - step
         result: Values = np.where(q > 0, a, np.where(q == 0, 0.0, np.nan))
     return result
+
+
+def _angle_of_one(value: float) -> float:
+    if not 0 < value < inf:
+        return 0.0 if value == 0 else nan
+    far = atan(value + pi / 2)
+    a = min(cbrt(3 * value), far) if value < 1 else far
+    for _ in range(_STEPS):
+        slope = tan(a) ** 2
+        if slope == 0:
+            break
+        a -= (_involute_of_one(a) - value) / slope
+    return a

@@ -23,6 +23,7 @@ from tmmcalc.gears.involute.contour.points import (
     deepest,
     equal_sliding,
     largest_contact_ratio,
+    largest_equal_strength,
     largest_sum,
     sliding_split,
     strength_split,
@@ -48,7 +49,6 @@ STRATEGIES: tuple[str, ...] = get_args(Strategy)
 DESIRED = 1.2  # contact ratio of point D
 NARROWING = 5  # rounds, each eight times finer
 ROUNDING = 1e-9  # by which a point on the contour itself may miss it
-EQUAL = 1e-9  # difference of form factors that counts as none
 
 
 @record
@@ -219,27 +219,19 @@ def _ratio(area: Contour, w: Values) -> Values:
 
 def _strength(area: Contour) -> tuple[float, float]:
     """The largest sum of shifts in the contour with equal tooth form factors."""
-    region = area.region
-
-    def split(w: Values) -> tuple[Values, Values]:
-        low, high = contour_ends(area, w)
-        return strength_split(area.frame, area.frame.sums(w), low, np.maximum(high, low))
-
-    w = _best_end(lambda w: np.abs(split(w)[1]) < EQUAL, region.angles[1:-1], lambda w: -w)
-    if w is None:
+    found = largest_equal_strength(area)
+    if found is None:
         raise NoSolutionError(
             "no admissible shifts give both wheels the same tooth form factor",
             where="shifts",
             remedy="another strategy: the bending strength is better matched by material or face width here",
         )
-    at = np.array([w])
-    x1 = float(split(at)[0][0])
-    return x1, float(area.frame.sums(at).total[0]) - x1
+    return found
 
 
 def contour_ends(area: Contour, w: Values) -> tuple[Values, Values]:
     """Least and largest x1 (n,) on the lines of operating angles w."""
-    low, high, _, _ = cuts(area.frame, w).ends(area.strict)
+    low, high, _, _ = cuts(area.frame, w, tolerated=not area.strict).ends(area.strict)
     return low, high
 
 

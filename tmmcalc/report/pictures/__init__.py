@@ -25,6 +25,8 @@ from tmmcalc.machine.power import Power
 from tmmcalc.machine.transient.timed import TimedMotions
 
 if TYPE_CHECKING:
+    from tmmcalc.gears.meshing.contours import Blocking
+    from tmmcalc.gears.meshing.results import Pairs
     from tmmcalc.gears.selection.results import Selection
     from tmmcalc.gears.train import Trains
     from tmmcalc.stages.balance import Balances
@@ -157,6 +159,47 @@ def draw_criteria(result: Selection, trains: Trains, file: Path, *, choose: int 
     from tmmcalc.report.pictures.page import write
 
     write(file, form, lambda: criteria_figure(result, trains, choose))
+
+
+def draw_blocking(result: Blocking, file: Path, *, choose: int | None = None) -> None:
+    """Draw the blocking contour of every external pair with its numbered lines, points and key, a sheet each.
+
+    ``choose`` is one pair, from 1. Raises `UsageError` for a pair that there is not, and if none has a contour.
+    """
+    form = _form(file)
+    _check_matplotlib()
+    from tmmcalc.report.pictures.gears.contour import blocking_figure
+    from tmmcalc.report.pictures.page import write
+
+    write(file, form, lambda: blocking_figure(result, choose=choose))
+
+
+def draw_pair(found: Pairs, file: Path, *, choose: int | None = None, phase: float = 0.0) -> None:
+    """Draw the mesh of every pair to scale with its parameters, sliding and pressure under it: two sheets a pair.
+
+    ``choose`` is one pair, from 1; the first wheel has turned clockwise by ``phase`` [rad] since the contact at P.
+    Raises `UsageError` for a pair that there is not.
+    """
+    form = _form(file)
+    _check_matplotlib()
+    from tmmcalc.report.pictures.gears.pairsheet import pair_figure
+    from tmmcalc.report.pictures.page import write
+
+    write(file, form, lambda: pair_figure(found, choose=choose, phase=phase))
+
+
+def draw_profile(found: Pairs, file: Path, *, choose: int | None = None) -> None:
+    """Draw the generation and the enlarged tooth profile of every wheel, a sheet each.
+
+    ``choose`` is one pair, from 1. Raises `UsageError` for a pair that there is not, `NoSolutionError` for a wheel that
+    has no profile.
+    """
+    form = _form(file)
+    _check_matplotlib()
+    from tmmcalc.report.pictures.gears.toothpicture import profile_figure
+    from tmmcalc.report.pictures.page import write
+
+    write(file, form, lambda: profile_figure(found, choose=choose))
 
 
 def _form(file: Path) -> str:

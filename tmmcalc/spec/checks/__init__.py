@@ -75,6 +75,8 @@ _OF_TABLE = {
     "gearing": ("gearing",),
     "criteria": ("criteria",),
     "strength": ("strength",),
+    "pair": ("pair",),
+    "cam": ("cam", "camlaws", "camsizes", "camloads"),
 }
 
 

@@ -1,4 +1,4 @@
-"""Checks of what a spec is about: a mechanism, a torque diagram, an engine, a rotor, a train; what belongs to each."""
+"""Checks of what a spec is about (mechanism, torque diagram, engine, rotor, gears, cam), and what belongs to each."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from tmmcalc.spec.findings import Finding
 
 from .outline import Outline
 
-SUBJECTS = ("mechanism", "torque", "engine", "rotor", "train", "gearing")
+SUBJECTS = ("mechanism", "torque", "engine", "rotor", "train", "gearing", "pair", "cam")
 
 # Tables that say nothing without a mechanism, and why.
 NEEDS_MECHANISM = {
@@ -36,14 +36,14 @@ _ARRAYS = ("loads", "springs", "shafts", "transients")
 
 
 def check_subject(outline: Outline) -> Iterator[Finding]:
-    """A spec has a mechanism or a torque diagram, an engine, a rotor or a train; a crank's moment has one source."""
+    """A spec has a mechanism, or what stands in its place or beside it; a crank's moment has one source."""
     document = outline.document
     if not {*SUBJECTS} & {*document}:
         yield Finding(
             ("mechanism",),
-            "missing key: a spec describes a mechanism, or else a torque diagram, an engine, a rotor or a train",
+            "missing key: a spec describes a mechanism, or else a torque diagram, an engine, a rotor, gears or a cam",
             "add [mechanism.input], [[mechanism.links]], [[mechanism.joints]]; "
-            "[torque], [engine], [rotor], [train] or [gearing]",
+            "[torque], [engine], [rotor], [train], [gearing], [pair] or [cam]",
         )
     if "mechanism" in document and "torque" in document:
         yield Finding(

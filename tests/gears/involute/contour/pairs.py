@@ -27,7 +27,7 @@ def task(z1: int, z2: int, ratio: float = 1.0, tip: float = 0.0, helix: float = 
 
 def random_tasks(count: int, seed: int = 7):
     rng = np.random.default_rng(seed)
-    racks = ["GOST 13755", "GOST 13755", "ISO 53 A", "AGMA 14.5"]
+    racks = list(RACKS)
     for _ in range(count):
         z1, z2 = (int(z) for z in np.exp(rng.uniform(np.log(5), np.log(300), 2)))
         ratio, tip = float(rng.choice([1.0, 1.2])), float(rng.choice([0.0, 0.25, 0.4]))

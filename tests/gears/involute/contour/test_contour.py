@@ -11,6 +11,7 @@ from tmmcalc.gears.involute.contour.contour import contour, contours, interval
 from tmmcalc.gears.involute.contour.frame import frame_of
 from tmmcalc.gears.involute.contour.margins import margins
 from tmmcalc.gears.involute.pair import pair_of_shifts
+from tmmcalc.gears.involute.rack import RACKS
 
 
 def test_margins_of_the_worked_case():
@@ -93,6 +94,50 @@ def test_membership_and_area_against_a_raster(asked):
         assert np.sum(inside != raster) <= 0.004 * raster.sum() + 6
         if found.main is not None and not found.pieces:
             assert found.main.area == pytest.approx(raster.sum() * step1 * step2, rel=0.01)
+
+
+NECKS = [
+    task(190, 141, 1.1, 0.25, 0, RACKS["ISO 53 D"]),
+    task(71, 109, 1.0, 0.25, 45, RACKS["ISO 53 D"]),
+    task(164, 55, 1.1, 0.0, 0, RACKS["stub 20"]),
+    task(64, 108, 1.1, 0.0, 45, RACKS["ISO 53 C"]),
+]
+
+
+@pytest.mark.parametrize("asked", NECKS, ids=lambda t: f"{t.first.teeth}/{t.second.teeth}")
+def test_areas_that_a_deep_straight_flank_joins(asked):
+    """The flank ends below h_a*, so meshes with one tip or both inside the reference circles adjoin the main region."""
+    for found in contours(asked):
+        assert found.untraced == ()
+        assert len(found.pieces) == 3
+        span = np.linspace(-4.9, 6.0, 180)
+        x1, x2 = np.meshgrid(span + 0.001, span, indexing="ij")
+        raster = margins(asked, x1, x2).least(found.strict) >= 0
+        inside = np.zeros_like(raster)
+        for region in (found.main, *found.pieces):
+            low = np.interp(x1 + x2, region.total, region.low)
+            high = np.interp(x1 + x2, region.total, region.high)
+            inside |= (x1 + x2 > region.total[0]) & (x1 + x2 < region.total[-1]) & (x1 > low) & (x1 < high)
+        assert np.sum(inside != raster) <= 0.002 * raster.sum() + 4
+
+
+def test_a_region_between_two_lines_of_the_scan_is_found():
+    """A triangle of a few thousandths, in which the first look sees one line on each side only."""
+    found = contour(task(10, 5, 1.0, 0.0, 15, RACKS["ISO 53 B"]), strict=False).region
+    assert len(found.corners) == 3
+    x1, x2 = (np.array([getattr(corner, name) for corner in found.corners]) for name in ("x1", "x2"))
+    triangle = abs(np.sum(x1 * np.roll(x2, -1) - np.roll(x1, -1) * x2)) / 2
+    assert found.area == pytest.approx(triangle, rel=0.02)
+
+
+@pytest.mark.parametrize("rack", list(RACKS))
+def test_every_piece_is_traced(rack):
+    rng = np.random.default_rng(20)
+    for _ in range(12):
+        z1, z2 = (int(z) for z in np.round(np.exp(rng.uniform(np.log(5), np.log(200), 2))))
+        ratio, tip, helix = (float(rng.choice(v)) for v in ((1.0, 1.1, 1.2), (0.0, 0.25, 0.4), (0, 15, 30, 45)))
+        for found in contours(task(z1, z2, ratio, tip, helix, RACKS[rack])):
+            assert found.untraced == (), (z1, z2, ratio, tip, helix)
 
 
 def test_area_is_that_of_a_much_finer_polygon():

@@ -69,6 +69,18 @@ def test_equal_strength_gives_equal_form_factors():
     assert factors[0] == pytest.approx(factors[1], abs=1e-8)
 
 
+@pytest.mark.parametrize("asked", [*PAIRS, task(37, 37, helix=15)], ids=lambda t: f"{t.first.teeth}/{t.second.teeth}")
+def test_no_equal_strength_has_a_larger_sum(asked):
+    area = contour(asked)
+    line = strength_line(area)
+    found = choose(asked, "equal_strength")
+    assert found.inside
+    assert np.max(line.x1 + line.x2) <= found.x1 + found.x2 + 1e-9
+    pair = pair_of_shifts(*asked.wheels(found.x1, found.x2))
+    factors = [float(tooth_form(wheel, tip).factor) for wheel, tip in zip(pair.wheels, pair.tips, strict=True)]
+    assert factors[0] == pytest.approx(factors[1], abs=1e-9)
+
+
 def test_form_factors_of_the_worked_case():
     worked = case("IG-S15")
     for k, (z, x) in enumerate(worked["inputs"]["gears"]):

@@ -18,12 +18,14 @@ from tmmcalc.gears.involute.contour.frame import Frame, Sums
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
 
-LOWER = ("interference2", "tolerated1", "undercut1", "thickness1", "thickness2", "contact_ratio", "tip1")
-UPPER = ("interference1", "tolerated2", "undercut2", "thickness1", "thickness2", "contact_ratio", "tip2")
+LOWER = ("interference2", "tolerated1", "undercut1", "thickness1", "thickness2", "contact_ratio", "tip1", "tip2")
+UPPER = ("interference1", "tolerated2", "undercut2", "thickness1", "thickness2", "contact_ratio", "tip2", "tip1")
 NEVER = 1e3  # a bound where a condition holds nowhere: beyond all shifts
 STEPS = 60  # halving alone ends within them
 TOUCH = 1e-13  # value that counts as zero where two branches touch
 CLOSE = 1e-9  # step after which Newton's method is exact
+NUDGE = 1e-9  # largest correction of a root in closed form
+FLAT = 1e-3  # slope of the contact ratio below which both of its ends nearly meet and no step is safe
 
 Curve = Callable[[Sums, Values], Sloped]
 Kinds = NDArray[np.intp]
@@ -35,8 +37,8 @@ class Cuts:
     """Bounds of x1 on n lines of constant sum."""
 
     sums: Sums
-    lower: Values  # (7, n) by LOWER
-    upper: Values  # (7, n) by UPPER
+    lower: Values  # (8, n) by LOWER
+    upper: Values  # (8, n) by UPPER
 
     def ends(self, strict: bool) -> tuple[Values, Values, Kinds, Kinds]:
         """Lowest and highest x1 (n,) and the numbers of the conditions that give them; empty where lowest > highest."""
@@ -50,31 +52,75 @@ class Cuts:
         return lower[low, every], upper[high, every], low, high
 
 
-def cuts(frame: Frame, w: Values, region: int = 0) -> Cuts:
+def cuts(frame: Frame, w: Values, region: int = 0, *, tolerated: bool = True) -> Cuts:
     """Bounds on the lines of the operating angles w (n,).
 
     ``region`` 0: both tip circles outside the reference circles, the main region; 1 (2): that of wheel 2 (1) inside,
-    so that the contact lies on one side of the pitch point.
+    so that the contact lies on one side of the pitch point; 3: both inside. Without ``tolerated`` the bounds of
+    tolerated undercut, which take longest, are left out: only the strict contour may be read off.
     """
     sums = frame.sums(w)
-    lower, upper = np.full((7, w.size), -NEVER), np.full((7, w.size), NEVER)
+    lower, upper = np.full((len(LOWER), w.size), -NEVER), np.full((len(UPPER), w.size), NEVER)
     reach = sums.modification + frame.addendum  # largest x_i with the mate's tip outside its reference circle
     low1, high1 = _domain(frame, sums, reach, region)
+    if region in (0, 1):
+        lower[LOWER.index("tip1")] = sums.total - reach
+    else:
+        upper[UPPER.index("tip1")] = sums.total - reach
+    if region in (0, 2):
+        upper[UPPER.index("tip2")] = reach
+    else:
+        lower[LOWER.index("tip2")] = reach
     for i in (0, 1):
         low, high = (low1, high1) if i == 0 else (sums.total - high1, sums.total - low1)
-        side = frame.sides[i]
-        beyond = region == i + 1
-        peak = high if beyond else np.clip(side.least, low, high)
-        below, above = _interval(partial(frame.room, i), sums, low, high, peak)
-        thin, thick = _interval(partial(frame.thickness, i), sums, low, high, _thickest(frame, i, sums, low, high))
+        below, above = _free(frame, i, sums, low, high, region in (i + 1, 3), tolerated)
+        thin, thick = thickness_ends(frame, i, sums, low, high)
         _put(lower, upper, sums, i, f"tolerated{i + 1}", f"interference{i + 1}", below, above)
         _put(lower, upper, sums, i, f"thickness{i + 1}", f"thickness{i + 1}", thin, thick)
-        _put(lower, upper, sums, i, f"undercut{i + 1}", "", np.full_like(low, side.least), high)
-    split = np.clip(frame.best_split(sums), low1, high1)
-    below, above = _interval(frame.overlap, sums, low1, high1, split)
-    _put(lower, upper, sums, 0, "contact_ratio", "contact_ratio", below, above)
-    _put(lower, upper, sums, 0, "tip1", "tip2", low1, high1)
+        _put(lower, upper, sums, i, f"undercut{i + 1}", "", np.full_like(low, frame.sides[i].least), high)
+    _put(lower, upper, sums, 0, "contact_ratio", "contact_ratio", *contact_ends(frame, sums, low1, high1))
     return Cuts(sums, lower, upper)
+
+
+def _free(
+    frame: Frame, i: int, sums: Sums, low: Values, high: Values, beyond: bool, tolerated: bool
+) -> tuple[Values, Values]:
+    """Least and largest x_i without interference and harmful undercut; ``beyond`` the place of the least room."""
+    peak = high if beyond else np.clip(frame.sides[i].least, low, high)
+    positive = (frame.room(i, sums, peak)[0] >= 0) & (low <= high)
+    towards, away = frame.room_roots(i, sums)
+    if beyond:
+        # the flank below the root may be undercut; then the root is sought on the flank that is left
+        plain = (away >= frame.sides[i].least) & positive
+        above = np.where(positive, NEVER, -NEVER)
+        below = np.where(plain & (away >= low), away, np.where(positive, -NEVER, NEVER))
+        rest = positive & ~plain & (low < frame.sides[i].least)
+        return np.where(rest, _edge(partial(frame.room, i), sums, peak, low, -NEVER, rest), below), above
+    above = np.where(positive, np.where((towards <= high) & (peak < high), np.maximum(towards, peak), NEVER), -NEVER)
+    if not tolerated:
+        return np.where(positive, -NEVER, NEVER), above
+    return np.where(positive, _edge(partial(frame.room, i), sums, peak, low, -NEVER, positive), NEVER), above
+
+
+def thickness_ends(frame: Frame, i: int, sums: Sums, low: Values, high: Values) -> tuple[Values, Values]:
+    """Least and largest x_i between ``low`` and ``high`` with a tip that is thick enough."""
+    return _interval(partial(frame.thickness, i), sums, low, high, _thickest(frame, i, sums, low, high))
+
+
+def contact_ends(frame: Frame, sums: Sums, low1: Values, high1: Values) -> tuple[Values, Values]:
+    """Least and largest x1 between ``low1`` and ``high1`` with the contact ratio asked for."""
+    split = np.clip(frame.best_split(sums), low1, high1)
+    positive = (frame.overlap(sums, split)[0] >= 0) & (low1 <= high1)
+    ends = []
+    for found, free in zip(frame.overlap_roots(sums), (-NEVER, NEVER), strict=True):
+        x = np.where(np.isnan(found), split, found)
+        value, slope = frame.overlap(sums, x)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            step = np.where(np.abs(slope) > FLAT, value / slope, 0.0)
+        x = np.where(np.abs(step) < NUDGE, x - step, x)
+        inside = (x > low1) if free < 0 else (x < high1)
+        ends.append(np.where(positive, np.where(inside & ~np.isnan(found), x, free), -free))
+    return ends[0], ends[1]
 
 
 def _domain(frame: Frame, sums: Sums, reach: Values, region: int) -> tuple[Values, Values]:
@@ -84,7 +130,7 @@ def _domain(frame: Frame, sums: Sums, reach: Values, region: int) -> tuple[Value
         return np.maximum(high1, low1), high1 + two.reference - two.base
     if region == 2:
         return low1 - one.reference + one.base, np.minimum(low1, high1)
-    return low1, high1
+    return (high1, low1) if region == 3 else (low1, high1)
 
 
 def _put(lower: Values, upper: Values, sums: Sums, i: int, below: str, above: str, least: Values, most: Values) -> None:
@@ -102,17 +148,21 @@ def _thickest(frame: Frame, i: int, sums: Sums, low: Values, high: Values) -> Va
     peak = np.clip(sums.total - frame.addendum - sums.modification, low, high)
     if not frame.sides[i].thickness:
         return peak
-    rising = frame.thickness(i, sums, peak)[1] > 0
+    value, slope = frame.thickness(i, sums, peak)
+    which = np.flatnonzero((value < 0) & (slope > 0))
+    if not which.size:
+        return peak  # any place with a tip that is thick enough will do
     h = 1e-5
 
-    def slope(some: Sums, x: Values) -> Sloped:
+    def rise(some: Sums, x: Values) -> Sloped:
         return (
             frame.thickness(i, some, x)[1],
             (frame.thickness(i, some, x + h)[1] - frame.thickness(i, some, x - h)[1]) / (2 * h),
         )
 
-    found = _edge(slope, sums, peak, high, NEVER, rising)
-    return np.where(rising, np.minimum(found, high), peak)
+    found = _edge(rise, sums.some(which), peak[which], high[which], NEVER, np.full(which.shape, True))
+    peak[which] = np.minimum(found, high[which])
+    return peak
 
 
 def _interval(curve: Curve, sums: Sums, low: Values, high: Values, peak: Values) -> tuple[Values, Values]:

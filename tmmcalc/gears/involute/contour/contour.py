@@ -14,6 +14,9 @@ from tmmcalc.gears.involute.contour.task import LINES, Task
 from tmmcalc.gears.involute.contour.trace import Region, regions, scan
 from tmmcalc.records import record
 
+BRANCHES = (0, 1, 2, 3)
+LOW: tuple[tuple[int, ...], ...] = ((), (1,), (0,), (0, 1))  # of each branch: wheels with the tip inside r
+
 
 @record
 class Contour:
@@ -27,7 +30,7 @@ class Contour:
     ]  # meshes with contact on one side of the pitch point only, and parts cut off the main region
     untraced: tuple[
         int, ...
-    ] = ()  # 1, 2: the mate's tip inside its reference circle; pieces there whose outline is not found
+    ] = ()  # 1, 2, 3: tip of wheel 2, 1, both inside the reference circle; pieces there whose outline is not found
 
     @property
     def task(self) -> Task:
@@ -39,7 +42,7 @@ class Contour:
         """The main region; raises `NoSolutionError` with the best contact ratio within reach if there is none."""
         if self.main is None:
             raise NoSolutionError(
-                self._reason,
+                self.reason,
                 where="blocking contour",
                 value=self.best_contact_ratio,
                 limit=self.task.contact_ratio,
@@ -48,17 +51,23 @@ class Contour:
         return self.main
 
     @cached_property
-    def best_contact_ratio(self) -> float:
-        """The largest eps_alpha that the other conditions leave; 0 if they leave nothing."""
+    def best(self) -> tuple[float, float, float]:
+        """x1, x2 and the contact ratio of point E, where it is largest; of an empty contour without its own limit."""
         from tmmcalc.gears.involute.contour.points import largest_contact_ratio
 
         if self.main is not None:
-            return largest_contact_ratio(self)[2]
+            return largest_contact_ratio(self)
         free = contour(replace(self.task, contact_ratio=0.0), self.strict, pieces=False)
-        return 0.0 if free.main is None else largest_contact_ratio(free)[2]
+        return (0.0, 0.0, 0.0) if free.main is None else largest_contact_ratio(free)
 
     @property
-    def _reason(self) -> str:
+    def best_contact_ratio(self) -> float:
+        """The largest eps_alpha that the other conditions leave; 0 if they leave nothing."""
+        return self.best[2]
+
+    @property
+    def reason(self) -> str:
+        """Why there is no main region, with the best contact ratio."""
         kind = "without undercut" if self.strict else "even with tolerated undercut"
         pair = f"z = {self.task.first.teeth}/{self.task.second.teeth}"
         if not self.best_contact_ratio:
@@ -77,7 +86,7 @@ class Contour:
 
 def contour(task: Task, strict: bool = True, *, pieces: bool = True) -> Contour:
     """The strict or the tolerated contour, or its main region only; main is None if no shifts meet all conditions."""
-    return _contours(task, (strict,), (0, 1, 2) if pieces else (0,))[0]
+    return _contours(task, (strict,), BRANCHES if pieces else (0,))[0]
 
 
 def contours(task: Task) -> tuple[Contour, Contour]:
@@ -86,18 +95,20 @@ def contours(task: Task) -> tuple[Contour, Contour]:
     return strict, tolerated
 
 
-def _contours(task: Task, kinds: tuple[bool, ...], branches: tuple[int, ...] = (0, 1, 2)) -> list[Contour]:
+def _contours(task: Task, kinds: tuple[bool, ...], branches: tuple[int, ...] = BRANCHES) -> list[Contour]:
     frame = frame_of(task)
     found: dict[bool, list[Region]] = {kind: [] for kind in kinds}
     untraced: dict[bool, list[int]] = {kind: [] for kind in kinds}
     mains: dict[bool, Region | None] = dict.fromkeys(kinds)
     for branch in branches:
-        if branch and frame.sides[2 - branch].least > 0:
+        if any(frame.sides[i].least > 0 for i in LOW[branch]):
             continue  # the wheel whose tip is low would be undercut far into its flank
+        if branch == 3 and frame.neck <= 0:
+            continue  # only a deep flank leaves room for two low tips
         w = scan(frame, branch)
         if not w.size:
             continue
-        scanned = cuts(frame, w, branch)
+        scanned = cuts(frame, w, branch, tolerated=False in kinds)
         for kind in kinds:
             try:
                 parts = list(regions(frame, branch, kind, scanned))
@@ -145,7 +156,7 @@ def interval(frame: Frame, total: float, strict: bool = True) -> Interval:
             limit=least,
             remedy=f"a sum of shifts above {least:.4f}",
         )
-    low, high, below, above = cuts(frame, w).ends(strict)
+    low, high, below, above = cuts(frame, w, tolerated=not strict).ends(strict)
     found = Interval(total, float(low[0]), float(high[0]), LOWER[below[0]], UPPER[above[0]])
     if found.low > found.high:
         raise NoSolutionError(

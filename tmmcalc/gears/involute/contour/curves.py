@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import pi
 
 import numpy as np
 
-from tmmcalc.gears.involute.contour.bounds import LOWER, NEVER, UPPER, cuts
+from tmmcalc.gears.involute.contour.bounds import NEVER, contact_ends, thickness_ends
 from tmmcalc.gears.involute.contour.contour import Contour
-from tmmcalc.gears.involute.contour.frame import Frame
-from tmmcalc.gears.involute.contour.points import sliding_split, strength_split
+from tmmcalc.gears.involute.contour.frame import Frame, Sums
+from tmmcalc.gears.involute.contour.points import along, sliding_split, strength_split
 from tmmcalc.gears.involute.contour.trace import scan
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
 
-POINTS = 400  # lines of constant sum across the plane
+POINTS = 200  # lines of constant sum across the plane
 FINE = 1e-9  # difference of form factors that counts as none
 
 
@@ -28,30 +29,58 @@ class Line:
     x2: Values  # (n,)
 
 
-def contact_ratio_line(frame: Frame, value: float) -> Line:
-    """Points of one contact ratio (lines 4, 5): from wheel 2 strongly shifted, round the top, to wheel 1."""
+def across(frame: Frame) -> Values:
+    """Operating angles [rad] (n,) that cover the main branch; none if no mesh is there."""
+    ends = scan(replace(frame, task=replace(frame.task, contact_ratio=0.0)), 0)[[0, -1]]
+    return np.linspace(ends[0], ends[1], POINTS)
+
+
+def contact_ratio_line(frame: Frame, value: float, w: Values | None = None) -> Line:
+    """Points of one contact ratio (lines 4, 5): from wheel 2 strongly shifted, round the top, to wheel 1.
+
+    ``w`` (ascending) are the operating angles to look at, by default those of the whole main branch.
+    """
     other = replace(frame, task=replace(frame.task, contact_ratio=value))
-    left1, left2 = _row(other, "contact_ratio", lower=True)
-    right1, right2 = _row(other, "contact_ratio", lower=False)
-    x1 = np.concatenate((left1, right1[::-1]))
-    return Line("5" if value == 1 else "4", value, x1, np.concatenate((left2, right2[::-1])))
+    w = across(frame) if w is None else w
+
+    def top(angles: Values) -> Values:
+        sums = other.sums(angles)
+        return other.overlap(sums, other.best_split(sums))[0]
+
+    excess = top(w)
+    last = np.flatnonzero((excess[:-1] >= 0) & (excess[1:] < 0))
+    if last.size:  # closer to where both sides meet
+        k = int(last[-1])
+        end = along(top, float(w[k]), float(w[k + 1]))
+        w = w[0] + (end - w[0]) * np.sin(np.linspace(0.0, pi / 2, w.size)) * (1 - 1e-12)
+    sums = other.sums(w)
+    left, right = contact_ends(other, sums, *_domain(other, sums))
+    on_left, on_right = np.abs(left) < NEVER / 2, np.abs(right) < NEVER / 2
+    x1 = np.concatenate((left[on_left], right[on_right][::-1]))
+    total = np.concatenate((sums.total[on_left], sums.total[on_right][::-1]))
+    return Line("5" if value == 1 else "4", value, x1, total - x1)
 
 
-def thickness_line(frame: Frame, wheel: int, value: float) -> Line:
+def thickness_line(frame: Frame, wheel: int, value: float, w: Values | None = None) -> Line:
     """Points of one tip thickness [normal modules] of wheel 1 or 2 (lines 9, 8, 7: 0, 0.25, 0.4)."""
     one, two = frame.sides
     sides = (replace(one, thickness=value), two) if wheel == 1 else (one, replace(two, thickness=value))
-    number = {0.0: "9", 0.25: "8", 0.4: "7"}.get(value, "") if wheel == 1 else ""
-    return Line(number, value, *_row(replace(frame, sides=sides), f"thickness{wheel}", lower=wheel == 2))
+    other = replace(frame, sides=sides)
+    sums = other.sums(across(frame) if w is None else w)
+    low1, high1 = _domain(other, sums)
+    low, high = (low1, high1) if wheel == 1 else (sums.total - high1, sums.total - low1)
+    x = thickness_ends(other, wheel - 1, sums, low, high)[1]
+    x1 = x if wheel == 1 else sums.total - x
+    known = np.abs(x) < NEVER / 2
+    number = {0.0: "9", 0.25: "8", 0.4: "7"}.get(value, "")
+    prime = "'" if wheel == 2 and number else ""
+    return Line(f"{number}{prime}", value, x1[known], (sums.total - x1)[known])
 
 
-def _row(frame: Frame, name: str, lower: bool) -> tuple[Values, Values]:
-    w = scan(replace(frame, task=replace(frame.task, contact_ratio=0.0)), 0)
-    w = np.linspace(w[0], w[-1], POINTS)
-    found = cuts(frame, w)
-    x1 = found.lower[LOWER.index(name)] if lower else found.upper[UPPER.index(name)]
-    known = np.abs(x1) < NEVER / 2
-    return x1[known], (found.sums.total - x1)[known]
+def _domain(frame: Frame, sums: Sums) -> tuple[Values, Values]:
+    """x1 with both tips outside the reference circles."""
+    reach = sums.modification + frame.addendum
+    return sums.total - reach, reach
 
 
 def sliding_line(contour: Contour) -> Line:

@@ -6,11 +6,13 @@ Everything that both wheels share depends on w alone, which replaces the sum of 
 
 and needs no iteration. On a line of constant sum every condition is unimodal in the shift x of the wheel it concerns:
 the contact ratio and the tip thickness are concave, and the room N1A2 - LN before interference is convex with its least
-value, never positive for a rack whose flank ends at h_a*, where the mate's tip circle is its reference circle.
+value where the mate's tip circle is its reference circle. That value is never positive, and zero at w = alpha_t, for a
+rack whose straight flank ends at h_a*; where it ends deeper, the areas on both sides are joined by a neck.
 """
 
 from __future__ import annotations
 
+from functools import cached_property
 from math import cos, pi, sin, tan
 
 import numpy as np
@@ -19,6 +21,7 @@ from numpy.typing import NDArray
 from tmmcalc.gears.involute.contour.form import Form, Sloped, form_of
 from tmmcalc.gears.involute.contour.task import Task
 from tmmcalc.gears.involute.function import inverse_involute, involute
+from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
@@ -47,14 +50,29 @@ class Sums:
 class Side:
     """One wheel of the frame, and its mate."""
 
+    wheel: Wheel
     reference: float
     base: float
     mate_reference: float
     mate_base: float
     least: float  # x_min
-    form: Form
+    steepness: float  # dLN/dx
     thickness: float  # s_a,min
     flat: float  # psi at x = 0, + inv alpha_t [rad]
+    fillet: Shape
+
+    @cached_property
+    def form(self) -> Form:
+        """rho_F as a function of the shift; only made where undercut is followed."""
+        addendum = self.wheel.rack.addendum
+        # the main region lies above -h_a*; a wheel that can be free of undercut with x < 0 may have pieces far below
+        return form_of(self.wheel, -DEPTH * addendum if self.least <= 0 else -addendum, self.fillet)
+
+    def start(self, x: Values) -> Sloped:
+        """rho_F, LN without undercut, and its derivative."""
+        if np.any(x < self.least):
+            return self.form(x)
+        return (x - self.least) * self.steepness, np.full_like(x, self.steepness)
 
 
 @record
@@ -68,18 +86,32 @@ class Frame:
     addendum: float  # h_a*
     slant: float  # tan(beta)
 
+    @cached_property
+    def level(self) -> float:
+        """inv(alpha_t)."""
+        return float(involute(self.angle))
+
+    @property
+    def neck(self) -> float:
+        """How much deeper than h_a* the straight flank ends; 0 but for rounding: the branches touch in a point.
+
+        Positive: they are joined. Negative: they are apart.
+        """
+        depth = self.task.first.rack.straight - self.addendum
+        return depth if abs(depth) > 1e-12 else 0.0
+
     def sums(self, w: Values) -> Sums:
         """The shared quantities at operating angles (n,)."""
         one, two = self.sides
         base = one.base + two.base
         a = one.reference + two.reference
-        rise = base * (involute(w) - involute(self.angle)) / sin(self.angle)
+        rise = base * (involute(w) - self.level) / sin(self.angle)
         return Sums(w, rise, base / np.cos(w) - a, base * np.tan(w))
 
     def angle_of(self, total: Values) -> Values:
         """The operating angle of sums of shifts; nan below the least."""
         base = self.sides[0].base + self.sides[1].base
-        return inverse_involute(involute(self.angle) + np.asarray(total, float) * sin(self.angle) / base)
+        return inverse_involute(self.level + np.asarray(total, float) * sin(self.angle) / base)
 
     def sum_slope(self, w: Values) -> Values:
         """ds/dw."""
@@ -91,8 +123,48 @@ class Frame:
         side = self.sides[i]
         radius = side.mate_reference + self.addendum + sums.modification - x
         rho = _curvature(radius, side.mate_base)
-        start, slope = side.form(x)
+        start, slope = side.start(x)
         return sums.length - rho - start, radius / rho - slope
+
+    def touch(self, sums: Sums) -> Values:
+        """The least room (n,) of each line, of both wheels: where the tip of the mate is its reference circle."""
+        base = self.sides[0].base + self.sides[1].base
+        apart = 2 * base * np.sin((sums.angle - self.angle) / 2) ** 2 / np.cos(sums.angle)
+        return (self.neck - apart) / sin(self.angle)
+
+    def room_roots(self, i: int, sums: Sums) -> tuple[Values, Values]:
+        """x_i (n,) on both sides of the least room where the room of a flank without undercut vanishes.
+
+        nan where it does not vanish. With u from the place of the least room e: (g - LN + k u)^2 = rho^2 is quadratic.
+        """
+        k, least = self.sides[i].steepness, self.touch(sums)
+        span = k * k - 1
+        tangent = self.sides[i].mate_reference / k
+        with np.errstate(invalid="ignore"):
+            turn = np.where(least <= 0, np.sqrt(least * least - 2 * span * tangent * least), np.nan)
+        reach = sums.modification + self.addendum
+        return reach - (turn - k * least) / span, reach + (turn + k * least) / span
+
+    def overlap_roots(self, sums: Sums) -> tuple[Values, Values]:
+        """x1 (n,) between which the contact ratio exceeds eps_min; nan where it does not fall to it on that side.
+
+        With t = r_a2 the equation rho_a1 + rho_a2 = C of both tips is quadratic.
+        """
+        one, two = self.sides
+        top = self.tip(1, sums, sums.total)  # r_a2 at x1 = 0
+        both = self.tip(0, sums, np.zeros_like(top)) + top
+        wanted = sums.length + self.task.contact_ratio * self.pitch
+        n = both / wanted
+        shift = (wanted * wanted - both * both + one.base**2 - two.base**2) / (2 * wanted)
+        span = (n - 1) * (n + 1)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            turn = np.sqrt(np.maximum(shift * shift - span * two.base**2, 0.0))  # 0 where both ends meet
+            radii = (-n * shift + turn) / span, (-n * shift - turn) / span
+            found = []
+            for t in radii:
+                rho = n * t + shift
+                found.append(np.where((rho >= 0) & (rho <= wanted), top - t, np.nan))
+        return found[0], found[1]
 
     def tip(self, i: int, sums: Sums, x: Values) -> Values:
         """r_a of the wheel itself."""
@@ -137,14 +209,12 @@ def frame_of(task: Task) -> Frame:
     rack, cut = task.first.rack, task.first.section
     pitch = pi / cos(task.first.helix) * cos(cut.angle)
     one, two = task.first, task.second
-    sides = (_side(one, two, task.thickness[0]), _side(two, one, task.thickness[1]))
+    sides = (_side(one, two, task.thickness[0], task.fillet), _side(two, one, task.thickness[1], task.fillet))
     return Frame(task, sides, cut.angle, pitch, rack.addendum, tan(task.first.helix))
 
 
-def _side(own: Wheel, mate: Wheel, thickness: float) -> Side:
-    rack = own.rack
-    # the main region lies above -h_a*; a wheel that can be free of undercut with x < 0 may have pieces far below
-    lowest = -DEPTH * rack.addendum if own.least_shift <= 0 else -rack.addendum
-    form = form_of(own, lowest)
+def _side(own: Wheel, mate: Wheel, thickness: float, fillet: Shape) -> Side:
+    steepness = 1 / sin(own.section.angle)
     flat = pi / (2 * own.teeth) + float(involute(own.section.angle))
-    return Side(own.reference, own.base, mate.reference, mate.base, own.least_shift, form, thickness, flat)
+    sizes = own.reference, own.base, mate.reference, mate.base
+    return Side(own, *sizes, own.least_shift, steepness, thickness, flat, fillet)

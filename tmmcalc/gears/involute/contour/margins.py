@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.gears.involute.contour.form import form_curvature
 from tmmcalc.gears.involute.contour.task import Task
 from tmmcalc.gears.involute.pair import pair_of_shifts
+from tmmcalc.gears.involute.profile.form import junction
 from tmmcalc.gears.involute.wheel import Number, Wheel
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
@@ -75,7 +75,7 @@ def margins(task: Task, x1: float | Values, x2: float | Values) -> Margins:
     def known(values: Number) -> Values:
         return np.where(exists, values, NONE)
 
-    forms = [form_curvature(wheel) for wheel in (first, second)]
+    forms = [np.asarray(junction(wheel, task.fillet).curvature_radius) for wheel in (first, second)]
     thick = [
         wheel.thickness_at(np.where(exists, tip, wheel.base)) for wheel, tip in zip(pair.wheels, tips, strict=True)
     ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tmmcalc.errors import UsageError
+from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.records import record
 
@@ -35,6 +36,7 @@ class Task:
     second: Wheel
     contact_ratio: float = 1.0  # eps_min, transverse
     thickness: tuple[float, float] = (0.0, 0.0)  # s_a,min of both tips in the normal section, in normal modules
+    fillet: Shape = "ellipse"  # section of the tip rounding across helical teeth, on which undercut depends
 
     def __post_init__(self) -> None:
         """Refuse wheels that cannot mesh and limits without sense."""

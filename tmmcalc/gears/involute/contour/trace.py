@@ -22,8 +22,9 @@ from tmmcalc.records import record
 SCAN = 64  # lines of the first scan
 SPLIT = 16  # parts of a narrowed step
 TRIES = 5
-POINTS = 16  # of an edge between two breaks
+POINTS = 24  # of an edge between two breaks
 EMPTY = -1
+POINT = 1e-10  # [rad] width of a region that is none
 
 
 @record
@@ -82,8 +83,8 @@ def scan(frame: Frame, region: int) -> Values:
     sums = frame.sums(w)
     reach = sums.modification + frame.addendum
     good = frame.overlap(sums, frame.best_split(sums))[0] >= 0
-    if region == 0:
-        good &= sums.total <= 2 * reach
+    if region in (0, 3):
+        good &= (sums.total <= 2 * reach) == (region == 0)
     found = np.flatnonzero(good)
     if not found.size:
         return w[:0]
@@ -126,7 +127,7 @@ def _narrowed(frame: Frame, region: int, strict: bool, left: Values, right: Valu
     """Steps of w in which the signature changes, with the signatures and bounds at both ends."""
     parts = np.linspace(0.0, 1.0, SPLIT + 1)[:, None]
     w = left + (right - left) * parts
-    low, high, below, above = cuts(frame, w.ravel(), region).ends(strict)
+    low, high, below, above = cuts(frame, w.ravel(), region, tolerated=not strict).ends(strict)
     kinds = np.where(low <= high, below * len(UPPER) + above, EMPTY).reshape(w.shape)
     low, high = low.reshape(w.shape), high.reshape(w.shape)
     found = []
@@ -141,10 +142,10 @@ def _narrowed(frame: Frame, region: int, strict: bool, left: Values, right: Valu
 def _names(kind: int, region: int) -> tuple[str, str]:
     """The conditions of a signature; beyond a reference circle it is the other side of its line that bounds."""
     low, high = LOWER[kind // len(UPPER)], UPPER[kind % len(UPPER)]
-    if region == 1:
-        low = {"tip1": "tip2", "tolerated1": "interference1"}.get(low, low)
-    if region == 2:
-        high = {"tip2": "tip1", "tolerated2": "interference2"}.get(high, high)
+    if region in (1, 3):
+        low = {"tolerated1": "interference1"}.get(low, low)
+    if region in (2, 3):
+        high = {"tolerated2": "interference2"}.get(high, high)
     return low, high
 
 
@@ -174,7 +175,10 @@ def _components(frame: Frame, region: int, steps: list[tuple[Values, Kinds]]) ->
         return None
     exact = [Break(float(one), float(x), b.lines, b.side) for one, x, b in zip(ws, xs, rough, strict=True)]
     ends = [k for k, b in enumerate(exact) if b.side == 0]
-    return [sorted(exact[i : j + 1], key=lambda b: b.w) for i, j in zip(ends[::2], ends[1::2], strict=True)]
+    parts = [sorted(exact[i : j + 1], key=lambda b: b.w) for i, j in zip(ends[::2], ends[1::2], strict=True)]
+    wide = [part for part in parts if part[-1].w - part[0].w > POINT]
+    # both ends in one point: a line that bounds a tiny region was stepped over, unless it is no more than a point
+    return wide if len(wide) == len(parts) or max(spans) < SPLIT * POINT else None
 
 
 def _traced(frame: Frame, region: int, strict: bool, breaks: list[Break]) -> Region:
@@ -187,7 +191,7 @@ def _traced(frame: Frame, region: int, strict: bool, breaks: list[Break]) -> Reg
     half, mean = np.diff(edges_w) / 2, (edges_w[1:] + edges_w[:-1]) / 2
     inner = mean[:, None] - half[:, None] * np.cos(np.pi * gauss.points)
     w = np.concatenate([np.append(a, row) for a, row in zip(edges_w[:-1], inner, strict=True)] + [edges_w[-1:]])
-    found = cuts(frame, w, region)
+    found = cuts(frame, w, region, tolerated=not strict)
     low, high, below, above = found.ends(strict)
     low[0] = high[0] = start.x1
     low[-1] = high[-1] = end.x1
@@ -245,7 +249,7 @@ def _corners(
 
     inner = list(breaks[1:-1])
     for k in range(1, len(marks) - 1):
-        if marks[k] == frame.angle:
+        if marks[k] == frame.angle and not frame.neck:
             for names, x1, side, line in ((lows, low, -1, "interference2"), (highs, high, 1, "interference1")):
                 if names[k - 1] == names[k] == line:
                     inner.append(Break(frame.angle, float(x1[k * size]), (line, line), side))

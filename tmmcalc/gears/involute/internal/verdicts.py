@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
-from math import ceil
-
-import numpy as np
-
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.gears.involute.internal.contact import internal_contact, internal_extremes
 from tmmcalc.gears.involute.internal.interference import interferences
-from tmmcalc.gears.involute.internal.pair import InternalPair, Tips, internal_of_shifts
+from tmmcalc.gears.involute.internal.margins import margin_of
+from tmmcalc.gears.involute.internal.pair import InternalPair, Tips
 from tmmcalc.gears.involute.profile.rounding import Shape
+from tmmcalc.gears.involute.quality.existence import told_nearest
 from tmmcalc.gears.involute.quality.verdicts import Check, QualityLimits, Verdict, at_least, at_most, wanted_angle
-
-REACH, STEP, HALVINGS = 2.0, 0.02, 30  # how far from the given shift an admissible one is sought
 
 
 def internal_checks(
@@ -93,35 +87,8 @@ def _failures(pair: InternalPair, limits: QualityLimits | None, fillet: Shape) -
 
 
 def _remedy(pair: InternalPair, limits: QualityLimits | None, tips: Tips, fillet: Shape) -> str:
-    """The nearest shift of the pinion alone, of the ring alone, and of both at the same centre distance."""
-    parts = []
-    for text, d1, d2 in (("x1 alone", 1, 0), ("x2 alone", 0, 1), ("at this centre distance", 1, -1)):
-
-        def works(t: float, d1: int = d1, d2: int = d2) -> bool:
-            pinion = replace(pair.pinion, shift=float(pair.pinion.shift) + d1 * t)
-            ring = replace(pair.ring, shift=pair.ring.shift + d2 * t)
-            try:
-                return not _failures(internal_of_shifts(pinion, ring, tips), limits, fillet)
-            except NoSolutionError:
-                return False
-
-        t = _nearest(works)
-        if t is not None:
-            x1, x2 = float(pair.pinion.shift) + d1 * t, pair.ring.shift + d2 * t
-            parts.append(f"{text}: x1 = {x1:.6g}, x2 = {x2:.6g}")
-    if parts:
-        return "the nearest admissible shifts are, " + "; ".join(parts)
-    return "no nearby shifts make this pair possible: a greater difference of the teeth, or shorter teeth (stub rack)"
-
-
-def _nearest(works: Callable[[float], bool]) -> float | None:
-    """The smallest change of either sign that works."""
-    for size in np.arange(STEP, REACH + STEP / 2, STEP):
-        for sign in (1.0, -1.0):
-            if works(sign * float(size)):
-                low, high = float(size) - STEP, float(size)
-                for _ in range(HALVINGS):
-                    middle = (low + high) / 2
-                    low, high = (low, middle) if works(sign * middle) else (middle, high)
-                return sign * ceil(high * 1e4) / 1e4  # as printed, and still admissible
-    return None
+    """The nearest shifts in the plane, of the pinion alone, of the ring alone, and at the same centre distance."""
+    fast, exact = margin_of(pair.pinion, pair.ring, limits, fillet, tips)
+    return told_nearest(fast, exact, (float(pair.pinion.shift), pair.ring.shift)) or (
+        "no nearby shifts make this pair possible: a greater difference of the teeth, or shorter teeth (stub rack)"
+    )

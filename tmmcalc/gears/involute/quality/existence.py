@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from math import pi, sin, tan
+from math import pi, tan
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.errors import NoSolutionError
+from tmmcalc.gears.involute.contour.form import form_of
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.pair import Pair, pair_at, pair_of_shifts, sum_of_shifts
 from tmmcalc.gears.involute.profile.form import junction
@@ -30,10 +31,10 @@ RAYS = 72  # directions in the plane (x1, x2)
 ZOOMS = 7  # looks between the neighbours of the best ray: its direction ends within 1e-5 rad
 PARTS = np.arange(1, 25) / 24  # of the step in which a ray enters
 PASSES = 5  # the entry ends within 1e-8
-NODES = 40  # of the polynomial for the ends of undercut involutes
 INWARD = 1e-9  # the shifts found are moved so far inward, beyond the error of the polynomial
 
 Form = Callable[[Values], Values]
+Margin = Callable[[Values, Values], Values]  # over x1 and x2 (n,)
 
 
 @record
@@ -68,9 +69,9 @@ def least_margin(
     Where it is negative it may leave out the ends of the involutes. ``forms`` are their curvatures over the shifts,
     as `form_over_shifts` gives them; None: each is found exactly.
     """
-    deepest = _deepest(first), _deepest(second)
-    whole = (x1 > deepest[0]) & (x2 > deepest[1])
-    x1, x2 = np.maximum(x1, deepest[0]), np.maximum(x2, deepest[1])
+    bottom = deepest(first), deepest(second)
+    whole = (x1 > bottom[0]) & (x2 > bottom[1])
+    x1, x2 = np.maximum(x1, bottom[0]), np.maximum(x2, bottom[1])
     pair = pair_of_shifts(replace(first, shift=x1), replace(second, shift=x2))
     rows = [*pair.starts, pair.contact_ratio - limits.contact_ratio, pair.angle]
     for wheel, tip in zip(pair.wheels, pair.tips, strict=True):
@@ -98,20 +99,12 @@ def _form(wheel: Wheel, shift: Values, fillet: Shape) -> Values:
 
 
 def form_over_shifts(wheel: Wheel, fillet: Shape = "ellipse") -> Form:
-    """rho_F as a function of the shift: LN, and below x_min a Chebyshev polynomial that is exact to about 1e-11."""
-    from numpy.polynomial import Chebyshev
-
-    high = wheel.least_shift
-    low = max(_deepest(wheel), high - 2 * REACH)
-    lifted = replace(wheel, shift=0.0)
-    limit, slope = float(lifted.limit), 1 / sin(wheel.section.angle)
-    if low >= high:
-        return lambda x: limit + slope * x
-    cut = Chebyshev.interpolate(lambda x: _form(wheel, x, fillet), NODES, [low, high])
-    return lambda x: np.where(x < high, cut(np.clip(x, low, high)), limit + slope * x)
+    """rho_F as a function of the shift, exact to about 1e-12."""
+    form = form_of(wheel, max(deepest(wheel), wheel.least_shift - 2 * REACH), fillet)
+    return lambda shift: form(shift)[0]
 
 
-def _deepest(wheel: Wheel) -> float:
+def deepest(wheel: Wheel) -> float:
     """The shift at which the root circle has all but shrunk to the centre."""
     return 1e-3 - float(replace(wheel, shift=0.0).root)
 
@@ -133,13 +126,20 @@ def nearest_shifts(
     0.0
     """
     chosen = limits or QualityLimits()
-    start = float(first.shift), float(second.shift)
-
     forms = form_over_shifts(first, fillet), form_over_shifts(second, fillet)
+
+    def least(x1: Values, x2: Values) -> Values:
+        return least_margin(first, second, x1, x2, chosen, fillet, forms)
+
+    return nearest_admitted(least, (float(first.shift), float(second.shift)), direction)
+
+
+def nearest_admitted(least: Margin, start: tuple[float, float], direction: float | None = None) -> Nearest | None:
+    """The point nearest to ``start`` where a margin over the shifts (n,) is not negative; None: none within 3."""
 
     def admitted(angle: Values, t: Values) -> NDArray[np.bool_]:
         x1, x2 = start[0] + t * np.cos(angle), start[1] + t * np.sin(angle)
-        return least_margin(first, second, x1.ravel(), x2.ravel(), chosen, fillet, forms).reshape(x1.shape) >= 0
+        return least(x1.ravel(), x2.ravel()).reshape(x1.shape) >= 0
 
     if direction is not None:
         angles = np.array([direction, direction + pi])
@@ -244,28 +244,42 @@ def pair_from_distance(first: Wheel, second: Wheel, distance: float, first_shift
 
 
 def _remedy(first: Wheel, second: Wheel, limits: QualityLimits, fillet: Shape) -> str:
-    nearest = nearest_shifts(first, second, limits, fillet=fillet)
-    if nearest is None:
-        return f"no shifts within {REACH:g} make this pair possible: other numbers of teeth or lower limits"
+    forms = form_over_shifts(first, fillet), form_over_shifts(second, fillet)
+
+    def fast(x1: Values, x2: Values) -> Values:
+        return least_margin(first, second, x1, x2, limits, fillet, forms)
+
+    def exact(x1: Values, x2: Values) -> Values:
+        return least_margin(first, second, x1, x2, limits, fillet)
+
+    told = told_nearest(fast, exact, (float(first.shift), float(second.shift)))
+    return told or f"no shifts within {REACH:g} make this pair possible: other numbers of teeth or lower limits"
+
+
+def told_nearest(fast: Margin, exact: Margin, start: tuple[float, float]) -> str:
+    """The shifts nearest to ``start`` in the plane and along its main lines, in words; empty if there are none.
+
+    Both margins are the same, the first to about 1e-9.
+    """
     parts = []
     for direction, text in ((None, ""), (0.0, "x1 alone: "), (pi / 2, "x2 alone: "), (-pi / 4, "at this x1 + x2: ")):
-        along = nearest if direction is None else nearest_shifts(first, second, limits, direction, fillet)
+        along = nearest_admitted(fast, start, direction)
+        if direction is None and along is None:
+            return ""
         if along is not None:
-            x1, x2 = _rounded(first, second, along, limits, fillet)
+            x1, x2 = _rounded(exact, start, along)
             parts.append(f"{text}x1 = {x1:.6g}, x2 = {x2:.6g}")
     return "the nearest admissible shifts are " + "; ".join(parts)
 
 
-def _rounded(
-    first: Wheel, second: Wheel, nearest: Nearest, limits: QualityLimits, fillet: Shape
-) -> tuple[float, float]:
+def _rounded(least: Margin, at: tuple[float, float], nearest: Nearest) -> tuple[float, float]:
     """The shifts with four decimals where they change, a little farther along if rounding leads out again."""
-    start, end = np.array([first.shift, second.shift], dtype=float), np.array(nearest.shifts)
+    start, end = np.array(at), np.array(nearest.shifts)
     along = end - start
     points = end + np.arange(41)[:, None] / 20000 * along / (nearest.distance or 1.0)
     shifts = np.where(np.abs(along) > 1e-9, np.round(points, 4), start)
     if abs(along.sum()) < 1e-9:
         shifts[:, 1] = start.sum() - shifts[:, 0]
-    good = np.flatnonzero(least_margin(first, second, shifts[:, 0], shifts[:, 1], limits, fillet) >= 0)
+    good = np.flatnonzero(least(shifts[:, 0], shifts[:, 1]) >= 0)
     x1, x2 = shifts[good[0]] if good.size else end
     return float(x1) + 0.0, float(x2) + 0.0

@@ -1,0 +1,202 @@
+"""``tmmcalc gears profile``."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from tmmcalc.cli.gears.drawn import Drawn, angle_of, check_flags, contents_of, length_of, tracks_of, write
+from tmmcalc.cli.options import (
+    Csv,
+    Depfile,
+    Form,
+    Format,
+    Fresh,
+    FromStage,
+    Out,
+    Quiet,
+    Set,
+    SpecFile,
+    Store,
+    Strict,
+)
+from tmmcalc.cli.work import Job, title
+from tmmcalc.errors import UsageError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from tmmcalc.gears.meshing.members import Member
+    from tmmcalc.gears.meshing.results import Pairs
+    from tmmcalc.gears.model import Values
+    from tmmcalc.pipeline.outcome import RunResult
+
+INTERVALS = 10  # of a table
+ROWS = 10_000  # of --fillet
+
+
+class AxisChoice(StrEnum):
+    """Where the axis Y of the tables runs."""
+
+    tooth = "tooth"
+    space = "space"
+    pitch = "pitch"
+    reference = "reference"
+
+
+def command(
+    spec: SpecFile,
+    form: Form = Format.table,
+    wheel: Annotated[
+        str | None,
+        typer.Option("--wheel", metavar="NAME", help="One wheel: 2', or PAIR/2' (default: all).", show_default=False),
+    ] = None,
+    points: Annotated[
+        int | None,
+        typer.Option("--points", metavar="N", min=3, help="Points of each curve of the profile.", show_default=False),
+    ] = None,
+    axis: Annotated[
+        AxisChoice | None,
+        typer.Option("--axis", help="Axis Y of the tables (default: tooth).", show_default=False),
+    ] = None,
+    intervals: Annotated[
+        int | None,
+        typer.Option(
+            "--intervals", metavar="N", min=2, max=ROWS, help="Steps of the tables (default: 10).", show_default=False
+        ),
+    ] = None,
+    fillet: Annotated[
+        str | None,
+        typer.Option(
+            "--fillet",
+            metavar="FB:FE:STEP",
+            help="Roll angles in rad of the fillet's table; fillet = circle only.",
+            show_default=False,
+        ),
+    ] = None,
+    svg: Annotated[
+        Path | None, typer.Option("--svg", metavar="FILE", help="Write a drawing 1:1.", show_default=False)
+    ] = None,
+    dxf: Annotated[
+        Path | None,
+        typer.Option("--dxf", metavar="FILE", help="Write arcs and splines in mm (extra cad).", show_default=False),
+    ] = None,
+    outline: Annotated[
+        Path | None,
+        typer.Option("--outline", metavar="FILE", help="Write points of the outline as CSV.", show_default=False),
+    ] = None,
+    tolerance: Annotated[
+        str | None,
+        typer.Option(
+            "--tolerance",
+            metavar="LENGTH",
+            help="Of chords and cubics in the files (default: 1e-4 of the module).",
+            show_default=False,
+        ),
+    ] = None,
+    whole: Annotated[bool, typer.Option("--whole/--tooth", help="Whole wheels in the files, or one tooth.")] = True,
+    phase: Annotated[
+        str | None,
+        typer.Option(
+            "--phase", metavar="ANGLE", help="Turn of the first wheel, of pairs in mesh: '5 deg'.", show_default=False
+        ),
+    ] = None,
+    out: Out = None,
+    store: Store = True,
+    fresh: Fresh = False,
+    from_stage: FromStage = None,
+    csv: Csv = None,
+    depfile: Depfile = None,
+    strict: Strict = False,
+    quiet: Quiet = False,
+    overrides: Set = None,
+) -> None:
+    """Tooth profiles: involute and fillet of every wheel, radii of curvature, the textbook's tables, drawings.
+
+    Files hold pairs in mesh, contact at the pitch point at --phase 0; with --wheel one wheel, a tooth on +Y. The table
+    is in mm; --format csv, json or toml prints metres: all points, or with --axis, --intervals or --fillet the tables.
+
+    Example: tmmcalc gears profile my.toml --wheel 1 --axis pitch --svg wheel.svg
+    """
+    drawn = Drawn(svg, dxf, outline, length_of(tolerance), whole, angle_of(phase))
+    check_flags(drawn, wheel, tolerance, phase)
+    rolls = None if fillet is None else _rolls(fillet)
+    job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
+    scene = job.spec()
+    if points is not None and scene.pair is not None:
+        job = replace(job, overrides=[*job.overrides, f"pair.points={points}"])
+        scene = job.spec()
+    run = job.run(scene, "profile")
+    pairs, heading = run.results["pair"], title(scene, spec, "tooth profiles")
+    chosen = _chosen(pairs, wheel)
+    asked = any(flag is not None for flag in (axis, intervals, fillet))
+    everything = form is not Format.table
+    document = _document(
+        run, heading, chosen, (axis or AxisChoice.tooth).value, intervals or INTERVALS, rolls, everything, asked
+    )
+    contents = contents_of(tracks_of(pairs, chosen if wheel else None, drawn), drawn, heading)
+    job.finish(document, run, form)
+    write(contents, quiet)
+
+
+def _rolls(text: str) -> Values:
+    """FB, FB + STEP, ... up to FE."""
+    import numpy as np
+
+    try:
+        first, last, step = (float(piece) for piece in text.split(":"))
+    except ValueError:
+        raise _bad_rolls(f"{text!r} is not first:last:step") from None
+    if not (np.isfinite([first, last, step]).all() and step > 0 and last >= first):
+        raise _bad_rolls(f"{text!r} has to run upward in steps above zero")
+    count = (last - first) / step
+    if count > ROWS:
+        raise _bad_rolls(f"{text!r} has more than {ROWS} rows")
+    return np.round(first + step * np.arange(int(count + 1e-9) + 1), 12)
+
+
+def _bad_rolls(message: str) -> UsageError:
+    return UsageError(message, where="--fillet", remedy="write roll angles in rad, e.g. --fillet=-0.5:0.1:0.05")
+
+
+def _chosen(pairs: Pairs, wheel: str | None) -> tuple[Member, ...]:
+    """The wheels of that name, or all."""
+    from tmmcalc.gears.meshing.members import members
+
+    every = members(pairs)
+    if wheel is None:
+        return every
+    found = tuple(member for member in every if wheel in (member.name, member.label))
+    if not found:
+        labels = ", ".join(member.label for member in every)
+        raise UsageError(f"there is no wheel {wheel!r}", where="--wheel", remedy=f"wheels: {labels}")
+    return found
+
+
+def _document(
+    run: RunResult,
+    heading: str,
+    chosen: Sequence[Member],
+    axis: Any,
+    intervals: int,
+    rolls: Values | None,
+    everything: bool,
+    asked: bool,
+) -> Any:
+    """Facts and tables of the chosen wheels that have a profile."""
+    from tmmcalc.gears.meshing.booktables import book_tables
+    from tmmcalc.report.profile import label_of, profile_document
+
+    result = run.results["profile"]
+    sound = {label_of(wheel) for wheel in result.wheels}
+    tables = [
+        table
+        for member in chosen
+        if member.label in sound and (table := book_tables(member, axis, intervals, rolls)) is not None
+    ]
+    wanted = [member.label for member in chosen]
+    return profile_document(result, heading, tables, wanted=wanted, everything=everything, asked=asked)

@@ -1,0 +1,1 @@
+"""Pairs of gears of a project: geometry, checks and measures, blocking contours, tooth profiles; lengths in metres."""

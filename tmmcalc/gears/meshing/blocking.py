@@ -1,0 +1,140 @@
+"""The blocking contours of the external pairs of a project, with their lines and points, and where the shifts stand.
+
+An empty contour is a result like any other: it tells its reason and the best contact ratio within reach.
+"""
+
+from __future__ import annotations
+
+from dataclasses import fields
+
+import numpy as np
+
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.gears.involute.contour.contour import Contour, Interval, contours, interval
+from tmmcalc.gears.involute.contour.margins import Margins, margins
+from tmmcalc.gears.involute.contour.trace import Region
+from tmmcalc.gears.meshing.blockinglines import contour_lines
+from tmmcalc.gears.meshing.blockingpoints import contour_points
+from tmmcalc.gears.meshing.choice import contour_task
+from tmmcalc.gears.meshing.contours import Area, Blocking, ContourCorner, Outline, PairContour
+from tmmcalc.gears.meshing.results import MeshPair, Pairs
+
+
+def solve_blocking(found: Pairs) -> Blocking:
+    """The strict and the tolerated contour of every external pair; the others get a remark.
+
+    >>> from tmmcalc.gears.meshing.task import PairTask
+    >>> from tmmcalc.gears.meshing.solve import solve_pair
+    >>> pair = solve_pair(PairTask((14, 17), 0.005, strategy="given", shifts=(0.6, 0.522)))
+    >>> round(solve_blocking(Pairs((pair,), "", ())).pairs[0].strict.main.area, 4)
+    0.9687
+    """
+    external = [pair for pair in found.pairs if pair.task.kind == "external"]
+    return Blocking(tuple(_pair_contour(pair) for pair in external), tuple(_remarks(found)))
+
+
+def _remarks(found: Pairs) -> list[str]:
+    remarks = []
+    for pair in found.pairs:
+        task = pair.task
+        if task.kind != "external":
+            what = "a rack" if task.kind == "rack" else "a ring"
+            remarks.append(
+                f"{task.title}: no blocking contour, which is that of two external wheels; the mate is {what}"
+            )
+        elif task.tips != (None, None):
+            remarks.append(
+                f"{task.title}: the contour is that of tips by the rule r + h_a* + x - dy, not of the given tip circles"
+            )
+    return remarks
+
+
+def _pair_contour(pair: MeshPair) -> PairContour:
+    task = pair.task
+    asked = contour_task(task)
+    both = contours(asked)
+    points, missing = contour_points(pair, both)
+    line = _interval(both, sum(pair.shifts))
+    return PairContour(
+        name=task.name,
+        teeth=task.teeth,
+        module=task.module,
+        helix=task.helix,
+        rack=task.rack,
+        contact_ratio=task.limits.contact_ratio,
+        thickness=task.limits.tip_thickness,
+        strict=_area(both[0]),
+        tolerated=_area(both[1]),
+        lines=contour_lines(pair, both),
+        points=points,
+        missing=missing,
+        margins=_margins(margins(asked, *pair.shifts)),
+        low=line.low if line else None,
+        high=line.high if line else None,
+        ends=(line.low_line, line.high_line) if line else ("", ""),
+    )
+
+
+def _interval(both: tuple[Contour, Contour], total: float) -> Interval | None:
+    """The admissible x1 of a sum, without undercut if there are any."""
+    for area in both:
+        try:
+            return interval(area.frame, total, area.strict)
+        except NoSolutionError:
+            continue
+    return None
+
+
+def _margins(found: Margins) -> dict[str, float]:
+    """The margins by the keys of the lines."""
+    spared = ("exists", "theta1", "theta2")
+    return {each.name: float(getattr(found, each.name)) for each in fields(found) if each.name not in spared}
+
+
+def _area(found: Contour) -> Area:
+    main = None if found.main is None else _outline(found.main)
+    return Area(
+        strict=found.strict,
+        main=main,
+        reason="" if main else found.reason,
+        pieces=tuple(_outline(piece) for piece in found.pieces),
+        untraced=tuple(wheel for wheel in (1, 2) if {wheel, 3} & set(found.untraced)),
+        best_contact_ratio=found.best_contact_ratio,
+    )
+
+
+def _outline(region: Region) -> Outline:
+    edges = region.edges
+    steps = [edge.x1.size - 1 for edge in edges]
+    x1, x2 = (
+        np.concatenate([*(getattr(edge, name)[:-1] for edge in edges), getattr(edges[0], name)[:1]])
+        for name in ("x1", "x2")
+    )
+    corners = tuple(ContourCorner(corner.x1, corner.x2, corner.lines) for corner in region.corners)
+    numbers = np.repeat(np.arange(len(edges)), steps)
+    return Outline(x1, x2, numbers, tuple(edge.line for edge in edges), corners, region.area)
+
+
+def blocking_columns(found: Blocking) -> dict[str, np.ndarray]:
+    """The boundaries of all contours: the table blocking.csv; each point with the line that goes on from it."""
+    names: list[str] = []
+    kinds: list[str] = []
+    lines: list[np.ndarray] = []
+    places: list[tuple[np.ndarray, np.ndarray]] = []
+    for pair in found.pairs:
+        for area in (pair.strict, pair.tolerated):
+            for outline in (area.main, *area.pieces):
+                if outline is None:
+                    continue
+                edge = np.append(outline.edge, outline.edge[-1])
+                names += [pair.name or f"{pair.teeth[0]}/{pair.teeth[1]}"] * edge.size
+                kinds += ["strict" if area.strict else "tolerated"] * edge.size
+                lines.append(np.array(outline.edges)[edge])
+                places.append((outline.x1, outline.x2))
+    return {
+        "pair": np.array(names, str),
+        "contour": np.array(kinds, str),
+        "line": np.concatenate(lines) if lines else np.array([], str),
+        "x1": np.concatenate([x1 for x1, _ in places]) if places else np.zeros(0),
+        "x2": np.concatenate([x2 for _, x2 in places]) if places else np.zeros(0),
+    }

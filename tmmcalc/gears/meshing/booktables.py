@@ -1,0 +1,130 @@
+"""The textbook's tables of the main profile and of the fillet for any wheel, in metres (4.77 to 4.95).
+
+Axes X-Omega-Y: the origin lies on the base circle, Y runs from the centre along the axis of the tooth or of the space,
+or through the point of the flank on the operating pitch circle or on the reference circle.
+"""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+
+from tmmcalc.errors import UsageError
+from tmmcalc.gears.involute.function import involute
+from tmmcalc.gears.involute.profile.flank import Flank
+from tmmcalc.gears.involute.profile.tables import Axis, axis_turn, fillet_table, main_profile
+from tmmcalc.gears.meshing.halves import Half, half_tooth
+from tmmcalc.gears.meshing.members import Member
+from tmmcalc.gears.model import Values
+from tmmcalc.records import record
+
+
+@record
+class BookTable:
+    """A table: headers with units and columns (n,); the names of its notable points, empty for the others."""
+
+    points: tuple[str, ...]  # A: tip, L: limit point, F: form radius, D: root
+    columns: dict[str, Values]
+    cut: np.ndarray  # (n,) whether there is a point of the profile; where not, its columns are 0
+
+
+@record
+class BookTables:
+    """Both tables of one wheel."""
+
+    member: Member
+    axis: Axis
+    main: BookTable
+    fillet: BookTable
+    rounded: bool  # whether the fillet has the columns of S, which a circular rounding has
+
+
+def book_tables(
+    member: Member, axis: Axis = "tooth", intervals: int = 10, rolls: Values | None = None
+) -> BookTables | None:
+    """The tables of one wheel in ``intervals`` equal steps, of the fillet at ``rolls`` [rad] if these are given.
+
+    None for a rack, whose flanks are straight. Raises `NoSolutionError` if the wheel has no profile, `UsageError` if
+    rolls are asked of a fillet that no circular rounding cuts.
+    """
+    if member.shape == "rack":
+        return None
+    half, turn = half_tooth(member), _turn(member, axis)
+    circular = member.shape == "external" and member.flank.rounding.width == member.flank.rounding.height
+    if rolls is not None and not circular:
+        raise UsageError(
+            f"wheel {member.label}: the table over the roll angle is that of a circular rounding of a rack",
+            where="--fillet",
+            remedy="name an external wheel with --wheel" if member.shape == "ring" else 'fillet = "circle" in [pair]',
+        )
+    if member.shape == "ring":
+        main = _sampled(member, half, "involute", turn, intervals)
+    else:
+        main = _main(member.flank, turn, intervals, member.module)
+    if circular:
+        fillet = _fillet(member.flank, turn, intervals, rolls, member.module)
+    else:
+        fillet = _sampled(member, half, "fillet", turn, intervals)
+    return BookTables(member, axis, main, fillet, circular)
+
+
+def _turn(member: Member, axis: Axis) -> float:
+    """The angle [rad] from the flank's point on the reference circle to the axis Y."""
+    if member.shape == "external":
+        return axis_turn(member.wheel, axis, member.found.angle_w)
+    psi, start = _half_angle(member), float(involute(member.wheel.section.angle))
+    turns = {
+        "reference": 0.0,
+        "tooth": psi,
+        "space": psi - member.half_pitch,
+        "pitch": start - float(involute(member.found.angle_w)),
+    }
+    return turns[axis]
+
+
+def _half_angle(member: Member) -> float:
+    """psi [rad] of the tooth of a ring: what its space leaves."""
+    return pi / member.wheel.teeth - float(member.wheel.half_angle)
+
+
+def _main(flank: Flank, turn: float, intervals: int, m: float) -> BookTable:
+    table = main_profile(flank, turn, intervals)
+    last = "F" if flank.wheel.limit < 0 else "L"
+    columns = {"phi[rad]": table.roll, "X_T[m]": m * table.x, "Y_T[m]": m * table.y, "R_T[m]": m * table.radius}
+    return BookTable(("A", *[""] * (len(table.roll) - 2), last), columns, np.ones(len(table.roll), bool))
+
+
+def _fillet(flank: Flank, turn: float, intervals: int, rolls: Values | None, m: float) -> BookTable:
+    ends = flank.rolls
+    if rolls is None:
+        # a centre on the rolling line cuts the whole fillet at one roll angle
+        rolls = np.linspace(ends.root, ends.limit, intervals + 1)[1:-1] if ends.root != ends.limit else np.zeros(0)
+    table = fillet_table(flank, turn, rolls)
+    lengths = {
+        "X_S": table.centre_x,
+        "Y_S": table.centre_y,
+        "X": table.x,
+        "Y": table.y,
+        "R_S": table.centre_radius,
+        "R": table.radius,
+    }
+    columns = {"phi[rad]": table.roll, **{f"{name}[m]": m * column for name, column in lengths.items()}}
+    return BookTable((*[""] * (len(table.roll) - 2), "L", "D"), columns, table.cut)
+
+
+def _sampled(member: Member, half: Half, name: str, turn: float, intervals: int) -> BookTable:
+    """A part of the profile in equal steps of its parameter, from the tip towards the root."""
+    part, m = half.fillet if name == "fillet" else half.flank, member.module
+    at = np.linspace(part.curve.end, part.curve.start, intervals + 1)
+    psi = _half_angle(member) if member.shape == "ring" else float(member.wheel.half_angle)
+    places = part.curve.point(at) * np.exp(1j * (turn - psi)) - 1j * half.base
+    under = "_T" if name == "involute" else ""
+    columns = {
+        "phi[rad]": part.roll(at),
+        f"X{under}[m]": m * places.real,
+        f"Y{under}[m]": m * places.imag,
+        f"R{under}[m]": m * np.abs(part.radius(at)),
+    }
+    first, last = ("A", "F") if name == "involute" else ("F", "D")
+    return BookTable((first, *[""] * (intervals - 1), last), columns, np.ones(intervals + 1, bool))

@@ -1,0 +1,131 @@
+"""The wheels of the pairs of a project, each once, with what is needed to draw them; lengths in normal modules."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from math import pi
+from typing import Literal
+
+from tmmcalc.gears.involute.internal.ring import Ring
+from tmmcalc.gears.involute.profile.flank import Flank, flank_of
+from tmmcalc.gears.involute.profile.outline import Element, tooth
+from tmmcalc.gears.involute.profile.ring import RingFlank, ring_flank
+from tmmcalc.gears.involute.profile.rounding import Rounding, rounding
+from tmmcalc.gears.involute.profile.shaping import ShapedRing, shaped_ring
+from tmmcalc.gears.involute.wheel import Wheel
+from tmmcalc.gears.meshing.mates import external_pair, internal_pair, pinion_on_rack, wheel_of
+from tmmcalc.gears.meshing.results import MeshPair, Pairs
+from tmmcalc.records import record
+
+Shape = Literal["external", "ring", "rack"]
+
+
+@record
+class Member:
+    """One wheel, ring or rack of a pair."""
+
+    found: MeshPair
+    place: int  # 0: first, 1: second of the pair
+    apart: bool = False  # its name is enough to tell it from all others, as in a train
+
+    @property
+    def name(self) -> str:
+        """The name of the wheel."""
+        return self.found.task.wheels[self.place]
+
+    @property
+    def pair(self) -> str:
+        """The name of the pair, empty for a single one and for a wheel that may be in several."""
+        return "" if self.apart else self.found.task.name
+
+    @property
+    def label(self) -> str:
+        """Both names, as files and flags have them."""
+        return f"{self.pair}/{self.name}" if self.pair else self.name
+
+    @property
+    def shape(self) -> Shape:
+        """What it is."""
+        kind = self.found.task.kind
+        if self.place == 0 or kind == "external":
+            return "external"
+        return "ring" if kind == "internal" else "rack"
+
+    @property
+    def module(self) -> float:
+        """Normal module [m]."""
+        return self.found.task.module
+
+    @property
+    def wheel(self) -> Wheel:
+        """An external wheel as its rack cuts it; of a ring the wheel whose teeth fill its spaces; a rack's pinion."""
+        if self.shape == "ring":
+            ring = self.ring
+            return Wheel(ring.teeth, -ring.shift, ring.helix, ring.rack)
+        place = 0 if self.shape == "rack" else self.place
+        return wheel_of(self.found.task, place + 1, self.found.shifts[place])
+
+    @property
+    def ring(self) -> Ring:
+        """The ring of an internal pair."""
+        return internal_pair(self.found).ring
+
+    @property
+    def tip(self) -> float:
+        """Radius of the tip circle; of a rack the height of its tip line above the datum line."""
+        kind = self.found.task.kind
+        if kind == "rack":
+            rack = pinion_on_rack(self.found)
+            return rack.tip if self.place == 0 else rack.addendum
+        pair = external_pair(self.found) if kind == "external" else internal_pair(self.found)
+        return float(pair.tips[self.place])
+
+    @property
+    def flank(self) -> Flank:
+        """The flank of an external wheel; raises `NoSolutionError` where no tooth is left."""
+        return flank_of(self.wheel, self.tip, self.found.task.fillet)
+
+    @property
+    def ring_flank(self) -> RingFlank | ShapedRing:
+        """The flank of a ring, beside a space; raises `NoSolutionError` if no involute is left."""
+        ring = self.ring
+        if ring.cutter is not None:
+            return shaped_ring(ring, ring.cutter, self.tip)
+        return ring_flank(self.wheel, self.tip, ring.root)
+
+    @property
+    def tool(self) -> Rounding:
+        """The tip of the basic rack: what fills the spaces of a rack."""
+        return rounding(replace(self.wheel, shift=0.0), self.found.task.fillet)
+
+    @property
+    def element(self) -> Element:
+        """A tooth of an external wheel, a space of a ring, on +Y; raises `NoSolutionError` if there is none."""
+        return self.ring_flank.element if self.shape == "ring" else tooth(self.flank)
+
+    @property
+    def half_pitch(self) -> float:
+        """Half the angle [rad] from tooth to tooth; of a rack half its transverse pitch."""
+        return pi / 2 * self.wheel.section.module if self.shape == "rack" else pi / self.wheel.teeth
+
+
+def both(found: MeshPair) -> tuple[Member, Member]:
+    """The members of one pair."""
+    return Member(found, 0), Member(found, 1)
+
+
+def members(found: Pairs) -> tuple[Member, ...]:
+    """All of them; a wheel of a train that is in several meshes once."""
+    return tuple(_distinct(found))
+
+
+def _distinct(found: Pairs) -> Iterator[Member]:
+    seen: set[str] = set()
+    for pair in found.pairs:
+        for member in both(pair):
+            if not found.train:
+                yield member
+            elif member.name not in seen:
+                seen.add(member.name)
+                yield replace(member, apart=True)

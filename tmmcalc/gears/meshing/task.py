@@ -1,0 +1,79 @@
+"""What is asked of the pairs of a project: one by one, or for every mesh of the train that was chosen."""
+
+from __future__ import annotations
+
+from dataclasses import field
+from typing import Literal
+
+from tmmcalc.gears.involute.internal.ring import Cutter
+from tmmcalc.gears.involute.measure.balls import Body
+from tmmcalc.gears.involute.measure.span import Rule
+from tmmcalc.gears.involute.profile.rounding import Shape
+from tmmcalc.gears.involute.quality.verdicts import QualityLimits
+from tmmcalc.gears.involute.rack import Rack
+from tmmcalc.gears.involute.shifts import DESIRED, Split, Strategy
+from tmmcalc.records import record
+
+Kind = Literal["external", "internal", "rack"]
+Two = tuple[float | None, float | None]
+NEITHER: Two = (None, None)
+
+
+@record
+class Measuring:
+    """What is measured on the wheels of a pair, first and second; None: the usual choice."""
+
+    span_teeth: tuple[int | None, int | None] = (None, None)  # z_w; None: the largest that the rule admits
+    balls: Two = NEITHER  # diameters [m]; None: those that touch near the circle r + x
+    body: Body = "balls"
+    rule: Rule = "book"  # of the largest z_w
+
+
+@record
+class PairTask:
+    """One pair: a pinion (or any external wheel) with its mate, an external wheel, a ring or a rack."""
+
+    teeth: tuple[int, int]  # z1, z2; of a rack z2 = 0
+    module: float  # [m], normal
+    name: str = ""  # of the pair, in titles and files
+    wheels: tuple[str, str] = ("1", "2")  # names of the wheels
+    kind: Kind = "external"
+    helix: float = 0.0  # beta [rad] of the reference cylinder; the hand is irrelevant
+    rack: Rack = Rack()  # basic rack in the normal section
+    strategy: Strategy = "balanced"
+    shifts: Two = NEITHER  # x1, x2 as given
+    distance: float | None = None  # a_w [m]
+    split: Split = "equal_sliding"  # of the sum of shifts that a centre distance or its equal shift leaves
+    desired: float = DESIRED  # contact ratio of the strategy equal_sliding
+    strict: bool = True  # the choice avoids all undercut
+    limits: QualityLimits = QualityLimits()
+    refuse: bool = True  # whether a pair that cannot work is an error, or only told
+    face_width: float | None = None  # b [m], the working one
+    fillet: Shape = "ellipse"  # section of the tip rounding across helical teeth
+    tips: Two = NEITHER  # radii of the tip circles [m] in place of those by the rule
+    cutter: Cutter | None = None  # of a ring
+    measuring: Measuring = Measuring()
+
+    @property
+    def title(self) -> str:
+        """The pair in a few words.
+
+        >>> PairTask((14, 17), 0.005).title
+        'z = 14/17'
+        """
+        mate = "rack" if self.kind == "rack" else f"{self.teeth[1]}{' (ring)' if self.kind == 'internal' else ''}"
+        return f"{f'{self.name}: ' if self.name else ''}z = {self.teeth[0]}/{mate}"
+
+    @property
+    def width(self) -> float:
+        """Face width in normal modules, 0 if it is not given."""
+        return 0.0 if self.face_width is None else self.face_width / self.module
+
+
+@record
+class PairsTask:
+    """All pairs of a project."""
+
+    pairs: tuple[PairTask, ...] = ()  # written out; none: those of the train
+    usual: PairTask | None = None  # of a train: what holds for every mesh, whatever its teeth, module and face width
+    own: dict[str, PairTask] = field(default_factory=dict)  # the same of single meshes by their names, such as 2'-3

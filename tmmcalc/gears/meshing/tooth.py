@@ -1,0 +1,93 @@
+"""The profiles of all wheels of a project: points, roll angles and radii of curvature, in metres."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.gears.meshing.halves import Half, Part, half_tooth
+from tmmcalc.gears.meshing.members import Member, members
+from tmmcalc.gears.meshing.profiles import Profiles, WheelProfile
+from tmmcalc.gears.meshing.results import Pairs
+
+FEWEST = 3  # points of a curve
+SHARE = 5  # arcs and straight lines have so many times fewer
+
+
+def solve_profiles(found: Pairs, points: int = 50) -> Profiles:
+    """Half a tooth of every wheel, ``points`` on its fillet and as many on its involute.
+
+    A wheel that cannot have a profile is told in the remarks. Raises `UsageError` for fewer than 3 points.
+    """
+    if points < FEWEST:
+        raise UsageError(
+            f"{points} points are too few for a curve",
+            where="profile",
+            value=points,
+            limit=FEWEST,
+            remedy=f"at least {FEWEST}",
+        )
+    wheels, remarks = [], []
+    for member in members(found):
+        try:
+            half = half_tooth(member)
+        except NoSolutionError as error:
+            remarks.append(f"wheel {member.label} has no profile: {error.message}; {error.remedy}")
+            continue
+        wheels.append(_profile(member, half, points))
+        if half.remark:
+            remarks.append(f"wheel {member.label} is {half.remark}")
+    return Profiles(tuple(wheels), tuple(remarks))
+
+
+def _profile(member: Member, half: Half, points: int) -> WheelProfile:
+    m = member.module
+    each = [_sampled(part, points) for part in half.parts]
+    places = np.concatenate([part.curve.point(at) for part, at in zip(half.parts, each, strict=True)])
+    return WheelProfile(
+        pair=member.pair,
+        wheel=member.name,
+        kind=member.shape,
+        teeth=0 if member.shape == "rack" else member.wheel.teeth,
+        shift=0.0 if member.shape == "rack" else float(member.found.shifts[member.place]),
+        module=m,
+        tip=m * half.tip,
+        root=m * half.root,
+        base=m * half.base,
+        form=m * half.form,
+        undercut=half.undercut,
+        part=np.repeat([part.name for part in half.parts], [len(at) for at in each]),
+        roll=np.concatenate([part.roll(at) for part, at in zip(half.parts, each, strict=True)]),
+        x=m * places.real,
+        y=m * places.imag,
+        radius=m * np.concatenate([part.radius(at) for part, at in zip(half.parts, each, strict=True)]),
+        rolls=half.rolls,
+        fillet_least_radius=m * half.least_radius,
+        join=m * half.join,
+    )
+
+
+def _sampled(part: Part, points: int) -> np.ndarray:
+    """Parameters in equal steps: of the normal's direction on a fillet, of the roll angle on an involute."""
+    count = points if part.kind == "curve" else max(points // SHARE, 2)
+    return np.linspace(part.curve.start, part.curve.end, count)
+
+
+def profile_columns(found: Profiles) -> dict[str, np.ndarray]:
+    """The points of all wheels, one wheel after the other: the table profile.csv."""
+    counts = np.array([len(wheel.x) for wheel in found.wheels], int)
+    columns = {
+        "pair": np.repeat([wheel.pair for wheel in found.wheels], counts),
+        "wheel": np.repeat([wheel.wheel for wheel in found.wheels], counts),
+        "part": _joined([wheel.part for wheel in found.wheels]),
+        "phi[rad]": _joined([wheel.roll for wheel in found.wheels]),
+        "x[m]": _joined([wheel.x for wheel in found.wheels]),
+        "y[m]": _joined([wheel.y for wheel in found.wheels]),
+        "R[m]": _joined([wheel.radius for wheel in found.wheels]),
+    }
+    named = any(wheel.pair for wheel in found.wheels)
+    return columns if named else {header: column for header, column in columns.items() if header != "pair"}
+
+
+def _joined(arrays: list[np.ndarray]) -> np.ndarray:
+    return np.concatenate(arrays) if arrays else np.zeros(0)

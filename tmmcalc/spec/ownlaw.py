@@ -1,0 +1,63 @@
+"""Laws of one's own, brought to the scale of a phase: as ``[cam]`` writes them, as the cams take them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tmmcalc.cams.laws.catalogue import LAWS
+from tmmcalc.cams.laws.own import of_accelerations, of_coefficients, of_points
+from tmmcalc.errors import UsageError
+
+if TYPE_CHECKING:
+    from tmmcalc.cams.laws.law import Law, Values
+
+    from .camlaw import LawTable
+
+KINDS = ("points", "acceleration", "polynomial")
+
+
+def to_law(law: str | LawTable) -> Law:
+    """The law by its name or its table; raises `UsageError` if it cannot move a follower."""
+    if isinstance(law, str):
+        return LAWS[law]
+    kind = next(kind for kind in KINDS if getattr(law, kind) is not None)
+    return own_law(kind, getattr(law, kind), law.file or kind)
+
+
+def own_law(kind: str, values: list[Any], name: str) -> Law:
+    """The law of points [k, s] or [k, a] to any scale, or of coefficients.
+
+    Raises `UsageError` if it cannot move a follower.
+
+    >>> float(own_law("polynomial", [0, 0, 3, -2], "cubic").at(np.array([0.5]))[0, 0])
+    0.5
+    """
+    with np.errstate(all="ignore"):
+        law = _own_law(kind, values, name)
+    if not np.all(np.isfinite(law.coefficients)):
+        raise _fault(name, "its numbers are of too different size", "numbers of ordinary size")
+    return law
+
+
+def _own_law(kind: str, values: list[Any], name: str) -> Law:
+    if kind == "polynomial":
+        return of_coefficients(values, name)
+    k, value = _columns(values)
+    if kind == "acceleration":
+        return of_accelerations(k, value, name)
+    try:
+        return of_points(k, value, name)
+    except np.linalg.LinAlgError:
+        raise _fault(name, "no curve leads through points that stand so close", "fewer points") from None
+
+
+def _columns(points: list[list[float]]) -> tuple[Values, Values]:
+    """k, from 0 to 1 whatever its scale, and the values."""
+    k, value = np.array(points, float).T
+    return (k / k[-1] if k[-1] > 0 else k), value
+
+
+def _fault(name: str, what: str, remedy: str) -> UsageError:
+    return UsageError(f"the law {name!r} cannot move a follower: {what}", where="law", remedy=remedy)
