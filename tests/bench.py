@@ -17,6 +17,7 @@ from time import perf_counter
 from typing import Any
 
 import numpy as np
+from bench_cams import cams
 from bench_gears import gears
 from bench_pairs import pairs
 from random_mechanisms import build
@@ -61,7 +62,7 @@ app(["x"])
 
 def main() -> None:
     """Print all tables."""
-    missed = [*startup(), *kinematics(), *forces(), *machine(), *project(), *gears(), *pairs()]
+    missed = [*startup(), *kinematics(), *forces(), *machine(), *project(), *gears(), *pairs(), *cams()]
     growth()
     memory()
     print(f"\n{len(missed)} bars missed{': ' if missed else ''}{'; '.join(missed)}")

@@ -13,6 +13,13 @@ from tmmcalc.linkage.structure import Structure
 from tmmcalc.linkage.structure import solve_structure as _structure
 
 if TYPE_CHECKING:
+    from tmmcalc.cams.forces.results import CamForces
+    from tmmcalc.cams.lawresult import LawResult as CamLaw
+    from tmmcalc.cams.optimum.results import CamOptimum
+    from tmmcalc.cams.pressure import Pressure as CamPressure
+    from tmmcalc.cams.profile.results import Profile as CamProfile
+    from tmmcalc.cams.strength.results import CamStrength
+    from tmmcalc.cams.synthesis.results import Synthesis as CamSynthesis
     from tmmcalc.gears.gearing import Gearing
     from tmmcalc.gears.meshing.contours import Blocking
     from tmmcalc.gears.meshing.profiles import Profiles
@@ -133,6 +140,41 @@ def solve_blocking(spec: Spec) -> Blocking:
 def solve_profiles(spec: Spec) -> Profiles:
     """Half a tooth of every wheel of the pairs of a spec; lengths in metres."""
     return _solved(spec, "profile")
+
+
+def solve_cam_law(spec: Spec) -> CamLaw:
+    """The law of motion of the cam of a spec over its turn, its constants and jumps."""
+    return _solved(spec, "cam_law")
+
+
+def solve_cam_synthesis(spec: Spec) -> CamSynthesis:
+    """The sizes of the cam of a spec, given or found under its limits: ``.follower``."""
+    return _solved(spec, "cam_synthesis")
+
+
+def solve_cam_profile(spec: Spec) -> CamProfile:
+    """Pitch and working profiles of the cam of a spec, its curvature, the largest roller."""
+    return _solved(spec, "cam_profile")
+
+
+def solve_cam_pressure(spec: Spec) -> CamPressure:
+    """The pressure angle of the cam of a spec over its turn."""
+    return _solved(spec, "cam_pressure")
+
+
+def solve_cam_forces(spec: Spec) -> CamForces:
+    """Spring, reactions, friction and torque of the cam of a spec."""
+    return _solved(spec, "cam_forces")
+
+
+def solve_cam_strength(spec: Spec) -> CamStrength:
+    """Slip, shaft, stem, pin and contact stress of the cam of a spec, each with its margin."""
+    return _solved(spec, "cam_strength")
+
+
+def solve_cam_optimum(spec: Spec) -> CamOptimum:
+    """The lowest mechanism for the cam of a spec, its blocking contour and active constraints."""
+    return _solved(spec, "cam_optimum")
 
 
 def run(

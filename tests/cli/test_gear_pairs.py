@@ -140,15 +140,94 @@ def test_measures(cli: Cli, helical: str) -> None:
     assert {row["wheel"] for row in rows} == {"1", "2"}
 
 
+def test_sliding_in_steps(cli: Cli, helical: str) -> None:
+    """As program 1.15 lists it: 0.5, 2.5, 4.5 mm ... up to g; the table of the stage stays as it is."""
+    usual = cli("gears", "pair", *FLAGS, helical, "-f", "csv").out
+    out = cli("gears", "pair", *FLAGS, helical, "--sliding-step", "2 mm", "-f", "csv").out
+    rows = list(csv.DictReader(io.StringIO(out)))
+    assert [float(row["rho1[m]"]) for row in rows] == pytest.approx([0.0005 + 0.002 * k for k in range(20)])
+    g, u = CASES["IG-S06"]["expected"]["N1N2"] / 1000, 17 / 14
+    for row in rows:
+        rho = float(row["rho1[m]"])
+        assert float(row["theta1"]) == pytest.approx(1 - (g - rho) / (u * rho), rel=1e-6)
+    assert cli("gears", "pair", *FLAGS, helical, "-f", "csv").out == usual
+    table = cli("gears", "pair", *FLAGS, helical, "--sliding-step", "2 mm").out
+    assert "\nsliding\n" in table
+    assert max(map(len, table.splitlines())) <= 80
+    code, _, err = cli("gears", "pair", *FLAGS, helical, "--sliding-step", "2")
+    assert code == 2
+    assert "--sliding-step" in err
+
+
+def test_circles_of_the_tooth(cli: Cli, helical: str) -> None:
+    flags = ("--wheel", "2", "--radius", "45 mm", "--radius", "48 mm", "-f", "json")
+    found = json.loads(cli("gears", "measure", *FLAGS, helical, *flags).out)["wheel 2"]
+    asked = [row for row in found["chords"] if row["circle"] == "asked"]
+    assert [row["r[m]"] for row in asked] == pytest.approx([0.045, 0.048], rel=1e-14)
+    for row in asked:
+        assert row["s_t[m]"] == pytest.approx(2 * row["r[m]"] * row["theta[rad]"], rel=1e-13)
+        assert row["arc[m]"] == pytest.approx(row["s_t[m]"] * math.cos(row["beta_y[rad]"]), rel=1e-13)
+
+
+def test_what_programs_get_of_a_pair(cli: Cli, helical: str) -> None:
+    """IG-S04; keys that a hand calculation has beside the radii."""
+    expected = CASES["IG-S04"]["expected"]
+    found = json.loads(cli("gears", "pair", *FLAGS, helical, "-f", "json").out)
+    for key in ("inv_alpha_t", "inv_alpha_tw"):
+        assert found[key] == pytest.approx(expected[key], abs=1e-9)
+    assert found["gamma[rad]"] == pytest.approx(expected["gamma_rad"], abs=1e-9)
+    assert found["p_t[m]"] == pytest.approx(expected["p_t"] / 1000, abs=1e-9)
+    assert found["alpha_tw_dms"] == expected["alpha_tw_dms"]
+    alpha_t = math.radians(expected["alpha_t_deg"])
+    assert found["rho_t"] == pytest.approx(0.25 / (1 - math.sin(alpha_t)), abs=1e-8)
+    flat = math.pi / 4 / math.cos(math.radians(15)) - math.tan(alpha_t) - found["rho_t"] * math.cos(alpha_t)
+    assert found["e_S[m]"] == pytest.approx(0.005 * flat, abs=1e-9)
+    for number, wheel in found["wheels"].items():
+        assert wheel["r_gamma[m]"] == pytest.approx(expected[f"r{number}"] * expected["gamma_rad"] / 1000, abs=1e-9)
+        assert wheel["psi_w[rad]"] == pytest.approx(wheel["psi[rad]"] - expected["gamma_rad"], abs=1e-9)
+        assert wheel["s_ta[m]"] == pytest.approx(expected[f"s_a{number}_transverse"] / 1000, abs=1e-9)
+        assert {"Y_F", "s_Fn[m]", "h_F[m]", "z_min"} <= set(wheel)
+        assert "r_p_left[m]" not in wheel
+    assert not any(key.endswith("_left") for key in found)
+
+
+def test_shortened_flanks_have_their_own_names(cli: Cli, spur: str) -> None:
+    spec = ("--set", "pair.teeth=[10, 20]", "--set", "pair.x1=0.15", "--set", "pair.x2=0.3")
+    more = ("--set", "pair.helix_angle='12 deg'", "--set", "pair.face_width='30 mm'", "--set", "pair.refuse=false")
+    found = json.loads(cli("gears", "pair", *FLAGS, spur, *spec, *more, "-f", "json").out)
+    assert found["theta_1"] == pytest.approx(-29.93941, abs=1e-5)
+    assert found["lambda_start"] == pytest.approx(9.92566, abs=1e-5)
+    assert found["wheels"]["1"]["r_p[m]"] == pytest.approx(0.02395940, abs=1e-8)
+    assert found["eps_gamma"] == pytest.approx(found["eps_alpha"] + found["eps_beta"], rel=1e-14)
+    assert found["eps_gamma_shortened"] == pytest.approx(found["eps_alpha_shortened"] + found["eps_beta"], rel=1e-14)
+    assert found["theta_1"] < found["theta_1_left"] < 0
+    assert found["wheels"]["1"]["r_p_left[m]"] > found["wheels"]["1"]["r_p[m]"]
+    total = next(check for check in found["checks"] if check["check"] == "total contact ratio")
+    assert total["value"] == found["eps_gamma"]
+
+
+def test_lines_of_the_contour(cli: Cli, spur: str) -> None:
+    found = json.loads(cli("gears", "blocking", *FLAGS, spur, "-f", "json").out)
+    numbers = {line["number"] for line in found["lines"]}
+    assert {"4", "5", "6", "7", "8", "9", "14", "15", "16"} <= numbers
+    for line in found["lines"]:
+        assert len(line["x_1"]) == len(line["x_2"]) >= 2
+        if line["number"] in ("14", "15", "16"):
+            totals = [one + two for one, two in zip(line["x_1"], line["x_2"], strict=True)]
+            assert totals == pytest.approx([line["value"]] * len(totals), abs=1e-12)
+
+
 @pytest.mark.parametrize(
     ("flags", "said"),
     [
         (("--ball", "8.5"), "'8.5' has no unit"),
         (("--ball", "8.5 deg"), "is an angle"),
-        (("--ball", "0 mm"), "0 cannot be measured over"),
+        (("--ball", "0 mm"), "'0 mm' is not above zero"),
         (("--wheel", "3"), "wheels: 1, 2"),
         (("--pair", "3"), "no pair is called '3'"),
-        (("--teeth", "0"), "--teeth"),
+        (("--teeth", "1"), "--teeth"),
+        (("--radius", "67"), "'67' has no unit"),
+        (("--radius", "0 mm"), "--radius"),
     ],
 )
 def test_wrong_measures(cli: Cli, helical: str, flags: tuple[str, str], said: str) -> None:

@@ -162,13 +162,25 @@ def test_nothing_is_drawn_on_an_error(cli: Cli, book: str, flags: tuple[str, ...
 
 
 def test_fillet_over_rolls_is_refused_where_it_is_none(cli: Cli, three: str) -> None:
-    code, out, err = cli(*PROFILE, three, "--wheel", "spur/1", "--fillet", "-0.4:0:0.1", "-q")
+    code, out, err = cli(*PROFILE, three, "--wheel", "ring/2", "--fillet", "-0.4:0:0.1", "-q")
     assert (code, out) == (2, "")
-    assert 'fillet = "circle"' in err
-    code, _, err = cli(*PROFILE, three, "--wheel", "ring/2", "--fillet", "-0.4:0:0.1", "-q")
-    assert code == 2
     assert "--wheel" in err
     assert cli(*PROFILE, three, "--wheel", "ring/1", "--fillet", "-0.4:0:0.1", "-q").code == 0
+    code, out, _ = cli(*PROFILE, three, "--wheel", "spur/1", "--fillet", "-0.4:0:0.1", "-q")
+    assert code == 0
+    assert "fillet of a circular rounding" in out
+    assert "in place of the ellipse" in out
+    assert max(map(len, out.splitlines())) <= 80
+
+
+def test_main_profile_over_rolls(cli: Cli, book: str) -> None:
+    out = cli(*PROFILE, book, "-q", "-f", "csv", "--wheel", "1", "--rolls=-0.3:0.4:0.1").out
+    found = columns(out)
+    main = [float(phi) for phi, table in zip(found["phi[rad]"], found["table"], strict=True) if table == "main"]
+    assert main[1:-1] == pytest.approx([0.4, 0.3, 0.2, 0.1, 0.0, -0.1, -0.2, -0.3], abs=1e-12)
+    code, _, err = cli(*PROFILE, book, "--rolls", "1:2")
+    assert code == 2
+    assert "--rolls" in err
 
 
 def test_missing_extra_is_said_before_anything_runs(cli: Cli, book: str, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -194,3 +206,71 @@ def test_spec_without_a_pair(cli: Cli) -> None:
     code, _, err = cli(*PROFILE, "my.toml", "--points", "20")
     assert code == 2
     assert "[pair]" in err
+
+
+UNSOUND = """[pair]
+module = "2 mm"
+refuse = false
+[[pair.meshes]]
+teeth = [5, 5]
+x1 = -1
+x2 = 2
+[[pair.meshes]]
+teeth = [20, 30]
+x1 = 0
+x2 = 0
+"""
+LACK = "wheel pair 1/1: the tip circle lies below the beginning of the involute: 4.44453 mm against 5.41737 mm"
+
+
+@pytest.fixture
+def unsound() -> str:
+    Path("unsound.toml").write_text(UNSOUND)
+    return "unsound.toml"
+
+
+def test_sound_wheels_are_drawn_and_the_others_named(cli: Cli, unsound: str) -> None:
+    code, out, _ = cli(*PROFILE, unsound, "--svg", "all.svg", "--outline", "all.csv")
+    assert code == 0
+    assert "wheel pair 1/1 has no profile" in " ".join(out.split())
+    named = columns(Path("all.csv").read_text())
+    assert set(zip(named["pair"], named["wheel"], strict=True)) == {("pair 1", "2"), ("pair 2", "1"), ("pair 2", "2")}
+    code, _, err = cli(*PROFILE, unsound, "--wheel", "pair 1/1", "--svg", "one.svg")
+    assert code == 3
+    assert LACK in " ".join(err.split())
+    assert not Path("one.svg").exists()
+
+
+@pytest.mark.parametrize("stage", ["pair", "profile"])
+def test_sheets_of_sound_wheels(cli: Cli, unsound: str, stage: str) -> None:
+    pytest.importorskip("matplotlib")
+    assert cli("plot", unsound, stage, "-o", "sheets.svg")[0] == 0
+    assert Path("sheets.svg").exists()
+    code, _, err = cli("plot", unsound, "pair", "--choose", "1", "-o", "one.svg")
+    assert code == 3
+    assert LACK in " ".join(err.split())
+
+
+def test_names_are_refused_before_anything_is_computed(cli: Cli, three: str) -> None:
+    for command, flag, said in ((PROFILE, "--wheel", "no wheel '9'"), (("gears", "pair"), "--pair", "'9'")):
+        code, _, err = cli(*command, three, flag, "9")
+        assert code == 2
+        assert said in err
+        assert "computed" not in err
+    assert not Path("three.out").exists()
+    assert "ring/2" in cli(*PROFILE, three, "--wheel", "9")[2]
+
+
+@pytest.mark.parametrize(
+    ("flags", "said"),
+    [
+        (("--phase", "1e15 deg"), "more than 100 turns"),
+        (("--tolerance", "1 m"), "too coarse for the module of 5 mm"),
+        (("--tolerance", "1e-9 mm"), "too fine for the module of 5 mm"),
+    ],
+)
+def test_flags_beyond_all_sense(cli: Cli, book: str, flags: tuple[str, str], said: str) -> None:
+    code, _, err = cli(*PROFILE, book, "--svg", "a.svg", *flags)
+    assert code == 2
+    assert said in " ".join(err.split())
+    assert not Path("a.svg").exists()

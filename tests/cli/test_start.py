@@ -103,6 +103,21 @@ def test_init_writes_a_spec_that_checks(cli: Cli, name: str) -> None:
     assert cli("check", "new.toml").code == 0
 
 
+def test_init_writes_the_tables_of_a_spec(cli: Cli) -> None:
+    code, out, err = cli("init", "cam-own-law", "-o", "own.toml")
+    assert (code, out) == (0, "")
+    assert "wrote own.toml and tmmcalc.schema.json, with cam-law.csv" in err
+    assert Path("cam-law.csv").read_bytes() == (CONFIGS / "cam-law.csv").read_bytes()
+    assert cli("init", "cam-own-law", "-o", "other.toml", "-q") == (0, "", "")  # the same table again
+    Path("cam-law.csv").write_text("k,s\n0,0\n1,1\n")
+    code, out, err = cli("init", "cam-own-law", "-o", "third.toml")
+    assert (code, out) == (2, "")
+    assert "cam-law.csv exists" in err
+    assert not Path("third.toml").exists()
+    assert cli("init", "cam-own-law", "-o", "third.toml", "--force").code == 0
+    assert Path("cam-law.csv").read_bytes() == (CONFIGS / "cam-law.csv").read_bytes()
+
+
 def test_init_prints_the_spec(cli: Cli) -> None:
     code, out, err = cli("init")
     assert (code, err) == (0, "")
@@ -157,6 +172,14 @@ def test_check_reports_every_file(cli: Cli) -> None:
         (ROTOR, "a rotor with 1 unbalance"),
         (ENGINE + ROTOR, "an engine of 4 cylinders; a rotor with 1 unbalance"),
         (ENGINE.replace("4", "1"), "an engine of 1 cylinder"),
+        ((CONFIGS / "pair-rack.toml").read_text(), "1 pair of gears"),
+        ((CONFIGS / "pair-blocking.toml").read_text(), "2 pairs of gears"),
+        ((CONFIGS / "gears-pairs.toml").read_text(), "a gear train, AIbar; pairs of the train"),
+        ((CONFIGS / "cam-flat.toml").read_text(), "a cam with a flat-faced follower"),
+        (
+            (CONFIGS / "cam-oscillating.toml").read_text() + ROTOR,
+            "a rotor with 1 unbalance; a cam with an oscillating follower",
+        ),
         ((CONFIGS / "four-bar.toml").read_text() + ROTOR, "3 moving links, 4 joints; a rotor with 1 unbalance"),
     ],
 )

@@ -166,6 +166,7 @@ class TestPair:
         assert said(pair_document(solved(task), "t"), "no undercut from").splitlines() == [
             f"x_min1 = {exact[0]:.7g}, x_min2 = {exact[1]:.7g}",
             "about (17 - z)/17 = 0.2353 and -1 by the textbook",
+            f"at these shifts from z_min1 = {0.7 * 34.194407 / 2:.5g}, z_min2 = 17.097",
         ]
         assert "textbook" not in said(pair_document(solved(GIVEN), "t"), "no undercut from")
 
@@ -255,8 +256,8 @@ class TestMeasure:
         assert wheel.notes[0].startswith("warning: span over 2 teeth")
         exact = replace(task, measuring=Measuring(rule="exact"))
         (wheel,) = measure_document(solved(exact), "t", wheel="2").parts
-        assert "valid; not admitted by the textbook's rule" in said(wheel, "span")
-        assert not wheel.notes
+        assert "not valid: beneath the active flank; not admitted by the textbook's rule" in said(wheel, "span")
+        assert wheel.notes[0].startswith("warning: span over 3 teeth: the plates touch beneath the usable involute")
 
     def test_a_span_as_asked(self) -> None:
         """Every further tooth adds one base pitch; past the tip nothing is touched."""
@@ -413,7 +414,7 @@ class TestBlocking:
         none = Area(True, None, "no shifts give a mesh without undercut", (), (1,), 0.0)
         document = blocking_document(scene(strict=none, points=(), margins={}), "t")
         assert said(document, "strict contour") == "no undercut: none\nno shifts give a mesh without undercut"
-        assert any("pieces with the contact on one side of P (wheel 1) are not outlined" in n for n in document.notes)
+        assert any("parts with tip 2 inside its reference circle are not outlined" in n for n in document.notes)
         assert [each.title for each in document.parts] == ["corners"]
         assert {row["contour"] for row in rows(document.parts[0])} == {"tolerated"}
 

@@ -20,11 +20,12 @@ from tmmcalc.gears.involute.profile.mesh import Placing
 from tmmcalc.gears.involute.profile.outline import outline
 from tmmcalc.gears.meshing.booktables import book_tables
 from tmmcalc.gears.meshing.members import Member
+from tmmcalc.gears.meshing.meshtracks import beside, mesh_placings, mesh_tracks
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.meshing.tooth import solve_profiles
-from tmmcalc.gears.meshing.tracks import Track, beside, mesh_placings, mesh_tracks, track
+from tmmcalc.gears.meshing.tracks import Track, track
 from tmmcalc.report.gearfiles import dxf, layer_of, outline_csv, require_dxf, svg
 from tmmcalc.report.profile import profile_document, profile_summary
 
@@ -99,17 +100,66 @@ def test_axes_of_the_tables(pair: MeshPair, place: int, axis: Any) -> None:
     assert table.main.points[-1] == ("L" if place == 0 and pair is not UNDER else "F")
 
 
-def test_fillet_over_rolls_needs_the_circle() -> None:
+def test_fillet_of_helical_wheels_is_that_of_the_circle() -> None:
+    """The table of the textbook, whatever rounds the outline: rho_t*, x_1S, phi_D = x_1S/r, R = rho_t + R_S."""
     helical = solved((14, 27), (0.5, 0.3), helix=0.26)
-    plain = book_tables(Member(helical, 0))
-    assert plain is not None
-    assert not plain.rounded
-    assert list(plain.fillet.columns) == ["phi[rad]", "X[m]", "Y[m]", "R[m]"]
-    for pair, place, remedy in ((helical, 0, "circle"), (RING, 1, "--wheel")):
-        with pytest.raises(UsageError, match="circular") as caught:
-            book_tables(Member(pair, place), rolls=np.zeros(3))
-        assert remedy in caught.value.remedy
+    table = book_tables(Member(helical, 0), rolls=np.array([-0.1]))
+    assert table is not None
+    assert (table.rounded, table.apart) == (True, True)
+    angle = np.arctan(np.tan(np.radians(20)) / np.cos(0.26))
+    rho, r = 0.25 * M / (1 - np.sin(angle)), 14 * M / (2 * np.cos(0.26))
+    x = M * (0.5 - 1) * np.tan(angle) - rho * np.cos(angle)
+    y = M * (0.5 - 1) + rho * np.sin(angle)
+    assert table.radius == pytest.approx(rho, rel=1e-13)
+    columns = table.fillet.columns
+    assert columns["phi[rad]"][-1] == pytest.approx(x / r, rel=1e-12)
+    assert columns["R[m]"] == pytest.approx(columns["R_S[m]"] + rho, rel=1e-12)
+    base = helical.sizes[0].base
+    assert np.hypot(columns["X[m]"], columns["Y[m]"] + base)[-1] == pytest.approx(helical.sizes[0].root, rel=1e-13)
+    centre = np.hypot(columns["X_S[m]"], columns["Y_S[m]"] + base)[-1]
+    assert centre == pytest.approx(r + y, rel=1e-13)
+    joint = [
+        (found.columns[f"X{under}[m]"], found.columns[f"Y{under}[m]"])
+        for found, under in ((table.main, "_T"), (table.fillet, ""))
+    ]
+    assert (joint[0][0][-1], joint[0][1][-1]) == pytest.approx((joint[1][0][-2], joint[1][1][-2]), abs=1e-12)
+    profile = solve_profiles(Pairs((helical,), "", ())).wheels[0]
+    assert profile.centre == pytest.approx((x, y), rel=1e-12)
+    assert profile.half_angle == pytest.approx((pi / 2 + np.tan(np.radians(20))) / 14, rel=1e-13)
+    with pytest.raises(UsageError, match="circular") as caught:
+        book_tables(Member(RING, 1), rolls=np.zeros(3))
+    assert "--wheel" in (caught.value.remedy or "")
     assert book_tables(Member(RACK, 1)) is None
+
+
+@pytest.mark.parametrize(("pair", "place"), [(BOOK, 0), (UNDER, 0), (RING, 1)])
+def test_main_profile_at_rolls(pair: MeshPair, place: int) -> None:
+    """R_T = r_b (phi + tan(alpha_t)) at the roll angles asked for, between the ends of the involute."""
+    inside = [-0.05, 0.0, 0.08]
+    table = book_tables(Member(pair, place), main_rolls=np.array([-9.0, *inside, 9.0]))
+    assert table is not None
+    found, base = table.main.columns, pair.sizes[place].base
+    rolls = found["phi[rad]"]
+    assert sorted(rolls[1:-1]) == pytest.approx(inside, abs=1e-15)
+    assert table.main.points[1:-1] == ("", "", "")
+    assert found["R_T[m]"] == pytest.approx(base * (rolls + np.tan(np.radians(20))), rel=1e-12)
+    radii = np.hypot(found["X_T[m]"], found["Y_T[m]"] + base)
+    assert radii**2 == pytest.approx(base**2 + found["R_T[m]"] ** 2, rel=1e-12)
+
+
+def test_order_of_generation_turns_round_with_the_shift() -> None:
+    for shift, order in ((0.25, ["L", "D", "A"]), (0.95, ["D", "L", "A"])):
+        result = solve_profiles(Pairs((solved((30, 40), (shift, 0.0)),), "", ()))
+        values = {
+            key: value for fact in profile_document(result, "t").parts[0].facts for key, value in fact.values.items()
+        }
+        assert values["order"] == order
+        starts = {name: values[f"phi_{name}[rad]"] for name in "LDA"}
+        assert sorted(starts, key=lambda name: starts[name]) == order
+    expected = CASES["IG-S11"]["expected"]
+    assert values["x_1S[m]"] == pytest.approx(expected["x1S"] / 1000, abs=1e-9)
+    assert values["y_1S[m]"] == pytest.approx(expected["y1S"] / 1000, abs=1e-9)
+    assert values["psi[rad]"] == pytest.approx(expected["psi_rad"], abs=1e-8)
 
 
 def test_document_tells_every_wheel() -> None:
@@ -262,7 +312,9 @@ def test_outline_of_the_wheel_and_its_csv() -> None:
     header, *rows = csv.reader(StringIO(outline_csv([track(Member(UNDER, 0), FINE)]).decode()))
     assert header == ["pair", "wheel", "x[m]", "y[m]"]
     points = track(Member(UNDER, 0), FINE).polygon
-    assert [complex(float(x), float(y)) for *_, x, y in rows] == points.tolist()
+    assert [complex(float(x), float(y)) for *_, x, y in rows] == [*points.tolist(), points[0]]  # the polygon is closed
+    tooth = track(Member(UNDER, 0), FINE, whole=False)
+    assert len(outline_csv([tooth]).splitlines()) == 1 + len(tooth.polygon)
     assert outline_csv([track(Member(BOOK, 0), FINE)]).startswith(b"wheel,x[m],y[m]\n1,")
 
 

@@ -159,9 +159,10 @@ def test_a_good_spec_loads_nothing_that_only_faults_need(shaper: str) -> None:
 
 def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
     names = {
-        f"tmmcalc.spec.{table}" for table in (*LATE, "pair", "files", "loading", "linkage", "machine", "balancing")
+        f"tmmcalc.spec.{table}"
+        for table in (*LATE, "pair", "cam", "files", "loading", "linkage", "machine", "balancing")
     }
-    names |= {f"tmmcalc.spec.checks.{table}" for table in (*LATE, "gear", "pair") if table != "drive"}
+    names |= {f"tmmcalc.spec.checks.{table}" for table in (*LATE, "gear", "pair", "cam") if table != "drive"}
     assert not names & loaded_by(shaper)
     assert names & loaded_by(f"{shaper}\n[reduction]\n") == {"tmmcalc.spec.reduction"}
     of_a_machine = {f"tmmcalc.spec.{table}" for table in LATE if table != "torque"}
@@ -181,7 +182,7 @@ def test_files_are_read_only_when_a_spec_names_one(shaper: str) -> None:
 
 def test_late_tables_are_those_of_the_root() -> None:
     root = {"project", "mechanism"}
-    assert {*Spec.model_fields} - root == {*LATE, "strength", "criteria", "gearing", "pair"}
+    assert {*Spec.model_fields} - root == {*LATE, "strength", "criteria", "gearing", "pair", "cam"}
     assert root < {*Spec.model_fields}
 
 

@@ -693,7 +693,7 @@ def test_a_key_in_the_wrong_table_has_a_home(shaper: str, faults_of: Faults) -> 
     (fault,) = faults_of(f"{shaper}\n[reduction]\nefficiency = 0.9\n")
     assert fault.remedy.startswith("efficiency belongs in [motor], [transmission], [gearing]")
     (fault,) = faults_of(f"{shaper}\n[reduction]\nstiffness = 1\n")
-    assert fault.remedy == "stiffness belongs in [[springs]] or [[shafts]]"
+    assert fault.remedy == "stiffness belongs in [[springs]], [[shafts]], [cam.spring] or [cam.elastic]"
     (fault,) = faults_of(f"{shaper}\n[weather]\n")
     assert fault.remedy.startswith("the keys here are: project, mechanism, torque, loads, springs, drive, motor")
 

@@ -181,9 +181,25 @@ FAULTS = [
     (f'{PAIR}angle_range = ["30 deg", "15 deg"]\n', "pair.angle_range", "runs backwards", "smaller angle first"),
     (f'{PAIR}angle_range = ["30 deg"]\n', "pair.angle_range", "not a list of 2 values", '["15 deg", "30 deg"]'),
     # tools
-    (f"{PAIR}addendum = 1.6\n", "pair.addendum", "no tool has this rack: the tip rounding is wider", "smaller tip"),
-    (f'{PAIR}pressure_angle = "25 deg"\n', "pair.pressure_angle", "no tool has this rack", "smaller tip radius"),
-    (PAIR + entries("tip_radius = 0.9"), "pair.meshes[0].tip_radius", "no tool has this rack", "smaller tip"),
+    (
+        f"{PAIR}addendum = 1.95\n",
+        "pair.addendum",
+        "no tool has this rack: the tip is wider",
+        "addendum of at most 1.9078",
+    ),
+    (f'{PAIR}pressure_angle = "33 deg"\n', "pair.pressure_angle", "no tool has this rack", "angle of at most 32.14"),
+    (
+        f'{PAIR}pressure_angle = "33 deg"\nhelix_angle = "45 deg"\n',
+        "pair.pressure_angle",
+        "wider than the tooth of the rack by",
+        "clearance of at most",
+    ),
+    (
+        PAIR + entries("tip_radius = 0.9"),
+        "pair.meshes[0].tip_radius",
+        "no tool has this rack",
+        "radius of at most 0.47",
+    ),
     # several pairs
     (f'{PAIR}name = "a"\n' + entries("x1 = 0.1\nx2 = 0.1"), "pair.name", "each of them is a pair", "[[pair.meshes]]"),
     (PAIR + entries('name = "a"', 'name = "a"'), "pair.meshes[1].name", "the name of two pairs", "rename"),
@@ -234,7 +250,7 @@ FAULTS = [
     (f"{TRAIN}addendum = 0.8\n", "pair.addendum", "an addendum of 0.8", "addendum = 0.8 in [train]"),
     (f'{TRAIN}rack = "AGMA 14.5"\n', "pair.rack", "14.5 deg, the teeth of the train", '"14.5 deg" in [train]'),
     (f'{TRAIN}rack = "stub 20"\n', "pair.rack", "an addendum of 0.8, the teeth of the train", "in [train]"),
-    (f"{TRAIN}clearance = 1\n", "pair.clearance", "no tool has this rack", "smaller tip"),
+    (f"{TRAIN}clearance = 1\ntip_radius = 0.5\n", "pair.tip_radius", "no tool has this rack", "tip radius of at most"),
 ]
 
 

@@ -367,9 +367,9 @@ def test_a_misspelt_key_is_not_missing_as_well(faults_of: Faults) -> None:
 
 NO_SUBJECT = (
     "mechanism",
-    "missing key: a spec describes a mechanism, or else a torque diagram, an engine, a rotor or gears",
+    "missing key: a spec describes a mechanism, or else a torque diagram, an engine, a rotor, gears or a cam",
     "add [mechanism.input], [[mechanism.links]], [[mechanism.joints]]; "
-    "[torque], [engine], [rotor], [train], [gearing] or [pair]",
+    "[torque], [engine], [rotor], [train], [gearing], [pair] or [cam]",
 )
 MOTOR = '[motor]\nname = "4A132S4"\n'
 

@@ -177,3 +177,29 @@ def refusing(what: str) -> Callable[..., object]:
         raise AssertionError(f"{what} is computed")
 
     return refuse
+
+
+@pytest.mark.parametrize("file", ["pair.toml", "pair-internal.toml", "pair-rack.toml"])
+def test_pairs_import_no_train_no_cam_and_no_machine(file: str) -> None:
+    names = imported(file)
+    train = ("search", "strength", "selection", "criteria", "network")
+    others = (*(f"tmmcalc.gears.{part}" for part in train), "tmmcalc.cams", "tmmcalc.machine", "tmmcalc.linkage.forces")
+    assert within(names, "tmmcalc.gears.meshing.solve")
+    assert not within(names, *others, "scipy", "matplotlib")
+
+
+@pytest.mark.parametrize("file", ["cam.toml", "cam-oscillating.toml", "cam-flat.toml", "cam-translating.toml"])
+def test_a_cam_imports_no_gears_and_no_machine(file: str) -> None:
+    names = imported(file)
+    assert within(names, "tmmcalc.cams.program")
+    assert not within(names, "tmmcalc.gears", "tmmcalc.machine", "tmmcalc.linkage.forces", "scipy", "matplotlib")
+
+
+def test_a_project_without_gears_and_cams_imports_none() -> None:
+    assert not within(imported("shaper.toml"), "tmmcalc.gears", "tmmcalc.cams")
+
+
+def test_a_law_alone_imports_no_forces_of_cams() -> None:
+    names = imported("cam-translating.toml", "cam_law")
+    left_out = ("forces", "strength", "optimum", "synthesis", "profile", "elastic", "response")
+    assert not within(names, *(f"tmmcalc.cams.{part}" for part in left_out))

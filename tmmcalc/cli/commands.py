@@ -15,6 +15,7 @@ COMMANDS = {
     "transient": ("tmmcalc.cli.transient", "Start-up, braking, run-down, load changes in time."),
     "balance": ("tmmcalc.cli.balance", "Shaking forces of linkage, engine, rotor; counterweights."),
     "gears": ("tmmcalc.cli.gears", "Gears: trains, strength, pairs, blocking contours, profiles."),
+    "cam": ("tmmcalc.cli.cam", "Cams: laws, synthesis, profile, forces, strength, optimum."),
     "run": ("tmmcalc.cli.run", "Run every stage that the spec has."),
     "plot": ("tmmcalc.cli.plot", "Draw the result of a stage to an svg, png or pdf file."),
 }
@@ -28,4 +29,14 @@ GEARS = {
     "blocking": ("tmmcalc.cli.gears.blocking", "Blocking contours: all admissible shifts of a pair."),
     "profile": ("tmmcalc.cli.gears.profile", "Tooth profiles; svg, dxf and csv files of gears."),
     "measure": ("tmmcalc.cli.gears.measure", "Span, size over balls, chords of the teeth."),
+}
+
+CAM = {
+    "law": ("tmmcalc.cli.cam.law", "Law of motion of the follower, its constants and jumps."),
+    "synth": ("tmmcalc.cli.cam.synth", "Sizes within the limits of the pressure angle."),
+    "profile": ("tmmcalc.cli.cam.profile", "Pitch and working profile; svg, dxf and csv files."),
+    "forces": ("tmmcalc.cli.cam.forces", "Spring, reactions, friction, torque of the cam."),
+    "strength": ("tmmcalc.cli.cam.strength", "Slip, shaft, stem, pin, contact stress with margins."),
+    "elastic": ("tmmcalc.cli.cam.elastic", "Vibration of a follower on an elastic train."),
+    "optimize": ("tmmcalc.cli.cam.optimize", "The lowest mechanism; blocking contour; what limits it."),
 }

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from tmmcalc.cli.work import within_turns
 from tmmcalc.errors import UsageError
 
 if TYPE_CHECKING:
@@ -42,9 +43,10 @@ class Order(NamedTuple):
 
         said = self.flags.get(flag)
         try:
-            return 0.0 if said is None else parse(said, "angle")
+            angle = 0.0 if said is None else parse(said, "angle")
         except UnitError as fault:
             raise UsageError(fault.message, where=flag, remedy=fault.remedy) from None
+        return within_turns(angle, flag)
 
     @property
     def choice(self) -> int | None:
@@ -143,6 +145,22 @@ def _profile(order: Order) -> None:
     draw_profile(order.results["pair"], order.file, choose=order.choice)
 
 
+def _cam(stage: str) -> Callable[[Order], None]:
+    """What draws a stage of the cam."""
+
+    def draw(order: Order) -> None:
+        from tmmcalc.report.pictures import cams
+        from tmmcalc.spec.cams import to_cam
+
+        getattr(cams, f"draw_{stage}")(to_cam(order.spec), order.results[stage], order.file)
+
+    return draw
+
+
+CAM_STAGES = tuple(
+    f"cam_{stage}" for stage in ("law", "synthesis", "profile", "pressure", "forces", "strength", "optimum", "elastic")
+)
+
 DRAWINGS = {
     "kinematics": Drawing(_kinematics, (POSITIONS, POLYGONS)),
     "forces": Drawing(_forces, (POLYGONS,)),
@@ -156,6 +174,7 @@ DRAWINGS = {
     "pair": Drawing(_pair, (CHOOSE, PHASE)),
     "blocking": Drawing(_blocking, (CHOOSE,)),
     "profile": Drawing(_profile, (CHOOSE,)),
+    **{stage: Drawing(_cam(stage)) for stage in CAM_STAGES},
 }
 
 

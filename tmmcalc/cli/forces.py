@@ -6,23 +6,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.options import (
-    Columns,
-    Csv,
-    Depfile,
-    Form,
-    Format,
-    Fresh,
-    FromStage,
-    Out,
-    Positions,
-    Quiet,
-    Set,
-    SpecFile,
-    Store,
-    Strict,
-    patterns_of,
-)
+from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
 from tmmcalc.cli.positions import rows_of
 from tmmcalc.cli.work import Job, title
 from tmmcalc.errors import UsageError
@@ -37,8 +22,9 @@ ITERATIONS, STOP = "--iterations", "--stop"
 EXAMPLE = f"write e.g. {ITERATIONS} 'RRP(2,3)@6', or '...@67.5 deg'"
 
 
+@with_flags
 def command(
-    spec: SpecFile,
+    job: Job,
     form: Form = Format.table,
     columns: Columns = None,
     positions: Positions = None,
@@ -54,26 +40,16 @@ def command(
         float | None,
         typer.Option(STOP, metavar="PART", help="Relative change at which the passes end (default: 0.03)."),
     ] = None,
-    out: Out = None,
-    store: Store = True,
-    fresh: Fresh = False,
-    from_stage: FromStage = None,
-    csv: Csv = None,
-    depfile: Depfile = None,
-    strict: Strict = False,
-    quiet: Quiet = False,
-    overrides: Set = None,
 ) -> None:
     """Forces: reactions in all pairs, with friction where the pairs have it, and what the drive must apply.
 
     Example: tmmcalc forces my.toml --columns 'phi,M_drive,R_*' --positions 0:12:2
     """
     _check_flags(iterations, stop, columns, positions)
-    job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
     scene = job.spec()
     run = job.run(scene, "forces")
     result = run.results["forces"]
-    heading = title(scene, spec, "forces")
+    heading = title(scene, job.file, "forces")
     if iterations is not None:
         document = _iterations(scene, run.results["kinematics"], result, heading, iterations, stop)
     else:

@@ -8,23 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.options import (
-    Columns,
-    Csv,
-    Depfile,
-    Form,
-    Format,
-    Fresh,
-    FromStage,
-    Out,
-    Positions,
-    Quiet,
-    Set,
-    SpecFile,
-    Store,
-    Strict,
-    patterns_of,
-)
+from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
 from tmmcalc.cli.positions import rows_of
 from tmmcalc.cli.work import Job, title
 from tmmcalc.errors import UsageError
@@ -43,8 +28,9 @@ class MethodChoice(StrEnum):
     differences = "differences"
 
 
+@with_flags
 def command(
-    spec: SpecFile,
+    job: Job,
     form: Form = Format.table,
     columns: Columns = None,
     positions: Positions = None,
@@ -78,25 +64,15 @@ def command(
     study: Annotated[
         bool, typer.Option("--study", help="Print the error of differences against their step, instead.")
     ] = False,
-    out: Out = None,
-    store: Store = True,
-    fresh: Fresh = False,
-    from_stage: FromStage = None,
-    csv: Csv = None,
-    depfile: Depfile = None,
-    strict: Strict = False,
-    quiet: Quiet = False,
-    overrides: Set = None,
 ) -> None:
     """Kinematics: positions, velocities, accelerations, transfer functions, dead centres, strokes.
 
     Example: tmmcalc kinematics my.toml --columns 'phi,x_*' --positions 0:12:2
     """
     _check_flags(study, compare, method, step, decimals, columns, positions, dimensionless)
-    job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
     scene = job.spec()
     job = replace(job, settings={"kinematics": _settings(scene, method, step, decimals)})
-    heading = title(scene, spec, "kinematics")
+    heading = title(scene, job.file, "kinematics")
     run = job.run(scene, "kinematics")
     result = run.results["kinematics"]
     if study or compare:

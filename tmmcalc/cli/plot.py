@@ -65,7 +65,10 @@ def command(
     removed, curves of ratio, efficiency and module ratio. criteria: inertia against mass with the Pareto front, pairs
     of criteria, the chosen train to scale. pair: teeth in mesh with the line of action, sliding and pressure along it.
     blocking: the blocking contour with its numbered lines and points. profile: how the rack cuts the teeth, each tooth
-    enlarged. The stage is computed afresh; no stage files are read or written.
+    enlarged. cam_law: displacement and its derivatives over the turn. cam_synthesis: the admissible places of the
+    cam's axis. cam_profile: the cam to scale, its curvature. cam_pressure: the pressure angle. cam_forces: spring,
+    reactions, torque. cam_strength: slip and contact stress. cam_optimum: the blocking contour.
+    The stage is computed afresh; no stage files are read or written.
 
     Example: tmmcalc plot my.toml kinematics -o my.svg --polygons 6
     """

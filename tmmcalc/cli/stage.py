@@ -4,23 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from tmmcalc.cli.options import (
-    Columns,
-    Csv,
-    Depfile,
-    Form,
-    Format,
-    Fresh,
-    FromStage,
-    Out,
-    Positions,
-    Quiet,
-    Set,
-    SpecFile,
-    Store,
-    Strict,
-    patterns_of,
-)
+from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
 from tmmcalc.cli.positions import rows_of
 from tmmcalc.cli.work import Job, title
 
@@ -31,23 +16,14 @@ def stage_command(stage: str, document: str, text: str) -> Callable[..., None]:
     The function is called as ``document(result, title, patterns=, rows=, everything=, where=)``.
     """
 
+    @with_flags
     def command(
-        spec: SpecFile,
+        job: Job,
         form: Form = Format.table,
         columns: Columns = None,
         positions: Positions = None,
-        out: Out = None,
-        store: Store = True,
-        fresh: Fresh = False,
-        from_stage: FromStage = None,
-        csv: Csv = None,
-        depfile: Depfile = None,
-        strict: Strict = False,
-        quiet: Quiet = False,
-        overrides: Set = None,
     ) -> None:
         patterns = patterns_of(columns)
-        job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
         scene = job.spec()
         run = job.run(scene, stage)
         result = run.results[stage]
@@ -55,7 +31,7 @@ def stage_command(stage: str, document: str, text: str) -> Callable[..., None]:
 
         printed = resolve(document)(
             result,
-            title(scene, spec, stage),
+            title(scene, job.file, stage),
             patterns=patterns,
             rows=rows_of(positions, result.labels),
             everything=form is not Format.table,
@@ -70,25 +46,16 @@ def stage_command(stage: str, document: str, text: str) -> Callable[..., None]:
 def summary_command(stage: str, document: str, text: str) -> Callable[..., None]:
     """The command of a stage without positions; the function is called as ``document(result, title)``."""
 
+    @with_flags
     def command(
-        spec: SpecFile,
+        job: Job,
         form: Form = Format.table,
-        out: Out = None,
-        store: Store = True,
-        fresh: Fresh = False,
-        from_stage: FromStage = None,
-        csv: Csv = None,
-        depfile: Depfile = None,
-        strict: Strict = False,
-        quiet: Quiet = False,
-        overrides: Set = None,
     ) -> None:
-        job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
         scene = job.spec()
         run = job.run(scene, stage)
         from tmmcalc.pipeline.stage import resolve
 
-        job.finish(resolve(document)(run.results[stage], title(scene, spec, stage)), run, form)
+        job.finish(resolve(document)(run.results[stage], title(scene, job.file, stage)), run, form)
 
     command.__doc__ = text
     return command

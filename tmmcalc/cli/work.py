@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
@@ -12,6 +13,8 @@ from tmmcalc.cli.messages import say, show_damage, show_error, show_event, whoev
 from tmmcalc.cli.options import Format
 from tmmcalc.errors import LimitError, UsageError
 from tmmcalc.records import record
+
+TURNS = 100  # that an angle of a drawing may have
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import Event, RunResult
@@ -128,6 +131,19 @@ def check_place(file: Path, where: str) -> None:
         raise UsageError(f"{file} is a folder", where=where, remedy="name a file in it")
     if not file.parent.is_dir():
         raise UsageError(f"there is no folder {file.parent}", where=where, remedy="make it first, or choose another")
+
+
+def within_turns(angle: float, flag: str) -> float:
+    """The angle [rad] itself; raises `UsageError` if it is more than TURNS turns."""
+    if abs(angle) <= TURNS * 2 * math.pi:
+        return angle
+    raise UsageError(
+        f"{math.degrees(angle):.6g} deg is more than {TURNS} turns",
+        where=flag,
+        value=angle,
+        limit=TURNS * 2 * math.pi,
+        remedy=f"write e.g. {flag} '5 deg'",
+    )
 
 
 def title(spec: Spec, file: Path, what: str) -> str:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from tmmcalc.gears.involute.contour.task import LINES
-from tmmcalc.gears.meshing.contours import Area, Blocking, ContourPoint, Outline, PairContour
+from tmmcalc.gears.meshing.contours import Area, Blocking, ContourLine, ContourPoint, Outline, PairContour
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.gearsizes import plain
 from tmmcalc.report.meshes import distinct, places
@@ -16,7 +16,6 @@ from tmmcalc.report.numbers import number
 PLACES = 4  # decimals of a shift that people read
 SYMBOLS = "s_na1, s_na2 in modules; theta_1 at the beginning, theta_2 at the end of the contact; Y_F: load at the tip"
 SIZES = ("x_1", "x_2", "eps_alpha", "s_na1", "s_na2", "theta_1", "theta_2", "Y_F1", "Y_F2")
-SHORT = "tip circle of wheel {} is its reference circle"  # of a line whose title explains itself at length
 
 
 def chosen_contours(result: Blocking, name: str | None) -> Blocking:
@@ -75,9 +74,16 @@ def _whole(pair: PairContour, title: str) -> Document:
     values = {
         "points": {point.name: _point_values(point) for point in pair.points},
         "corners": {kind: _corner_values(area) for kind, area in _areas(pair)},
+        "lines": [_line_values(line) for line in pair.lines],
     }
     document = _pair_summary(pair, title)
     return replace(document, facts=(*document.facts, Fact("points and corners", "", values)))
+
+
+def _line_values(line: ContourLine) -> dict[str, Any]:
+    """A line of the picture, with its points, by the numbers of the textbook."""
+    named = {"number": line.number, "title": line.title, "value": line.value}
+    return {**named, "x_1": line.x1.tolist(), "x_2": line.x2.tolist()}
 
 
 def _areas(pair: PairContour) -> tuple[tuple[str, Area], ...]:
@@ -106,7 +112,7 @@ def _area_text(area: Area) -> str:
 
 
 def _pieces(area: Area) -> str:
-    """What lies apart from the main region, mostly meshes on one side of the pitch point."""
+    """What lies apart from the main region, mostly meshes with a tip circle within its reference circle."""
     count, size = len(area.pieces), sum(piece.area for piece in area.pieces)
     return f"and {count} piece{'s' if count > 1 else ''} apart from it, area {number(size, 3)}"
 
@@ -142,8 +148,6 @@ def _interval_fact(pair: PairContour) -> Fact:
 
 def _line(key: str) -> str:
     """A line in words."""
-    if key in ("tip1", "tip2"):
-        return SHORT.format(key[-1])
     return LINES[key][1] if key in LINES else key
 
 
@@ -172,8 +176,8 @@ def _notes(pair: PairContour) -> Iterator[str]:
         yield f"note: {missing}"
     for kind, area in _areas(pair):
         if area.untraced:
-            wheels = " and ".join(map(str, area.untraced))
-            yield f"note: {kind} contour: pieces with the contact on one side of P (wheel {wheels}) are not outlined"
+            tips = " or ".join(str(3 - wheel) for wheel in reversed(area.untraced))
+            yield f"note: {kind} contour: parts with tip {tips} inside its reference circle are not outlined"
 
 
 def _points_view(pair: PairContour) -> View:

@@ -6,160 +6,47 @@ Equal outlines give equal bytes. Numbers of an SVG are rounded to a hundredth of
 from __future__ import annotations
 
 import csv
-import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from io import StringIO
-from typing import TYPE_CHECKING, Any
-from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
-from tmmcalc.gears.meshing.tracks import Bow, Cubics, Line, Piece, Track
-from tmmcalc.linkage.plane import Plane
+from tmmcalc.gears.meshing.tracks import Track
+from tmmcalc.numerics.strokes import Outline
+from tmmcalc.report import outlinefiles
+from tmmcalc.report.outlinefiles import layer_name, require_dxf
 
-if TYPE_CHECKING:
-    from ezdxf.document import Drawing
-
-MM = 1e3  # millimetres in a metre
-MARGIN = 0.02  # of the larger side, left free about a drawing
-STROKE = 0.001  # width of a line, of the larger side
-BARRED = str.maketrans(dict.fromkeys('<>/\\":;?*|=`,', "_"))  # signs that the name of a layer cannot have
+__all__ = ["dxf", "layer_of", "outline_csv", "require_dxf", "svg"]
 
 
 def svg(tracks: Sequence[Track], tolerance: float, title: str) -> bytes:
     """One path a track, to the scale 1:1, y upward as on paper; ``tolerance`` [m] sets the digits."""
-    places = max(0, math.ceil(-math.log10(tolerance * MM))) + 2
-    corner, size = _frame(tracks)
-    box = " ".join(f"{value:.6g}" for value in (corner.real, -corner.imag - size.imag, size.real, size.imag))
-    paths = "\n".join(f'<path id={quoteattr(track.member.label)} d="{_path(track, places)}"/>' for track in tracks)
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{size.real:.6g}mm" height="{size.imag:.6g}mm" '
-        f'viewBox="{box}">\n<title>{escape(title)}</title>\n'
-        f'<g fill="none" stroke="black" stroke-width="{STROKE * max(size.real, size.imag):.3g}">\n'
-        f"{paths}\n</g>\n</svg>\n"
-    ).encode()
-
-
-def _frame(tracks: Sequence[Track]) -> tuple[complex, complex]:
-    """Lower left corner and size of a drawing [mm]."""
-    points = MM * np.concatenate([track.polygon for track in tracks])
-    low = complex(points.real.min(), points.imag.min())
-    size = complex(points.real.max(), points.imag.max()) - low
-    free = MARGIN * max(size.real, size.imag)
-    return low - complex(free, free), size + 2 * complex(free, free)
-
-
-def _path(track: Track, places: int) -> str:
-    """The data of an SVG path."""
-
-    def text(points: Plane | Sequence[complex]) -> str:
-        rows = MM * np.conj(np.asarray(points)).ravel()
-        # + 0 clears a negative zero
-        numbers = np.round(np.stack([rows.real, rows.imag], axis=-1).ravel(), places) + 0.0
-        return " ".join(f"{number:.{places}f}" for number in numbers.tolist())
-
-    first = track.pieces[0]
-    parts = [f"M{text(first.control[:1, 0] if isinstance(first, Cubics) else first.ends[:1])}"]
-    for piece in track.pieces:
-        if isinstance(piece, Cubics):
-            parts.append(f"C{text(piece.control[:, 1:])}")
-        elif isinstance(piece, Line):
-            parts.append(f"L{text(piece.ends[1:])}")
-        else:
-            radius = f"{MM * piece.radius:.{places}f}"
-            parts.append(f"A{radius} {radius} 0 {int(piece.sweep > math.pi)} 0 {text(piece.ends[1:])}")
-    return "\n".join([*parts, "Z"] if track.closed else parts)
-
-
-def require_dxf() -> None:
-    """Raise `UsageError` if the package that writes DXF is missing."""
-    try:
-        import ezdxf  # noqa: F401
-    except ImportError:
-        raise UsageError(
-            "DXF drawings need the package ezdxf", where="--dxf", remedy='pip install "tmmcalc[cad]"'
-        ) from None
+    return outlinefiles.svg([_outline(track) for track in tracks], tolerance, title)
 
 
 def dxf(tracks: Sequence[Track]) -> bytes:
     """Arcs, lines and cubic splines, every track on a layer of its own; raises as `require_dxf` does."""
-    require_dxf()
-    from ezdxf import units
-    from ezdxf._options import options
-    from ezdxf.filemanagement import new
-
-    # dates and random identities of the file, which would make its bytes differ
-    kept, options.write_fixed_meta_data_for_testing = options.write_fixed_meta_data_for_testing, True
-    try:
-        drawing = new("R2010", units=units.MM)
-        for track in tracks:
-            _add(drawing, track)
-        stream = StringIO()
-        drawing.write(stream)
-    finally:
-        options.write_fixed_meta_data_for_testing = kept
-    return stream.getvalue().encode(drawing.output_encoding)
+    return outlinefiles.dxf([_outline(track) for track in tracks])
 
 
 def layer_of(track: Track) -> str:
-    """The name of a track's layer.
-
-    >>> "2-3/2'".translate(BARRED)
-    "2-3_2'"
-    """
-    return f"wheel {track.member.label}".translate(BARRED)
+    """The name of a track's layer."""
+    return layer_name(f"wheel {track.member.label}")
 
 
-def _add(drawing: Drawing, track: Track) -> None:
-    layer = layer_of(track)
-    if layer not in drawing.layers:
-        drawing.layers.add(layer)
-    space, attributes = drawing.modelspace(), {"layer": layer}
-    for piece in _joined(track.pieces):
-        if isinstance(piece, Cubics):
-            control = MM * piece.control
-            _add_spline(space, np.append(control[0, 0], control[:, 1:].ravel()), attributes)
-        elif isinstance(piece, Bow):
-            centre, start = MM * piece.centre, math.degrees(piece.start)
-            end = start + math.degrees(piece.sweep)
-            space.add_arc((centre.real, centre.imag), MM * piece.radius, start, end, dxfattribs=attributes)
-        else:
-            first, last = ((MM * point.real, MM * point.imag) for point in piece.ends)
-            space.add_line(first, last, dxfattribs=attributes)
-
-
-def _joined(pieces: Sequence[Piece]) -> Iterator[Piece]:
-    """The pieces, cubics that follow each other as one run: fillet and involute are one spline."""
-    run: list[Plane] = []
-    for piece in pieces:
-        if isinstance(piece, Cubics):
-            run.append(piece.control)
-            continue
-        if run:
-            yield Cubics(np.concatenate(run))
-            run = []
-        yield piece
-    if run:
-        yield Cubics(np.concatenate(run))
-
-
-def _add_spline(space: Any, points: Plane, attributes: dict[str, str]) -> None:
-    """Cubics that share their ends as one spline: knots are triple inside, quadruple at both ends."""
-    segments = (len(points) - 1) // 3
-    spline = space.add_spline(degree=3, dxfattribs=attributes)
-    spline.control_points = np.stack([points.real, points.imag, np.zeros(len(points))], axis=-1).tolist()
-    spline.knots = [0.0, *(float(k) for k in range(segments + 1) for _ in range(3)), float(segments)]
+def _outline(track: Track) -> Outline:
+    return Outline(track.member.label, layer_of(track), track.pieces, track.polygon, track.closed)
 
 
 def outline_csv(tracks: Sequence[Track]) -> bytes:
-    """The points of every track in chords, one track after the other."""
+    """The points of every track in chords, one track after the other; a closed one ends where it began."""
     buffer = StringIO()
     writer = csv.writer(buffer, lineterminator="\n")
     named = any(track.member.pair for track in tracks)
     writer.writerow([*(["pair"] if named else []), "wheel", "x[m]", "y[m]"])
     for track in tracks:
         names = [*([track.member.pair] if named else []), track.member.name]
-        rows = zip(track.polygon.real.tolist(), track.polygon.imag.tolist(), strict=True)
+        points = np.append(track.polygon, track.polygon[:1]) if track.closed else track.polygon
+        rows = zip(points.real.tolist(), points.imag.tolist(), strict=True)
         writer.writerows([*names, x, y] for x, y in rows)
     return buffer.getvalue().encode()

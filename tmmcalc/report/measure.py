@@ -65,8 +65,12 @@ def _wheel_fact(each: Measured) -> Fact:
     if task.helix:
         text += f", beta = {angle(math.degrees(task.helix))} deg"
     text += f"\nr_a = {millimetres(size.tip)}, the involute ends at r_F = {millimetres(size.form)}"
+    usable = each.measures.usable
+    if usable == "active":
+        text += f"\nusable to r = {millimetres(size.active_left)}, the lowest active point"
     values = {"wheel": size.name, "kind": size.kind, "z": size.teeth, "x": size.shift, "m[m]": task.module}
-    return Fact("wheel", text, values | {"beta[rad]": task.helix, "r_a[m]": size.tip, "r_F[m]": size.form})
+    values |= {"beta[rad]": task.helix, "r_a[m]": size.tip, "r_F[m]": size.form}
+    return Fact("wheel", text, values | {"r_usable[m]": size.active_left, "usable_to": usable})
 
 
 def _base_fact(measures: Measures) -> Fact:
@@ -80,13 +84,22 @@ def _span_fact(each: Measured) -> Fact:
     """The span for the drawing."""
     row = each.measures.span
     if row is None:
-        return Fact("span", RING if each.size.kind == "ring" else "none: no number of teeth is admitted")
+        return Fact("span", RING if each.size.kind == "ring" else f"none: {_most(each.measures)}, below 2")
     text = f"W = {millimetres(row.length)} over z_w = {row.teeth} teeth\ntouching at r = {millimetres(row.radius)}"
     if each.pair.task.helix:
         text += f", face width needed: {millimetres(row.width)}"
     text += f"\n{_verdict(each.measures, row)}"
     values: dict[str, Any] = {"z_w": row.teeth, "W[m]": row.length, "W_radius[m]": row.radius, "b_min[m]": row.width}
+    values |= {"W_rho[m]": row.curvature}
     return Fact("span", text, {**values, "W_exact": row.valid, "W_textbook": row.book})
+
+
+def _most(measures: Measures) -> str:
+    """z_w,max by the textbook's face width, and by the exact one where that differs."""
+    text = f"z_w,max = {measures.span_most}"
+    if measures.span_most_exact != measures.span_most:
+        text += f" ({measures.span_most_exact} by the exact face width)"
+    return text
 
 
 def _verdict(measures: Measures, row: SpanRow) -> str:
@@ -97,7 +110,10 @@ def _verdict(measures: Measures, row: SpanRow) -> str:
 
 def _limits_fact(measures: Measures) -> Fact:
     """Lower and upper limits of W by both rules."""
-    lines = [f"W above {millimetres(measures.span_lowest)}: else the plates touch beneath the involute"]
+    lines = [f"{_most(measures)}; mid-flank: {measures.span_middle}"]
+    lines.append(f"W above {millimetres(measures.span_lowest)}: else the plates touch beneath the involute")
+    if measures.usable == "active":
+        lines.append(f"and above {millimetres(measures.span_lowest_active)}: the lowest active point")
     text = f"tip circle: W* = {millimetres(measures.span_tip)} (4.62)"
     exact = measures.span_tip_exact
     lines.append(text if exact == measures.span_tip else f"{text}, exactly {millimetres(exact)}")
@@ -105,7 +121,11 @@ def _limits_fact(measures: Measures) -> Fact:
         text = f"face width: W** = {millimetres(measures.span_width)} (4.64)"
         lines.append(f"{text}, exactly {millimetres(measures.span_width_exact)}")
     values = {
+        "z_w_max": measures.span_most,
+        "z_w_max_exact_width": measures.span_most_exact,
+        "z_w_middle": measures.span_middle,
         "W_lowest[m]": measures.span_lowest,
+        "W_lowest_active[m]": measures.span_lowest_active,
         "W_star[m]": measures.span_tip,
         "W_star_exact[m]": exact,
         "W_starstar[m]": measures.span_width,
@@ -119,6 +139,8 @@ def _faults(measures: Measures, row: SpanRow) -> list[str]:
     found = []
     if row.length < measures.span_lowest:
         found.append("beneath the involute")
+    elif row.length < measures.span_lowest_active:
+        found.append("beneath the active flank")
     if row.length > measures.span_tip_exact:
         found.append("beyond the tip")
     if measures.span_width_exact is not None and row.length > measures.span_width_exact:
@@ -138,7 +160,8 @@ def _balls_fact(each: Measured) -> Fact:
         text += "\nnot valid: they do not touch the usable involute"
     if not row.clear:
         text += "\nnot valid: they do not stand proud of the tips, or reach the root"
-    values = {"D[m]": row.diameter, "M[m]": row.size, "M_radius[m]": row.radius}
+    values = {"D[m]": row.diameter, "M[m]": row.size, "M_radius[m]": row.radius, "rho_M[m]": row.curvature}
+    values |= {"alpha_D[rad]": row.angle, "d_D[m]": row.centres}
     return Fact(label, text, values | {"M_on_flank": row.on_flank, "M_clear": row.clear})
 
 
@@ -150,6 +173,7 @@ def _constant_chord_fact(measures: Measures) -> Fact:
     values = {
         "s_c[m]": measures.constant_chord,
         "h_c[m]": measures.constant_chord_height,
+        "rho_s[m]": measures.constant_chord_curvature,
         "s_c_valid": measures.constant_chord_valid,
     }
     return Fact("constant chord", text, values)
@@ -193,16 +217,21 @@ def _all_spans(shown: list[Measured]) -> View:
 
 
 def _chords_document(each: Measured) -> Document:
-    legend = "tooth on circles: normal arc and chord, height of the tip above the chord, arc of the space"
+    helical = bool(each.pair.task.helix)
+    legend = "tooth on circles: half angle theta, normal arc and chord, height of the tip above the chord, "
+    legend += "arc of the space" + ("; s_t: transverse arc" if helical else "")
     rows = each.measures.chords
     columns: dict[str, list[Any]] = {
         "circle": [row.name for row in rows],
         "r[mm]": [1e3 * row.radius for row in rows],
-        "alpha_y[deg]": [round(math.degrees(row.angle), 4) for row in rows],
+        "theta[deg]": [round(math.degrees(row.half_angle), 4) for row in rows],
     }
-    if each.pair.task.helix:
-        columns["beta_y[deg]"] = [round(math.degrees(row.helix), 4) for row in rows]
     columns |= {f"{name}[mm]": [1e3 * getattr(row, name) for row in rows] for name in CHORDS}
+    if helical:
+        columns["s_t[mm]"] = [1e3 * row.transverse for row in rows]
+    columns["alpha_y[deg]"] = [round(math.degrees(row.angle), 4) for row in rows]
+    if helical:
+        columns["beta_y[deg]"] = [round(math.degrees(row.helix), 4) for row in rows]
     view = View(list(columns), list(columns.values()))
     return Document("chords", (Fact("in the table", legend),), (), view, wide=True, more="--format json has them")
 
@@ -213,8 +242,10 @@ def _chord_values(measures: Measures) -> list[dict[str, Any]]:
             {
                 "circle": row.name,
                 "r[m]": row.radius,
+                "theta[rad]": row.half_angle,
                 "alpha_y[rad]": row.angle,
                 "beta_y[rad]": row.helix,
+                "s_t[m]": row.transverse,
                 **{f"{name}[m]": getattr(row, name) for name in CHORDS},
             }
         )

@@ -12,9 +12,10 @@ from typing import Any
 
 from tmmcalc.gears.meshing.results import Measures, MeshPair, Pairs, WheelSizes
 from tmmcalc.report.document import Document, Fact, View
-from tmmcalc.report.gearsizes import plain
+from tmmcalc.report.gearsizes import drawn, plain
 from tmmcalc.report.meshes import known, places, titles, wheel_names
 from tmmcalc.report.pairchecks import VERDICTS, checks_document, checks_values, pair_notes
+from tmmcalc.report.paircontact import NOISE
 from tmmcalc.report.pairfacts import pair_facts
 
 SHORT = ("pair", "shifts", "operating angle", "centre distance", "contact ratio", "measured", "verdict")  # of a summary
@@ -26,11 +27,29 @@ SIZES: tuple[tuple[str, str, Callable[[WheelSizes], float | None]], ...] = (
     ("base radius", "r_b", lambda size: size.base),
     ("form radius: the involute ends", "r_F", lambda size: size.form),
     ("active radius: the contact ends", "r_p", lambda size: size.active),
+    ("the same of the flanks left", "r_p_left", lambda size: size.active_left if _shorter(size) else None),
     ("radius where the flanks meet", "r_s", lambda size: size.pointing),
     ("tooth thickness, normal", "s_n", lambda size: size.thickness),
     ("tip thickness, normal", "s_na", lambda size: size.tip_thickness),
     ("curvature at the limit point", "LN", lambda size: size.limit),
 )
+
+
+MORE: tuple[tuple[str, Callable[[WheelSizes], float | None]], ...] = (  # for programs
+    ("s_t[m]", lambda size: size.arc),
+    ("s_ta[m]", lambda size: size.tip_arc),
+    ("psi[rad]", lambda size: size.half_angle),
+    ("psi_w[rad]", lambda size: size.operating_half_angle),
+    ("z_min", lambda size: size.least_teeth),
+    ("Y_F", lambda size: size.strength.factor if size.strength else None),
+    ("s_Fn[m]", lambda size: size.strength.chord if size.strength else None),
+    ("h_F[m]", lambda size: size.strength.arm if size.strength else None),
+)
+
+
+def _shorter(size: WheelSizes) -> bool:
+    """Whether the contact ends earlier than the whole flanks would let it."""
+    return abs(size.active_left - size.active) > NOISE * size.base
 
 
 def chosen_pairs(result: Pairs, name: str | None) -> Pairs:
@@ -49,10 +68,13 @@ def pair_summary(result: Pairs, title: str) -> Document:
     return Document(title, tuple(_train_facts(result)), notes, _rows_view(result))
 
 
-def pair_document(result: Pairs, title: str, *, everything: bool = False) -> Document:
-    """All of every pair; with ``everything`` every digit and the sliding of all pairs in one table instead."""
-    shown = _whole if everything else _part
-    parts = tuple(shown(found, heading) for found, heading in zip(result.pairs, titles(result), strict=True))
+def pair_document(result: Pairs, title: str, *, everything: bool = False, step: float | None = None) -> Document:
+    """All of every pair; with ``everything`` every digit and the sliding of all pairs in one table instead.
+
+    With a ``step`` [m] the sliding is tabulated in equal steps of rho1; raises as `sliding_steps` does.
+    """
+    each = zip(result.pairs, titles(result), strict=True)
+    parts = tuple(_whole(*named) if everything else _part(*named, step) for named in each)
     if len(parts) == 1:
         facts, notes = (*_train_facts(result), *parts[0].facts), (*_remarks(result), *parts[0].notes)
         document = replace(parts[0], title=title, facts=facts, notes=notes)
@@ -61,21 +83,35 @@ def pair_document(result: Pairs, title: str, *, everything: bool = False) -> Doc
     if everything:
         from tmmcalc.gears.meshing.columns import pair_columns
 
-        return replace(document, table=plain(pair_columns(result)))
+        return replace(document, table=plain(pair_columns(result, step)))
     return document
 
 
-def _part(found: MeshPair, title: str) -> Document:
-    return Document(
-        title, tuple(pair_facts(found)), tuple(pair_notes(found)), _wheels_view(found), parts=(checks_document(found),)
-    )
+def _part(found: MeshPair, title: str, step: float | None) -> Document:
+    parts = (checks_document(found),) if step is None else (checks_document(found), _sliding_document(found, step))
+    return Document(title, tuple(pair_facts(found)), tuple(pair_notes(found)), _wheels_view(found), parts=parts)
+
+
+def _sliding_document(found: MeshPair, step: float) -> Document:
+    """theta and lambda in equal steps, as program 1.15 prints them."""
+    from tmmcalc.gears.meshing.columns import sliding_columns
+    from tmmcalc.gears.meshing.slidingtable import sliding_steps
+
+    columns = sliding_columns(found, sliding_steps(found, step))
+    legend = "rho1 = N1K, s from P; active: whether the flanks touch there"
+    view = drawn({header: column for header, column in columns.items() if header != "pair"})
+    return Document("sliding", (Fact("in the table", legend),), (), view)
 
 
 def _whole(found: MeshPair, title: str) -> Document:
     """A pair for programs: wheels and checks as values."""
     sizes = zip(found.task.wheels, found.sizes, found.measures, strict=False)
+    turn = abs(found.turn)  # of the arcs r gamma (4.74)
     values = {
-        "wheels": {name: _wheel_values(size, measures) for name, size, measures in sizes},
+        "wheels": {
+            name: {**_wheel_values(size, measures), "r_gamma[m]": turn * size.reference}
+            for name, size, measures in sizes
+        },
         "checks": checks_values(found),
     }
     return Document(title, (*pair_facts(found), Fact("wheels and checks", "", values)), tuple(pair_notes(found)))
@@ -117,6 +153,9 @@ def _wheel_values(size: WheelSizes, measures: Measures) -> dict[str, Any]:
     """A wheel for programs."""
     values: dict[str, Any] = {"kind": size.kind, "z": size.teeth, "x": size.shift, "x_min": size.least_shift}
     values |= {f"{symbol}[m]": read(size) for _, symbol, read in SIZES}
+    values |= {key: get(size) for key, get in MORE}
+    if size.kind != "ring":
+        values["z_w_max"] = measures.span_most
     if measures.span is not None:
         values |= {"z_w": measures.span.teeth, "W[m]": measures.span.length}
     if measures.balls is not None:

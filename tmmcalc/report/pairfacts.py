@@ -6,15 +6,17 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from tmmcalc.gears.involute.function import involute
+from tmmcalc.gears.involute.measure.angles import sexagesimal
+from tmmcalc.gears.involute.rack import Section
 from tmmcalc.gears.meshing.results import Measures, MeshPair
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.report.document import Fact
 from tmmcalc.report.meshes import USUAL, millimetres, written
 from tmmcalc.report.numbers import angle, number
 from tmmcalc.report.pairchecks import verdict_fact
+from tmmcalc.report.paircontact import NOISE, clearance_fact, line_fact, ratio_fact, sliding_fact
 
-NOISE = 1e-9  # [modules] a flank shorter by less is whole
-LENGTHS = {"g": "g = N1N2", "g_alpha": "g_alpha = A2A1"}
 RULES = {
     "given": "as given",
     "given_aw": "centre distance as given",
@@ -41,12 +43,14 @@ def pair_facts(found: MeshPair) -> Iterator[Fact]:
     yield from _data_facts(task, found.base_helix)
     yield from _shift_facts(found)
     yield from _angle_facts(found)
+    yield _involute_fact(found)
     yield _distance_fact(found)
     yield _diameter_fact(found)
-    yield _ratio_fact(found)
-    yield _line_fact(found)
-    yield _clearance_fact(found)
-    yield _sliding_fact(found)
+    yield ratio_fact(found)
+    yield line_fact(found)
+    yield clearance_fact(found)
+    yield sliding_fact(found)
+    yield from _strength_facts(found)
     yield from _measured_facts(found)
     yield verdict_fact(found)
 
@@ -77,7 +81,11 @@ def _data_facts(task: PairTask, base_helix: float) -> Iterator[Fact]:
     if task.wheels != USUAL:
         text += f"\nindex 1: wheel {task.wheels[0]}" + (f", 2: wheel {task.wheels[1]}" if len(teeth) == 2 else "")
     yield Fact("teeth", text, values)
-    yield Fact("normal module", f"m = {millimetres(task.module)}", {"m[m]": task.module})
+    cut, m = Section(task.rack, task.helix), task.module
+    values = {"m[m]": m, "p_n[m]": math.pi * m, "p_t[m]": math.pi * m * cut.module}
+    text = f"m = {millimetres(m)}, pitch p = {millimetres(math.pi * m)}"
+    text += f", transverse p_t = {millimetres(values['p_t[m]'])}" if task.helix else ""
+    yield Fact("normal module", text, values)
     text = f"beta = {angle(math.degrees(task.helix))} deg"
     if task.helix:
         text += f", beta_b = {angle(math.degrees(base_helix))} deg at the base cylinder"
@@ -85,7 +93,11 @@ def _data_facts(task: PairTask, base_helix: float) -> Iterator[Fact]:
     rack = task.rack
     text = f"alpha = {angle(math.degrees(rack.angle))} deg, h_a* = {number(rack.addendum)}, "
     text += f"c* = {number(rack.clearance)}, rho* = {number(rack.radius, 5)}"
+    if task.helix:
+        text += f"\nacross the teeth rho_t* = {number(cut.radius, 6)}, rho_t = {millimetres(m * cut.radius)}"
     values = {"alpha[rad]": rack.angle, "h_a": rack.addendum, "c": rack.clearance, "rho": rack.radius}
+    flat = math.pi / 4 * cut.module - rack.straight * math.tan(cut.angle) - cut.radius * math.cos(cut.angle)
+    values |= {"rho_t": cut.radius, "rho_t[m]": m * cut.radius, "e_S[m]": m * flat}  # half the flat of the tip
     yield Fact("basic rack", text, values)
     if task.face_width is not None:
         yield Fact("face width", f"b = {millimetres(task.face_width)}", {"b[m]": task.face_width})
@@ -105,16 +117,21 @@ def _shift_facts(found: MeshPair) -> Iterator[Fact]:
     least = [(i, size.least_shift) for i, size in enumerate(found.sizes, 1) if size.least_shift is not None]
     if least:
         text = ", ".join(f"x_min{i} = {number(x)}" for i, x in least)
-        yield Fact("no undercut from", text + _approximate(found), {f"x_min{i}": x for i, x in least})
+        book, values = _approximate(found), {f"x_min{i}": x for i, x in least}
+        if book:
+            text += f"\nabout (17 - z)/17 = {' and '.join(number(x, 4) for x in book)} by the textbook"
+        teeth = [(i, size.least_teeth) for i, size in enumerate(found.sizes, 1) if size.least_teeth is not None]
+        text += f"\nat these shifts from {', '.join(f'z_min{i} = {number(z, 5, 1.0)}' for i, z in teeth)}"
+        values |= {f"z_min{i}": z for i, z in teeth}
+        yield Fact("no undercut from", text, values | ({"x_min_textbook": book} if book else {}))
 
 
-def _approximate(found: MeshPair) -> str:
+def _approximate(found: MeshPair) -> list[float]:
     """The least shifts by the textbook's rule for spur wheels of the standard rack, as a check by hand."""
     rack = found.task.rack
     if found.task.helix or abs(rack.angle - math.radians(20)) > NOISE or abs(rack.straight - 1) > NOISE:
-        return ""
-    shifts = " and ".join(number((17 - size.teeth) / 17, 4) for size in found.sizes if size.least_shift is not None)
-    return f"\nabout (17 - z)/17 = {shifts} by the textbook"
+        return []
+    return [(17 - size.teeth) / 17 for size in found.sizes if size.least_shift is not None]
 
 
 def _rule(task: PairTask) -> str:
@@ -131,8 +148,22 @@ def _angle_facts(found: MeshPair) -> Iterator[Fact]:
         ("transverse angle", "alpha_t", found.angle_t),
         ("operating angle", "alpha_tw", found.angle_w),
     ):
-        values = {f"{symbol}[rad]": value, f"{symbol}[deg]": math.degrees(value)}
+        values: dict[str, Any] = {f"{symbol}[rad]": value, f"{symbol}[deg]": math.degrees(value)}
+        values[f"{symbol}_dms"] = list(sexagesimal(value)[1:])
         yield Fact(label, f"{symbol} = {written(value)}", values)
+
+
+def _involute_fact(found: MeshPair) -> Fact:
+    """inv of both angles, and how far the flanks stand apart on reference and operating circle (4.73, 4.74)."""
+    start, end, turn = float(involute(found.angle_t)), float(involute(found.angle_w)), found.turn
+    values = {"inv_alpha_t": start, "inv_alpha_tw": end, "gamma[rad]": turn}
+    text = f"inv alpha_t = {number(start)}"
+    if found.task.kind != "rack":
+        text += f", inv alpha_tw = {number(end)}"
+    if abs(turn) > NOISE:
+        arcs = millimetres(*(abs(turn) * size.reference for size in found.sizes))
+        text += f"\ngamma = {number(turn)} rad = {number(math.degrees(turn))} deg\narcs r gamma = {arcs}"
+    return Fact("involutes", text, values)
 
 
 def _distance_fact(found: MeshPair) -> Fact:
@@ -160,61 +191,11 @@ def _diameter_fact(found: MeshPair) -> Fact:
     return Fact("diameters", "\n".join(lines))
 
 
-def _ratio_fact(found: MeshPair) -> Fact:
-    values: dict[str, Any] = {"eps_alpha": found.contact_ratio, "eps_alpha_shortened": found.shortened}
-    text = f"eps_alpha = {number(found.contact_ratio)}"
-    if found.shortened < found.contact_ratio - NOISE:
-        text += f" of the whole flanks\n{number(found.shortened)} of the involutes that there are"
-    if found.task.helix and found.task.face_width is None:
-        text += "\nno face width is given for eps_beta"
-    elif found.task.helix:
-        values |= {"eps_beta": found.overlap, "eps_gamma": found.total}
-        text += f"\neps_beta = {number(found.overlap)}, eps_gamma = {number(found.total)}"
-    return Fact("contact ratio", text, values)
-
-
-def _line_fact(found: MeshPair) -> Fact:
-    """Distances along the line of action from both base circles."""
-    line, rack = found.line, found.task.kind == "rack"
-    values = {"N1A2[m]": line.start, "N1P[m]": line.pitch, "N1A1[m]": line.end}
-    if not rack:
-        values |= {"N2A1[m]": abs(line.length - line.end), "N2P[m]": abs(line.length - line.pitch)}
-        values |= {"g[m]": abs(line.length)}
-    values |= {"g_alpha[m]": line.end - line.start}
-    told = {key.partition("[")[0]: number(1e3 * value) for key, value in values.items()}
-    groups = [("N1A2", "N1P", "N1A1"), () if rack else ("N2A1", "N2P"), ("g_alpha",) if rack else ("g", "g_alpha")]
-    text = "\n".join(
-        f"{', '.join(f'{LENGTHS.get(name, name)} = {told[name]}' for name in group)} mm" for group in groups if group
-    )
-    slack = NOISE * found.task.module
-    if line.begins > line.start + slack or line.ends < line.end - slack:
-        text += f"\nthe involutes that there are touch from N1K = {number(1e3 * line.begins)} "
-        text += f"to {number(1e3 * line.ends)} mm"
-    return Fact("line of action", text, {**values, "contact_from[m]": line.begins, "contact_to[m]": line.ends})
-
-
-def _clearance_fact(found: MeshPair) -> Fact:
-    text = f"{millimetres(*found.clearances)} at the roots of 1 and 2"
-    return Fact("radial clearance", text, {"clearances[m]": list(found.clearances)})
-
-
-def _sliding_fact(found: MeshPair) -> Fact:
-    peaks = found.peaks
-    if peaks is None:
-        return Fact("specific sliding", "none: the flanks do not reach each other")
-    text = f"theta_1 = {number(peaks.theta1, 5)} where the contact begins\n"
-    text += f"theta_2 = {number(peaks.theta2, 5)} where it ends\n"
-    pressures = (peaks.pressure_start, peaks.pressure_pitch, peaks.pressure_end)
-    text += f"lambda = {', '.join(number(value, 5) for value in pressures)} at beginning, P, end"
-    values = {
-        "theta_1": peaks.theta1,
-        "theta_2": peaks.theta2,
-        "lambda_start": peaks.pressure_start,
-        "lambda_P": peaks.pressure_pitch,
-        "lambda_end": peaks.pressure_end,
-        "lambda_max": peaks.pressure_largest,
-    }
-    return Fact("specific sliding", text, values)
+def _strength_facts(found: MeshPair) -> Iterator[Fact]:
+    """Form factors of the teeth; those of a ring are not defined."""
+    factors = [number(size.strength.factor, 5) for size in found.sizes if size.strength is not None]
+    if factors:
+        yield Fact("tooth form", f"Y_F = {' and '.join(factors)} with the load at the tip")
 
 
 def _measured_facts(found: MeshPair) -> Iterator[Fact]:

@@ -84,9 +84,20 @@ def _wheel_document(wheel: WheelProfile, tables: BookTables | None, everything: 
         view = plain if everything else drawn
         parts = (
             Document("main profile", notes=about, table=view(_columns(tables.main, everything))),
-            Document("fillet", notes=about, table=view(_columns(tables.fillet, everything))),
+            Document(
+                "fillet of a circular rounding" if tables.rounded else "fillet",
+                notes=(*about, *_rounding_note(tables)),
+                table=view(_columns(tables.fillet, everything)),
+            ),
         )
     return Document(f"wheel {label_of(wheel)}", tuple(_facts(wheel)), parts=parts)
+
+
+def _rounding_note(tables: BookTables) -> Iterator[str]:
+    """The circle of the textbook, if the fillet of the outline is that of the ellipse."""
+    if tables.apart:
+        radius = quantity(tables.radius, "m")
+        yield f"note: rho_t = {radius} in place of the ellipse across the teeth that rounds the outline"
 
 
 def _columns(table: BookTable, everything: bool) -> dict[str, np.ndarray]:
@@ -153,11 +164,31 @@ def _circle_facts(wheel: WheelProfile) -> Iterator[Fact]:
     shown = rolls if wheel.undercut else {name: value for name, value in rolls.items() if name != "phi_F"}
     said = ", ".join(f"{name} = {number(value, 6)}" for name, value in shown.items())
     yield Fact("roll angles", f"{said} rad", {f"{name}[rad]": value for name, value in rolls.items()})
+    yield Fact("half tooth", f"psi = {number(wheel.half_angle, 6)} rad", {"psi[rad]": wheel.half_angle})
     if wheel.kind == "ring":
         return
+    yield _order_fact(wheel)
+    yield _centre_fact(wheel)
     text = "none: fillet and involute join smoothly at L"
     if wheel.undercut:
         end = float(wheel.roll[wheel.part == "fillet"][-1])
         text = f"yes: the involute begins {quantity(wheel.form - wheel.base, 'm')} above the base circle, "
         text += f"where the fillet cut at phi = {number(end, 6)} rad crosses it"
     yield Fact("undercut", text, {"undercut": wheel.undercut})
+
+
+def _order_fact(wheel: WheelProfile) -> Fact:
+    """What is cut one after the other while the rack rolls on (Fig. 4.33); a large shift turns it round."""
+    limit, root, *_ = wheel.rolls
+    if limit <= root:
+        text, order = "involute and fillet from L, the fillet is done at D; the involute alone to A", ["L", "D", "A"]
+    else:
+        text, order = "the fillet alone from D, is done at L; then the involute alone to A", ["D", "L", "A"]
+    return Fact("generation", text, {"order": order})
+
+
+def _centre_fact(wheel: WheelProfile) -> Fact:
+    """S, the centre of the circular tip rounding, in the axes of the rack (4.85)."""
+    x, y = wheel.centre
+    text = f"x_1S = {quantity(x, 'm')}, y_1S = {quantity(y, 'm')}"
+    return Fact("rounding, circular", text, {"x_1S[m]": x, "y_1S[m]": y})

@@ -29,6 +29,14 @@ SUMMARIES = {
     "pair": "tmmcalc.report.pair:pair_summary",
     "blocking": "tmmcalc.report.blocking:blocking_summary",
     "profile": "tmmcalc.report.profile:profile_summary",
+    "cam_law": "tmmcalc.report.cams.law:law_summary",
+    "cam_synthesis": "tmmcalc.report.cams.synthesis:synthesis_summary",
+    "cam_profile": "tmmcalc.report.cams.profile:profile_summary",
+    "cam_pressure": "tmmcalc.report.cams.pressure:pressure_summary",
+    "cam_forces": "tmmcalc.report.cams.forces:forces_summary",
+    "cam_strength": "tmmcalc.report.cams.strength:strength_summary",
+    "cam_elastic": "tmmcalc.report.cams.elastic:elastic_summary",
+    "cam_optimum": "tmmcalc.report.cams.optimum:optimum_summary",
 }
 
 

@@ -35,6 +35,7 @@ Speed = Annotated[float, Quantity("angular speed", **_POSITIVE)]
 PhaseAngle = Annotated[float, Quantity("angle", **_POSITIVE)]
 Dwell = Annotated[float, Quantity("angle", at_least_zero=True)]
 SwingAngle = Annotated[float, Within(*_ANGLE, 1e-3, 179.999)]
+CrankAngle = Annotated[float, Within(*_ANGLE, 0, 360)]
 Offset = Annotated[float, Within("length", "mm", 1e-3, -1e5, 1e5, bare=2.0)]
 Steps = Annotated[int, Whole("a number of steps", 2, 100_000)]
 Step = Annotated[float, Within(*_ANGLE, 1e-3, 90)]
@@ -52,6 +53,10 @@ class CamTable(Table):
     speed: Speed | None = Field(
         default=None, description="Speed of the cam (default: mean speed of the crank or shaft in the spec)."
     )
+    crank_angle: CrankAngle = Field(
+        default=0.0,
+        description="Angle of the crank from position 0 where the rise begins, if the cam turns with it.",
+    )
     rise: PhaseAngle = Field(description="Angle of the cam during the rise.")
     high_dwell: Dwell = Field(default=0.0, description="Angle during which the follower rests at the top.")
     return_angle: PhaseAngle = Field(description="Angle of the cam during the return; the rest of the turn is dwell.")
@@ -67,7 +72,7 @@ class CamTable(Table):
     base_radius: Size | None = Field(default=None, description="R0: radius of the pitch curve's base circle.")
     offset: Offset | None = Field(
         default=None,
-        description="e: the stem's axis to the right of the cam's (default: 0; found with a start distance that is).",
+        description="e: the stem's axis to the right of the cam's (default: 0; found if the start is).",
     )
     roller_radius: Distance | None = Field(default=None, description="r2: radius of the roller; 0: knife edge.")
     centre_distance: Size | None = Field(default=None, description="l0: distance of the axes of cam and rocker.")
@@ -82,6 +87,10 @@ class CamTable(Table):
     tool_radius: Size | None = Field(default=None, description="Radius of the cutter or grinding wheel.")
     tolerance: Size = Field(default=1e-6, description="Chord error of exported curves.")
     face_margin: Distance = Field(default=0.0, description="By which a flat face is longer than the contact needs.")
+    refuse: bool = Field(
+        default=True,
+        description="Whether a profile that is undercut or crosses itself is an error; false: it is told and shown.",
+    )
     limits: CamLimitsTable = Field(default_factory=CamLimitsTable, description="Pressure angles and radii.")
     loads: CamLoadsTable | None = Field(default=None, description="Masses, forces and friction of the follower.")
     spring: CamSpringTable | None = Field(default=None, description="The spring that keeps it on the cam.")

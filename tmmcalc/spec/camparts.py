@@ -5,6 +5,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
+from .camgame import ROLLER_KINDS, Options
 from .camlaw import LawForm
 from .camspring import SPRING_KEYS
 from .choices import Known, Listed, OrFalse, Within
@@ -30,11 +31,15 @@ Inertia = Annotated[float, Quantity("inertia", **_POSITIVE)]
 MassOrInertia = Annotated[float, Quantity("mass", "inertia", **_POSITIVE)]
 Stiffness = Annotated[float, Quantity("stiffness", "torsional stiffness", **_POSITIVE)]
 Deflection = Annotated[float, Quantity("length", "angle", **_POSITIVE)]
-Safety = Annotated[float, Number("a safety of the contact", "1.25", at_least=1, at_most=100)]
+_SAFETY = Number("a safety of the contact", "1.25", at_least=1, at_most=100)
+Safety = Annotated[float, _SAFETY]
 Stress = Annotated[float, Quantity("pressure", **_POSITIVE)]
 Density = Annotated[float, Quantity("density", **_POSITIVE)]
 Coefficient = Annotated[float, Number("a coefficient of friction", "0.1", above=0, at_most=5)]
 Factor = Annotated[float, Number("a factor", "1.4", above=0)]
+Safeties = Annotated[list[float], Listed(_SAFETY, "[1.2, 1.5]")]
+Contacts = Annotated[list[Any], Options(Quantity("pressure", **_POSITIVE), '["400 MPa", "600 MPa"]')]
+RollerRatios = Annotated[list[Any], Options(Number("a factor", "2.5", above=0), '["needle", "plain"]', ROLLER_KINDS)]
 Damping = Annotated[float, Number("a part of critical damping", "0.05", at_least=0, below=1)]
 
 
@@ -158,7 +163,20 @@ class CamOptimumTable(Table):
     heights: Heights | None = Field(
         default=None, description="Heights of the guide's upper edge, from and to (default: from the least possible)."
     )
-    laws: LawNames | None = Field(default=None, description="Laws that are compared (default: that of the cam).")
+    phases: Annotated[str, Known("part of the turn", ("turn", "rise"))] = Field(
+        default="turn", description="What is examined: the whole turn, or the rise alone as in the textbook."
+    )
+    laws: LawNames | None = Field(default=None, description="Laws that are tried in place of the cam's.")
+    safeties: Safeties | None = Field(default=None, description="Safeties K1 by which the spring is sized instead.")
+    contacts: Contacts | None = Field(
+        default=None, description="Allowed contact stresses that are tried, of other materials."
+    )
+    roller_ratios: RollerRatios | None = Field(
+        default=None, description="Kinds of roller that are tried: alpha0, or needle 1.15, plain 2.2, rolling 3."
+    )
+    combine: bool = Field(
+        default=False, description="Whether all combinations of the options are tried (at most 60), not each alone."
+    )
 
 
 class CamElasticTable(Table):

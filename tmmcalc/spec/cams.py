@@ -57,6 +57,7 @@ def to_cam(spec: Spec) -> CamTask:
         requirements=Requirements() if table.requirements is None else _plain(Requirements, table.requirements),
         optimum=_optimum(table),
         elastic=None if table.elastic is None else _plain(Elastic, table.elastic),
+        begin=table.crank_angle,
         remarks=remarks,
     )
 
@@ -117,12 +118,13 @@ def _asked(table: CamTable) -> Asked:
         tool=table.tool_radius,
         tolerance=table.tolerance,
         margin=table.face_margin,
+        report_faults=not table.refuse,
     )
 
 
 def _offset(table: CamTable) -> float | None:
-    """The offset, None if it is found together with the start distance."""
-    free = table.follower == "translating" and table.start_distance is None and table.base_radius is None
+    """The offset, None if it is found together with the start distance, or follows from it and the base radius."""
+    free = table.follower == "translating" and (table.start_distance is None) == (table.base_radius is None)
     return table.offset if table.offset is not None or free else 0.0
 
 
@@ -203,4 +205,14 @@ def _optimum(table: CamTable) -> Optimum | None:
     if given is None:
         return None
     heights = None if given.heights is None else (given.heights[0], given.heights[1])
-    return Optimum(given.step, given.height_step, heights, tuple(given.laws or ()))
+    return Optimum(
+        step=given.step,
+        height_step=given.height_step,
+        heights=heights,
+        phases=given.phases,  # type: ignore[arg-type]
+        laws=tuple(given.laws or ()),
+        safeties=tuple(given.safeties or ()),
+        contacts=tuple(given.contacts or ()),
+        roller_ratios=tuple(given.roller_ratios or ()),
+        combine=given.combine,
+    )

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
     from .camlaw import LawTable
 
+CLOSEST = 1e-6  # of the phase, of two points of a smooth curve: between nearer ones it would swing out
 KINDS = ("points", "acceleration", "polynomial")
 
 
@@ -47,10 +48,16 @@ def _own_law(kind: str, values: list[Any], name: str) -> Law:
     k, value = _columns(values)
     if kind == "acceleration":
         return of_accelerations(k, value, name)
+    close = np.diff(k) < CLOSEST
+    if np.any(close & (np.diff(k) > 0)):
+        what = (
+            f"point number {int(np.argmax(close)) + 2} stands closer than {CLOSEST:g} of the phase to the one before it"
+        )
+        raise _fault(name, what, "fewer points")
     try:
         return of_points(k, value, name)
-    except np.linalg.LinAlgError:
-        raise _fault(name, "no curve leads through points that stand so close", "fewer points") from None
+    except ValueError:
+        raise _fault(name, "its numbers are of too different size", "numbers of ordinary size") from None
 
 
 def _columns(points: list[list[float]]) -> tuple[Values, Values]:

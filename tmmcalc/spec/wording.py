@@ -169,11 +169,17 @@ def _unknown_key(item: Item, path: Path) -> Finding:
     if joint := _of_other_joint(item["loc"], key):
         return Finding(path, *joint)
     message = f"unknown key {show(key)}{f' in {_header(table)}' if table else ''}"
-    if guess := nearest(key, known):
+    if guess := nearest(key, known) or _longer(key, known):
         return Finding(path, message, f'did you mean "{guess}"?')
     homes = [_header(home) for home, keys in _homes() if key in keys]
     remedy = f"{key} belongs in {either(homes)}" if homes else f"the keys here are: {listing(known)}"
     return Finding(path, message, remedy)
+
+
+def _longer(key: str, known: list[str]) -> str | None:
+    """Return the one known key that the written word is a part of, such as adjacency_gap for gap."""
+    found = [name for name in known if key in name.split("_")]
+    return found[0] if len(found) == 1 else None
 
 
 def _meant(item: Item) -> Path | None:

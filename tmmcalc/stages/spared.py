@@ -46,6 +46,21 @@ def transient(spec: Spec) -> tuple[str, ...]:
     return flywheel(spec)
 
 
+def cam_forces(spec: Spec) -> tuple[str, ...]:
+    """A cam with a speed of its own does not turn with the crank."""
+    return ("motion",) if spec.cam is None or spec.cam.speed is not None else ()
+
+
+def cam_strength(spec: Spec) -> tuple[str, ...]:
+    """As of the forces."""
+    return cam_forces(spec)
+
+
+def cam_elastic(spec: Spec) -> tuple[str, ...]:
+    """As of the forces."""
+    return cam_forces(spec)
+
+
 def pairs_of_train(spec: Spec) -> bool:
     """Whether the pairs of the spec are those of its train."""
     return spec.pair is not None and spec.pair.of_train

@@ -121,6 +121,54 @@ def profile(spec: Spec) -> str | None:
     return pair(spec)
 
 
+def cam_law(spec: Spec) -> str | None:
+    """A law is that of a cam."""
+    return "no [cam]: no cam is asked for" if spec.cam is None else None
+
+
+def cam_synthesis(spec: Spec) -> str | None:
+    """Every cam has its sizes."""
+    return cam_law(spec)
+
+
+def cam_profile(spec: Spec) -> str | None:
+    """Every cam has a profile."""
+    return cam_law(spec)
+
+
+def cam_pressure(spec: Spec) -> str | None:
+    """Every follower has a pressure angle, if only that of a flat face."""
+    return cam_law(spec)
+
+
+def cam_forces(spec: Spec) -> str | None:
+    """What acts is known from the loads and the speed."""
+    if spec.cam is None or spec.cam.loads is None:
+        return cam_law(spec) or "no [cam.loads]: nothing is known of masses and forces"
+    turns = spec.torque is not None or (spec.mechanism is not None and not _slides(spec))
+    return None if spec.cam.speed is not None or turns else "[cam] has no speed: inertia forces are not known"
+
+
+def cam_strength(spec: Spec) -> str | None:
+    """Requirements are judged by the forces."""
+    lacking = "no [cam.requirements]: neither materials nor sizes to judge"
+    return cam_forces(spec) or (lacking if spec.cam is None or spec.cam.requirements is None else None)
+
+
+def cam_optimum(spec: Spec) -> str | None:
+    """An optimum is asked for, of a follower in a guide."""
+    if spec.cam is not None and spec.cam.follower == "oscillating":
+        return "there is no optimal design of a rocker: the method is that of a follower in a guide"
+    lacking = "no [cam.optimum]: no optimum is asked for"
+    return cam_forces(spec) or (lacking if spec.cam is None or spec.cam.optimum is None else None)
+
+
+def cam_elastic(spec: Spec) -> str | None:
+    """Only an elastic train vibrates."""
+    lacking = "no [cam.elastic]: the follower is rigid"
+    return cam_forces(spec) or (lacking if spec.cam is None or spec.cam.elastic is None else None)
+
+
 def gearing(spec: Spec) -> str | None:
     """Speeds and powers are those of a train that is written out."""
     return "no [gearing]: no train is written out" if spec.gearing is None else None

@@ -13,6 +13,17 @@ from tmmcalc.gears.meshing.task import PairTask
 
 M = 0.005  # m, module of the worked cases
 MM = 1e-3
+PURE = (
+    "name",
+    "kind",
+    "teeth",
+    "shift",
+    "least_shift",
+    "least_teeth",
+    "half_angle",
+    "operating_half_angle",
+    "strength",
+)
 
 
 def given(z1: int, z2: int, x1: float, x2: float, beta_deg: float = 0.0, **more: Any) -> PairTask:
@@ -50,7 +61,7 @@ def lengths(found: MeshPair) -> dict[str, float]:
         f"{k}.{f.name}": getattr(wheel, f.name)
         for k, wheel in enumerate(found.sizes)
         for f in fields(wheel)
-        if f.name not in ("name", "kind", "teeth", "shift", "least_shift") and getattr(wheel, f.name) is not None
+        if f.name not in PURE and getattr(wheel, f.name) is not None
     }
     rows = {f"{k}.W{row.teeth}": row.length for k, each in enumerate(found.measures) for row in each.spans}
     balls = {f"{k}.M": each.balls.size for k, each in enumerate(found.measures) if each.balls is not None}

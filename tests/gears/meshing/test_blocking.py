@@ -153,6 +153,70 @@ def test_corners_lie_on_two_lines_and_edges_on_one(task):
                         assert abs(float(getattr(here, line.replace("interference", "tolerated")))) < 1e-10
 
 
+NECKED = [
+    pair_task(17, 40, rack="stub 20", strategy="given", shifts=(0.5, -0.85)),
+    pair_task(100, 200, rack="ISO 53 C"),
+    pair_task(8, 60, helix=25.0, rack="ISO 53 C"),
+    pair_task(100, 200, rack="ISO 53 B"),
+    pair_task(20, 30, helix=30.0, rack="AGMA 14.5"),
+    pair_task(81, 81, 1.3, 0.4, 25.0, "ISO 53 D"),
+]
+
+
+@pytest.mark.parametrize("task", NECKED, ids=[f"{t.teeth[0]}/{t.teeth[1]}" for t in NECKED])
+def test_a_necked_contour_is_one_closed_curve(task):
+    """Straight flanks that end below h_a*: what a neck joins is one area, without an edge that is no condition."""
+    found = contour_of(task)
+    for area in (found.strict, found.tolerated):
+        main = area.main
+        assert not {"tip1", "tip2"} & {*main.edges, *(line for corner in main.corners for line in corner.lines)}
+        low1, high1, low2, high2 = main.x1.min(), main.x1.max(), main.x2.min(), main.x2.max()
+        x1, x2 = np.arange(low1 - 0.053, high1 + 0.05, STEP), np.arange(low2 - 0.047, high2 + 0.05, STEP)
+        value = np.nan_to_num(least_on_raster(task, area.strict, x1[:, None], x2[None, :]), nan=-1.0)
+        outlines = (main, *area.pieces)
+        border = crossings(x1, x2, value)
+        away = np.concatenate(
+            [np.min([distances(part, o.x1, o.x2) for o in outlines], axis=0) for part in np.array_split(border, 8)]
+        )
+        assert np.max(away) < 1.2 * STEP
+        assert np.median(away) < 3e-4
+        assert sum(o.area for o in outlines) == pytest.approx(np.sum(value >= 0) * STEP**2, rel=0.01)
+        chosen = found.points[0]
+        assert chosen.strict == (float(margins(contour_task(task), chosen.x1, chosen.x2).least(True)) >= -1e-9)
+    if found.points[0].tolerated:
+        assert found.low - 1e-9 <= found.points[0].x1 <= found.high + 1e-9
+
+
+@pytest.mark.parametrize("shifts", [(1.5, -1.4), (0.05, 0.05), (-1.4, 1.5)])
+def test_the_interval_holds_the_chosen_shifts(shifts):
+    """Also beyond a pinch point, where there are three intervals on the line."""
+    found = contour_of(pair_task(100, 200, strategy="given", shifts=shifts))
+    assert found.points[0].strict
+    assert found.low < shifts[0] < found.high
+    total, asked = sum(shifts), contour_task(pair_task(100, 200))
+    inner = np.linspace(found.low, found.high, 50)
+    assert np.min(margins(asked, inner, total - inner).least()) > -1e-9
+    outer = np.array([found.low - 1e-4, found.high + 1e-4])
+    assert np.max(margins(asked, outer, total - outer).least()) < 0
+
+
+@pytest.mark.parametrize("task", [NECKED[1], TEN[2], TEN[7]], ids=["100/200", "20/60", "30/90"])
+def test_the_line_of_equal_strength_reaches_its_point(task):
+    found = contour_of(task)
+    point = next(point for point in found.points if point.name == "equal strength")
+    x1, x2 = (
+        np.concatenate([getattr(line, k) for line in found.lines if line.number == "12, 13"]) for k in ("x1", "x2")
+    )
+    assert np.min(np.hypot(x1 - point.x1, x2 - point.x2)) < 1e-7 or not np.isclose(
+        found.strict.main.area, found.tolerated.main.area
+    )
+    assert np.max(x1 + x2) >= point.x1 + point.x2 - 1e-9
+    here = margins(contour_task(task), x1, x2)
+    assert np.min(here.least(False)) > -1e-8
+    ends = [here.least(False)[k] for k in (0, -1)]
+    assert np.max(ends) < 1e-8  # both ends of the line lie on the contour
+
+
 @pytest.mark.parametrize("task", TEN[::5], ids=NAMES[::5])
 def test_points_against_scipy(task):
     from scipy.optimize import minimize, root

@@ -275,10 +275,18 @@ def test_too_near_axes_are_told_in_millimetres():
     text = str(told.value)
     assert "centre distance 70 mm does not exceed" in text
     assert f"{least:.6g} mm" in text
-    assert "near 77.5 mm" in text
+    assert "the nearest admissible centre distance is" in text
     assert told.value.limit == pytest.approx(least * MM, rel=1e-12)
     with pytest.raises(UsageError, match="centre distance is missing"):
         solve_pair(PairTask((14, 17), M, strategy="given_aw"))
+
+
+@pytest.mark.parametrize("kind", ["external", "internal", "rack"])
+def test_a_rack_too_narrow_for_the_usual_rounding_is_told(kind):
+    wide = PairTask((30, 0 if kind == "rack" else 90), M, kind=kind, strategy="zero", rack=Rack(radians(25)))
+    note = solve_pair(wide).note
+    assert "fully rounded by 1.58941 mm, rho* = 0.3179" in note
+    assert "usual" not in solve_pair(replace(wide, rack=Rack(radians(20)))).note
 
 
 def test_wide_axes_name_the_distance():

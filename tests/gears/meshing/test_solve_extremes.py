@@ -66,7 +66,7 @@ def test_extremes(kind):
             continue
         plain_everywhere(found)
         assert not (task.refuse and found.verdict == "fail")
-        assert found.sizes[0].active >= found.sizes[0].form * (1 - 1e-14)
+        assert found.sizes[0].active_left >= found.sizes[0].form * (1 - 1e-14)
         outcomes.append(found.verdict)
     assert {"none", "fail"} <= set(outcomes)
     assert {"ok", "warn"} & set(outcomes)

@@ -17,12 +17,13 @@ from tmmcalc.gears.involute.profile.shaping import shaped_ring
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.meshing.halves import half_tooth
 from tmmcalc.gears.meshing.members import Member, both, members
+from tmmcalc.gears.meshing.meshtracks import mesh_tracks
 from tmmcalc.gears.meshing.profiles import Profiles, WheelProfile
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.meshing.tooth import profile_columns, solve_profiles
-from tmmcalc.gears.meshing.tracks import Bow, Cubics, Line, mesh_tracks
+from tmmcalc.gears.meshing.tracks import Bow, Cubics, Line
 from tmmcalc.stages import profile as stage
 
 M = 0.005

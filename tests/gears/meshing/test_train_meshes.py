@@ -232,6 +232,17 @@ def test_helical_stages():
     assert sum(mixed.pairs[1].shifts) == pytest.approx(sum_of(mixed.pairs[1]), abs=1e-10)
 
 
+def test_helical_teeth_of_a_spur_train_are_told_with_their_distances():
+    spur = solved("unfolded2")
+    helical = solved("unfolded2", replace(USUAL, helix=radians(12)))
+    (said,) = (remark for remark in helical.remarks if "spur teeth" in remark)
+    for one, other in zip(spur.pairs, helical.pairs, strict=True):
+        assert other.distance == pytest.approx(one.distance / cos(radians(12)), rel=1e-12)
+        name = other.task.name
+        assert f"{name} {1e3 * other.distance:.6g} mm instead of {1e3 * one.distance:.6g} mm" in said
+    assert not any("spur teeth" in remark for remark in spur.remarks)
+
+
 def test_all_meshes_that_cannot_be_made_are_told_together():
     limits = replace(USUAL.limits, contact_ratio=1.95)
     with pytest.raises(NoSolutionError) as error:

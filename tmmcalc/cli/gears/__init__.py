@@ -1,4 +1,4 @@
-"""``tmmcalc gears``: the group of commands for gear trains."""
+"""``tmmcalc gears``: the group of commands for gears."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from tmmcalc.cli.late import LateGroup
 
 
 class Gears(LateGroup):
-    """The commands for gear trains."""
+    """The commands for gears."""
 
     table = GEARS
 
@@ -25,4 +25,4 @@ group = typer.Typer(
 
 @group.callback(epilog="Example: tmmcalc gears synth my.toml")
 def gears() -> None:
-    """Gear trains: tooth numbers within all constraints, and what is made of them."""
+    """Gears: tooth numbers of trains within all constraints, strength, pairs, contours, tooth profiles, measures."""

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cli.messages import note_written
-from tmmcalc.cli.work import check_place
+from tmmcalc.cli.work import check_place, within_turns
 from tmmcalc.errors import UsageError
 from tmmcalc.records import record
 
@@ -38,19 +38,17 @@ class Drawn:
         return {flag: file for flag, file in each.items() if file is not None}
 
 
-def length_of(text: str | None) -> float | None:
-    """The length [m] of --tolerance; raises `UsageError` unless it is one above zero."""
-    if text is None:
-        return None
-    size = _quantity(text, "length", "--tolerance", "0.5 um")
+def length_of(text: str, flag: str, example: str) -> float:
+    """The length [m] of a flag; raises `UsageError` unless it is one above zero."""
+    size = _quantity(text, "length", flag, example)
     if not size > 0:
-        raise UsageError(f"{text!r} is not above zero", where="--tolerance", remedy="write e.g. --tolerance '1 um'")
+        raise UsageError(f"{text!r} is not above zero", where=flag, remedy=f"write e.g. {flag} '{example}'")
     return size
 
 
 def angle_of(text: str | None) -> float:
-    """The angle [rad] of --phase."""
-    return 0.0 if text is None else _quantity(text, "angle", "--phase", "5 deg")
+    """The angle [rad] of --phase; raises as `within_turns` does."""
+    return 0.0 if text is None else within_turns(_quantity(text, "angle", "--phase", "5 deg"), "--phase")
 
 
 def _quantity(text: str, dimension: Any, flag: str, example: str) -> float:
@@ -81,13 +79,20 @@ def check_flags(drawn: Drawn, wheel: str | None, tolerance: str | None, phase: s
 
 
 def tracks_of(pairs: Pairs, chosen: Sequence[Member] | None, drawn: Drawn) -> tuple[Track, ...]:
-    """The chosen wheels, or all pairs in mesh; several ones stand beside each other."""
+    """The chosen wheels, or all pairs in mesh; several ones stand beside each other.
+
+    Wheels without a profile, of which the document tells, are left out; raises `NoSolutionError` if no other is there.
+    """
     if not drawn.files:
         return ()
-    from tmmcalc.gears.meshing.tracks import beside, mesh_tracks, track
+    from tmmcalc.gears.meshing.halves import fault_of
+    from tmmcalc.gears.meshing.meshtracks import beside, mesh_tracks, require_some
+    from tmmcalc.gears.meshing.tracks import track
 
     if chosen is not None:
-        return beside([[track(one, drawn.tolerance or FINENESS * one.module, whole=drawn.whole)] for one in chosen])
+        sound = [one for one in chosen if fault_of(one) is None] or chosen
+        return beside([[track(one, drawn.tolerance or FINENESS * one.module, whole=drawn.whole)] for one in sound])
+    require_some(pairs.pairs)
     return beside(
         [
             mesh_tracks(found, drawn.tolerance or FINENESS * found.task.module, drawn.phase, drawn.whole)

@@ -6,26 +6,16 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.options import (
-    Csv,
-    Depfile,
-    Form,
-    Format,
-    Fresh,
-    FromStage,
-    Out,
-    Quiet,
-    Set,
-    SpecFile,
-    Store,
-    Strict,
-)
+from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.gears.drawn import length_of
+from tmmcalc.cli.gears.known import check_pair
+from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.work import Job, title
-from tmmcalc.errors import UsageError
 
 
+@with_flags
 def command(
-    spec: SpecFile,
+    job: Job,
     form: Form = Format.table,
     pair: Annotated[
         str | None,
@@ -35,47 +25,35 @@ def command(
         str | None, typer.Option("--wheel", metavar="NAME", help="This wheel alone.", show_default=False)
     ] = None,
     teeth: Annotated[
-        int | None, typer.Option("--teeth", metavar="N", min=1, help="The span over N teeth.", show_default=False)
+        int | None, typer.Option("--teeth", metavar="N", min=2, help="The span over N teeth.", show_default=False)
     ] = None,
     ball: Annotated[
         str | None,
         typer.Option("--ball", metavar="LENGTH", help="Balls or pins of this diameter: '8.5 mm'.", show_default=False),
     ] = None,
-    out: Out = None,
-    store: Store = True,
-    fresh: Fresh = False,
-    from_stage: FromStage = None,
-    csv: Csv = None,
-    depfile: Depfile = None,
-    strict: Strict = False,
-    quiet: Quiet = False,
-    overrides: Set = None,
+    radius: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--radius", metavar="LENGTH", help="The tooth on this circle, repeatable: '67 mm'.", show_default=False
+        ),
+    ] = None,
 ) -> None:
     """What is measured on the wheels: span over teeth, size over balls or pins, chords, with the limits of each.
 
     Spans are judged by the textbook's rule and exactly. --format csv prints the spans of all wheels.
 
-    Example: tmmcalc gears measure my.toml --wheel 1 --teeth 3 --ball '8.5 mm'
+    Example: tmmcalc gears measure my.toml --wheel 1 --teeth 3 --ball '8.5 mm' --radius '67 mm'
     """
-    diameter = None if ball is None else _length(ball)
-    job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
+    diameter = None if ball is None else length_of(ball, "--ball", "8.5 mm")
+    radii = [length_of(text, "--radius", "67 mm") for text in radius or ()]
     scene = job.spec()
+    check_pair(scene, pair)
     run = job.run(scene, "pair")
     from tmmcalc.gears.meshing.remeasure import remeasured
     from tmmcalc.report.measure import measure_document
     from tmmcalc.report.pair import chosen_pairs
 
-    result, heading = chosen_pairs(run.results["pair"], pair), title(scene, spec, "measures of gears")
-    if teeth is not None or diameter is not None:
-        result = remeasured(result, teeth, diameter)
+    result, heading = chosen_pairs(run.results["pair"], pair), title(scene, job.file, "measures of gears")
+    if teeth is not None or diameter is not None or radii:
+        result = remeasured(result, teeth, diameter, radii)
     job.finish(measure_document(result, heading, wheel=wheel, everything=form is not Format.table), run, form)
-
-
-def _length(text: str) -> float:
-    """The length [m] of a flag."""
-    from tmmcalc.spec.units import UnitError, parse
-
-    try:
-        return parse(text, "length")
-    except UnitError as fault:
-        raise UsageError(fault.message, where="--ball", remedy=fault.remedy) from None

@@ -6,51 +6,44 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.options import (
-    Csv,
-    Depfile,
-    Form,
-    Format,
-    Fresh,
-    FromStage,
-    Out,
-    Quiet,
-    Set,
-    SpecFile,
-    Store,
-    Strict,
-)
+from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.gears.drawn import length_of
+from tmmcalc.cli.gears.known import check_pair
+from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.work import Job, title
 
 
+@with_flags
 def command(
-    spec: SpecFile,
+    job: Job,
     form: Form = Format.table,
     pair: Annotated[
         str | None,
         typer.Option("--pair", metavar="NAME", help="This pair alone, where there are several.", show_default=False),
     ] = None,
-    out: Out = None,
-    store: Store = True,
-    fresh: Fresh = False,
-    from_stage: FromStage = None,
-    csv: Csv = None,
-    depfile: Depfile = None,
-    strict: Strict = False,
-    quiet: Quiet = False,
-    overrides: Set = None,
+    step: Annotated[
+        str | None,
+        typer.Option(
+            "--sliding-step",
+            metavar="LENGTH",
+            help="Sliding in equal steps of rho1 from a quarter of it: '2 mm'.",
+            show_default=False,
+        ),
+    ] = None,
 ) -> None:
     """Pairs of gears: shifts, centre distance, radii, contact ratios, sliding; every condition with its margin.
 
     Of a [train] every mesh of the tooth set that was chosen. The table shows the radii; --format csv prints the
-    sliding along the line of action, json and toml all of it.
+    sliding along the line of action, json and toml all of it. --sliding-step tabulates theta and lambda as
+    program 1.15 does.
 
-    Example: tmmcalc gears pair my.toml --pair 1-2
+    Example: tmmcalc gears pair my.toml --pair 1-2 --sliding-step '2 mm'
     """
-    job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
+    width = None if step is None else length_of(step, "--sliding-step", "2 mm")
     scene = job.spec()
+    check_pair(scene, pair)
     run = job.run(scene, "pair")
     from tmmcalc.report.pair import chosen_pairs, pair_document
 
-    result, heading = chosen_pairs(run.results["pair"], pair), title(scene, spec, "pairs of gears")
-    job.finish(pair_document(result, heading, everything=form is not Format.table), run, form)
+    result, heading = chosen_pairs(run.results["pair"], pair), title(scene, job.file, "pairs of gears")
+    job.finish(pair_document(result, heading, everything=form is not Format.table, step=width), run, form)

@@ -6,20 +6,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.options import (
-    Csv,
-    Depfile,
-    Form,
-    Format,
-    Fresh,
-    FromStage,
-    Out,
-    Quiet,
-    Set,
-    SpecFile,
-    Store,
-    Strict,
-)
+from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.work import Job, title
 from tmmcalc.errors import UsageError
 
@@ -29,8 +17,9 @@ if TYPE_CHECKING:
     from tmmcalc.spec import Spec
 
 
+@with_flags
 def command(
-    spec: SpecFile,
+    job: Job,
     form: Form = Format.table,
     choose: Annotated[
         int,
@@ -40,15 +29,6 @@ def command(
     internal: Annotated[
         bool, typer.Option("--internal/--external", help="Of a [train]: whether internal wheels can be cut.")
     ] = True,
-    out: Out = None,
-    store: Store = True,
-    fresh: Fresh = False,
-    from_stage: FromStage = None,
-    csv: Csv = None,
-    depfile: Depfile = None,
-    strict: Strict = False,
-    quiet: Quiet = False,
-    overrides: Set = None,
 ) -> None:
     """Any train: exact ratios, speeds, torques, power flow, efficiency both ways.
 
@@ -57,7 +37,6 @@ def command(
 
     Example: tmmcalc gears planetary my.toml --choose 2
     """
-    job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
     scene = job.spec()
     if scene.gearing is None and scene.train is None:
         raise UsageError(
@@ -66,7 +45,7 @@ def command(
             remedy="write the train out in [gearing], or ask for tooth numbers in [train]",
         )
     run = job.run(scene, "gearing" if scene.gearing is not None else "train")
-    job.finish(_printed(run, scene, title(scene, spec, "gears"), choose, power, internal, form), run, form)
+    job.finish(_printed(run, scene, title(scene, job.file, "gears"), choose, power, internal, form), run, form)
 
 
 def _printed(

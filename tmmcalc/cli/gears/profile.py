@@ -9,23 +9,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.gears.drawn import Drawn, angle_of, check_flags, contents_of, length_of, tracks_of, write
-from tmmcalc.cli.options import (
-    Csv,
-    Depfile,
-    Form,
-    Format,
-    Fresh,
-    FromStage,
-    Out,
-    Quiet,
-    Set,
-    SpecFile,
-    Store,
-    Strict,
-)
+from tmmcalc.cli.gears.known import check_wheel
+from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.work import Job, title
 from tmmcalc.errors import UsageError
+from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -36,7 +26,15 @@ if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
 INTERVALS = 10  # of a table
-ROWS = 10_000  # of --fillet
+ROWS = 10_000  # of --fillet and --rolls
+
+
+@record
+class Rolls:
+    """Roll angles [rad] of the tables; None: equal steps."""
+
+    main: Values | None
+    fillet: Values | None
 
 
 class AxisChoice(StrEnum):
@@ -48,8 +46,9 @@ class AxisChoice(StrEnum):
     reference = "reference"
 
 
+@with_flags
 def command(
-    spec: SpecFile,
+    job: Job,
     form: Form = Format.table,
     wheel: Annotated[
         str | None,
@@ -74,7 +73,16 @@ def command(
         typer.Option(
             "--fillet",
             metavar="FB:FE:STEP",
-            help="Roll angles in rad of the fillet's table; fillet = circle only.",
+            help="Roll angles in rad of the fillet's table.",
+            show_default=False,
+        ),
+    ] = None,
+    rolls: Annotated[
+        str | None,
+        typer.Option(
+            "--rolls",
+            metavar="FIRST:LAST:STEP",
+            help="Roll angles in rad of the main profile's table.",
             show_default=False,
         ),
     ] = None,
@@ -105,62 +113,62 @@ def command(
             "--phase", metavar="ANGLE", help="Turn of the first wheel, of pairs in mesh: '5 deg'.", show_default=False
         ),
     ] = None,
-    out: Out = None,
-    store: Store = True,
-    fresh: Fresh = False,
-    from_stage: FromStage = None,
-    csv: Csv = None,
-    depfile: Depfile = None,
-    strict: Strict = False,
-    quiet: Quiet = False,
-    overrides: Set = None,
 ) -> None:
     """Tooth profiles: involute and fillet of every wheel, radii of curvature, the textbook's tables, drawings.
 
     Files hold pairs in mesh, contact at the pitch point at --phase 0; with --wheel one wheel, a tooth on +Y. The table
-    is in mm; --format csv, json or toml prints metres: all points, or with --axis, --intervals or --fillet the tables.
+    is in mm; --format csv, json or toml prints metres: all points, or with a flag of the tables these.
 
     Example: tmmcalc gears profile my.toml --wheel 1 --axis pitch --svg wheel.svg
     """
-    drawn = Drawn(svg, dxf, outline, length_of(tolerance), whole, angle_of(phase))
+    drawn = Drawn(
+        svg,
+        dxf,
+        outline,
+        None if tolerance is None else length_of(tolerance, "--tolerance", "1 um"),
+        whole,
+        angle_of(phase),
+    )
     check_flags(drawn, wheel, tolerance, phase)
-    rolls = None if fillet is None else _rolls(fillet)
-    job = Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
+    at = Rolls(
+        *(None if text is None else _rolls(text, flag) for text, flag in ((rolls, "--rolls"), (fillet, "--fillet")))
+    )
     scene = job.spec()
+    check_wheel(scene, wheel)
     if points is not None and scene.pair is not None:
         job = replace(job, overrides=[*job.overrides, f"pair.points={points}"])
         scene = job.spec()
     run = job.run(scene, "profile")
-    pairs, heading = run.results["pair"], title(scene, spec, "tooth profiles")
+    pairs, heading = run.results["pair"], title(scene, job.file, "tooth profiles")
     chosen = _chosen(pairs, wheel)
-    asked = any(flag is not None for flag in (axis, intervals, fillet))
+    asked = any(flag is not None for flag in (axis, intervals, fillet, rolls))
     everything = form is not Format.table
     document = _document(
-        run, heading, chosen, (axis or AxisChoice.tooth).value, intervals or INTERVALS, rolls, everything, asked
+        run, heading, chosen, (axis or AxisChoice.tooth).value, intervals or INTERVALS, at, everything, asked
     )
     contents = contents_of(tracks_of(pairs, chosen if wheel else None, drawn), drawn, heading)
     job.finish(document, run, form)
-    write(contents, quiet)
+    write(contents, job.quiet)
 
 
-def _rolls(text: str) -> Values:
-    """FB, FB + STEP, ... up to FE."""
+def _rolls(text: str, flag: str) -> Values:
+    """FIRST, FIRST + STEP, ... up to LAST."""
     import numpy as np
 
     try:
         first, last, step = (float(piece) for piece in text.split(":"))
     except ValueError:
-        raise _bad_rolls(f"{text!r} is not first:last:step") from None
+        raise _bad_rolls(flag, f"{text!r} is not first:last:step") from None
     if not (np.isfinite([first, last, step]).all() and step > 0 and last >= first):
-        raise _bad_rolls(f"{text!r} has to run upward in steps above zero")
+        raise _bad_rolls(flag, f"{text!r} has to run upward in steps above zero")
     count = (last - first) / step
     if count > ROWS:
-        raise _bad_rolls(f"{text!r} has more than {ROWS} rows")
+        raise _bad_rolls(flag, f"{text!r} has more than {ROWS} rows")
     return np.round(first + step * np.arange(int(count + 1e-9) + 1), 12)
 
 
-def _bad_rolls(message: str) -> UsageError:
-    return UsageError(message, where="--fillet", remedy="write roll angles in rad, e.g. --fillet=-0.5:0.1:0.05")
+def _bad_rolls(flag: str, message: str) -> UsageError:
+    return UsageError(message, where=flag, remedy=f"write roll angles in rad, e.g. {flag}=-0.5:0.1:0.05")
 
 
 def _chosen(pairs: Pairs, wheel: str | None) -> tuple[Member, ...]:
@@ -183,7 +191,7 @@ def _document(
     chosen: Sequence[Member],
     axis: Any,
     intervals: int,
-    rolls: Values | None,
+    at: Rolls,
     everything: bool,
     asked: bool,
 ) -> Any:
@@ -196,7 +204,7 @@ def _document(
     tables = [
         table
         for member in chosen
-        if member.label in sound and (table := book_tables(member, axis, intervals, rolls)) is not None
+        if member.label in sound and (table := book_tables(member, axis, intervals, at.fillet, at.main)) is not None
     ]
     wanted = [member.label for member in chosen]
     return profile_document(result, heading, tables, wanted=wanted, everything=everything, asked=asked)

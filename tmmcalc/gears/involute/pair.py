@@ -11,6 +11,7 @@ from math import cos, tan
 
 import numpy as np
 
+from tmmcalc.errors import NoSolutionError
 from tmmcalc.gears.involute.function import inverse_involute, involute
 from tmmcalc.gears.involute.wheel import Number, Wheel
 from tmmcalc.records import record
@@ -139,3 +140,23 @@ def sum_of_shifts(first: Wheel, second: Wheel, distance: Number) -> tuple[Number
     with np.errstate(invalid="ignore"):
         angle = np.arccos(cosine)
     return total * (involute(angle) - involute(start)) / (2 * tan(first.rack.angle)), angle
+
+
+def sum_from_distance(first: Wheel, second: Wheel, distance: float) -> tuple[float, float]:
+    """`sum_of_shifts` of one centre distance in normal modules.
+
+    Raises `NoSolutionError` if the distance does not exceed the sum of the base radii.
+    """
+    least = first.base + second.base
+    if distance > least:
+        total, angle = sum_of_shifts(first, second, distance)
+        return float(total), float(angle)
+    raise NoSolutionError(
+        f"the centre distance of {distance:.6g} normal modules does not exceed the sum of the base radii, "
+        f"{least:.6g} (margin {distance - least:.4g})",
+        where="pair",
+        value=distance,
+        limit=least,
+        remedy=f"a centre distance above {least:.6g} normal modules, near {first.reference + second.reference:.6g}; "
+        "other numbers of teeth or another helix angle",
+    )

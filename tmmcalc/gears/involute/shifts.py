@@ -15,21 +15,22 @@ from typing import Literal, get_args
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.gears.involute.contour.bounds import Flags, cuts
-from tmmcalc.gears.involute.contour.contour import Contour, Interval, contour, interval
+from tmmcalc.gears.involute.contour.bounds import Flags
+from tmmcalc.gears.involute.contour.contour import Contour, contour
+from tmmcalc.gears.involute.contour.equalstrength import strength_split
+from tmmcalc.gears.involute.contour.interval import Interval, interval
 from tmmcalc.gears.involute.contour.margins import Margins, margins
 from tmmcalc.gears.involute.contour.points import (
     ZOOM,
     deepest,
     equal_sliding,
-    largest_contact_ratio,
+    held,
     largest_equal_strength,
     largest_sum,
     sliding_split,
-    strength_split,
 )
 from tmmcalc.gears.involute.contour.task import LINES, Task
-from tmmcalc.gears.involute.pair import sum_of_shifts
+from tmmcalc.gears.involute.pair import sum_from_distance
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
 
@@ -105,9 +106,10 @@ def choose(
         one, two, note = _sliding(area, desired)
     elif strategy == "equal_strength":
         one, two = _strength(area)
+    elif strategy == "max_contact_ratio" and area.region:
+        one, two, _ = area.best
     else:
-        rules = {"max_contact_strength": largest_sum, "max_contact_ratio": largest_contact_ratio, "balanced": deepest}
-        one, two = rules[strategy](area)[:2]
+        one, two = largest_sum(area) if strategy == "max_contact_strength" else deepest(area)[:2]
     return _judged(task, strategy, strict, one, two, note=note)
 
 
@@ -120,10 +122,10 @@ def nearest(area: Contour, x1: float, x2: float) -> tuple[float, float]:
     foot = start + t[:, None] * run
     best = foot[int(np.argmin(np.sum((foot - (x1, x2)) ** 2, axis=1)))]
     # the chord may leave a hollow edge: keep the sum and step back between its ends
-    total = float(np.clip(best.sum(), area.region.total[0], area.region.total[-1]))
-    if not area.region.total[0] < total < area.region.total[-1]:
+    total, (least, most) = float(best.sum()), area.region.ends
+    if not least < total < most:
         return float(best[0]), float(best[1])
-    ends = interval(area.frame, total, area.strict)
+    ends = interval(area.frame, total, area.strict, region=area.region, near=float(best[0]))
     one = min(max(float(best[0]), ends.low), ends.high)
     return one, total - one
 
@@ -150,17 +152,7 @@ def _judged(
 def _sum(task: Task, distance: float | None) -> float:
     if distance is None:
         raise UsageError("a centre distance is missing", where="shifts", remedy="give the centre distance in modules")
-    total = float(sum_of_shifts(task.first, task.second, distance)[0])
-    if not np.isfinite(total):
-        least = task.first.base + task.second.base
-        raise NoSolutionError(
-            f"the centre distance {distance:.6g} m is less than the sum of the base radii {least:.6g} m",
-            where="shifts",
-            value=distance,
-            limit=least,
-            remedy=f"a centre distance above {least:.6g} normal modules, or other numbers of teeth",
-        )
-    return total
+    return sum_from_distance(task.first, task.second, distance)[0]
 
 
 def _on_sum(area: Contour, strategy: str, total: float, x1: float | None, x2: float | None, split: Split) -> Choice:
@@ -168,9 +160,8 @@ def _on_sum(area: Contour, strategy: str, total: float, x1: float | None, x2: fl
     if x1 is not None or x2 is not None:
         one = x1 if x1 is not None else total - float(x2 or 0.0)
         return _judged(area.task, strategy, area.strict, one, total - one)
-    line = interval(area.frame, total, area.strict)
     sums = area.frame.sums(area.frame.angle_of(np.array([total])))
-    note = ""
+    line = interval(area.frame, total, area.strict, region=area.main)
     if split == "middle":
         wanted = (line.low + line.high) / 2
     elif split == "max_contact_ratio":
@@ -179,7 +170,9 @@ def _on_sum(area: Contour, strategy: str, total: float, x1: float | None, x2: fl
         wanted = float(strength_split(area.frame, sums, np.array([line.low]), np.array([line.high]))[0][0])
     else:
         wanted = float(sliding_split(area.frame, sums)[0])
+    line = interval(area.frame, total, area.strict, region=area.main, near=wanted)
     one = min(max(wanted, line.low), line.high)
+    note = ""
     if one != wanted:
         limit = line.low_line if one == line.low else line.high_line
         note = f"{split.replace('_', ' ')} would need x1 = {wanted:.4f}; stopped by: {LINES[limit][1]}"
@@ -194,9 +187,7 @@ def _sliding(area: Contour, desired: float) -> tuple[float, float, str]:
     region = area.region
 
     def inside(w: Values) -> Flags:
-        line = contour_ends(area, w)
-        x1 = sliding_split(area.frame, area.frame.sums(w))
-        return (x1 >= line[0]) & (x1 <= line[1])
+        return held(area, w, sliding_split(area.frame, area.frame.sums(w)))
 
     w = _best_end(inside, region.angles, lambda w: np.abs(_ratio(area, w) - desired))
     if w is None:
@@ -227,12 +218,6 @@ def _strength(area: Contour) -> tuple[float, float]:
             remedy="another strategy: the bending strength is better matched by material or face width here",
         )
     return found
-
-
-def contour_ends(area: Contour, w: Values) -> tuple[Values, Values]:
-    """Least and largest x1 (n,) on the lines of operating angles w."""
-    low, high, _, _ = cuts(area.frame, w, tolerated=not area.strict).ends(area.strict)
-    return low, high
 
 
 def _best_end(holds: Callable[[Values], Flags], w: Values, cost: Callable[[Values], Values]) -> float | None:

@@ -15,6 +15,7 @@ from tmmcalc.gears.model import Values
 
 ACTIVE = 41  # points of the active part, both ends and the pitch point among them
 STEPS = 60  # of the whole line
+REST = 1.2  # where it has no end ahead, the curves of sliding go so far beyond the end of the contact
 
 
 def line_points(low: float, high: float, pitch: float, top: float) -> Values:

@@ -9,14 +9,14 @@ from dataclasses import fields
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.gears.involute.contour.contour import Contour, Interval, contours, interval
+from tmmcalc.gears.involute.contour.contour import Contour, contours
+from tmmcalc.gears.involute.contour.interval import Interval, intervals
+from tmmcalc.gears.involute.contour.joined import Region
 from tmmcalc.gears.involute.contour.margins import Margins, margins
-from tmmcalc.gears.involute.contour.trace import Region
 from tmmcalc.gears.meshing.blockinglines import contour_lines
 from tmmcalc.gears.meshing.blockingpoints import contour_points
 from tmmcalc.gears.meshing.choice import contour_task
-from tmmcalc.gears.meshing.contours import Area, Blocking, ContourCorner, Outline, PairContour
+from tmmcalc.gears.meshing.contours import Area, Blocking, ContourCorner, ContourPoint, Outline, PairContour
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 
 
@@ -44,7 +44,8 @@ def _remarks(found: Pairs) -> list[str]:
             )
         elif task.tips != (None, None):
             remarks.append(
-                f"{task.title}: the contour is that of tips by the rule r + h_a* + x - dy, not of the given tip circles"
+                f"{task.title}: the contour and its margins are those of tips by the rule r + h_a* + x - dy; "
+                "the values of the chosen shifts are those of the given tip circles"
             )
     return remarks
 
@@ -54,7 +55,7 @@ def _pair_contour(pair: MeshPair) -> PairContour:
     asked = contour_task(task)
     both = contours(asked)
     points, missing = contour_points(pair, both)
-    line = _interval(both, sum(pair.shifts))
+    line = _interval(both, points[0])
     return PairContour(
         name=task.name,
         teeth=task.teeth,
@@ -75,13 +76,16 @@ def _pair_contour(pair: MeshPair) -> PairContour:
     )
 
 
-def _interval(both: tuple[Contour, Contour], total: float) -> Interval | None:
-    """The admissible x1 of a sum, without undercut if there are any."""
-    for area in both:
-        try:
-            return interval(area.frame, total, area.strict)
-        except NoSolutionError:
-            continue
+def _interval(both: tuple[Contour, Contour], chosen: ContourPoint) -> Interval | None:
+    """The admissible x1 at the chosen sum: the interval that holds the chosen x1, or is nearest to it.
+
+    Without undercut, unless only the tolerated contour holds the chosen shifts or has anything on the line.
+    """
+    areas = both[1:] if chosen.tolerated and not chosen.strict else both
+    for area in areas:
+        found = intervals(area.frame, chosen.x1 + chosen.x2, area.strict)
+        if found:
+            return min(found, key=lambda each: each.distance(chosen.x1))
     return None
 
 

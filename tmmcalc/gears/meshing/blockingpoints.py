@@ -20,6 +20,7 @@ from tmmcalc.gears.involute.pair import pair_of_shifts
 from tmmcalc.gears.involute.shifts import ROUNDING
 from tmmcalc.gears.meshing.choice import contour_task
 from tmmcalc.gears.meshing.contours import ContourPoint
+from tmmcalc.gears.meshing.mates import external_pair
 from tmmcalc.gears.meshing.results import MeshPair
 
 Place = tuple[float, float]
@@ -28,6 +29,7 @@ Place = tuple[float, float]
 def contour_points(pair: MeshPair, both: tuple[Contour, Contour]) -> tuple[tuple[ContourPoint, ...], tuple[str, ...]]:
     """The chosen shifts first, then the points that exist, and why the others do not.
 
+    The values of the chosen shifts are those of the pair itself, whatever its tips; the others have tips by the rule.
     The points are those of the strict contour; of the tolerated one if that is empty or the task tolerates undercut.
     """
     task, asked = pair.task, contour_task(pair.task)
@@ -51,7 +53,26 @@ def contour_points(pair: MeshPair, both: tuple[Contour, Contour]) -> tuple[tuple
             ("equal strength", "equal tooth form factors at the largest x1 + x2", _strength(area, missing)),
         ]
     named = [(name, title, place) for name, title, place in places if place is not None]
-    return _points(asked, task.module, named), tuple(missing)
+    chosen, *others = _points(asked, task.module, named)
+    return (_own(pair, chosen), *others), tuple(missing)
+
+
+def _own(pair: MeshPair, point: ContourPoint) -> ContourPoint:
+    """The chosen point with the values of the pair that was solved."""
+    one, two = pair.sizes
+    m, solved = pair.task.module, external_pair(pair)
+    ratio, (start1, start2), g = solved.ratio, solved.starts, float(solved.length)
+    theta1 = 1 - (g - float(start1)) / (ratio * float(start1)) if start1 > 0 else 0.0
+    theta2 = 1 - ratio * (g - float(start2)) / float(start2) if start2 > 0 else 0.0
+    forms = [size.strength.factor if size.strength else 0.0 for size in (one, two)]
+    return replace(
+        point,
+        contact_ratio=pair.contact_ratio,
+        tip_thickness=(one.tip_thickness / m, two.tip_thickness / m),
+        sliding=(theta1, theta2),
+        form_factors=(forms[0], forms[1]),
+        distance=pair.distance,
+    )
 
 
 def _sliding(area: Contour, desired: float, missing: list[str]) -> Place | None:

@@ -1,5 +1,8 @@
 """The textbook's tables of the main profile and of the fillet for any wheel, in metres (4.77 to 4.95).
 
+The fillet of an external wheel is that of a circular rounding, whatever the rounding of the outline: across helical
+teeth the circle rho_t stands for the ellipse.
+
 Axes X-Omega-Y: the origin lies on the base circle, Y runs from the centre along the axis of the tooth or of the space,
 or through the point of the flank on the operating pitch circle or on the reference circle.
 """
@@ -10,11 +13,11 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.function import involute
-from tmmcalc.gears.involute.profile.flank import Flank
+from tmmcalc.gears.involute.profile.flank import Flank, flank_of
 from tmmcalc.gears.involute.profile.tables import Axis, axis_turn, fillet_table, main_profile
-from tmmcalc.gears.meshing.halves import Half, half_tooth
+from tmmcalc.gears.meshing.halves import Part, half_tooth
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
@@ -37,36 +40,55 @@ class BookTables:
     axis: Axis
     main: BookTable
     fillet: BookTable
-    rounded: bool  # whether the fillet has the columns of S, which a circular rounding has
+    rounded: bool  # whether the fillet is that of a circular rounding, and has the columns of its centre S
+    radius: float  # rho_t of that circle [m]; 0 if there is none
+    apart: bool  # whether the outline has another fillet: that of the ellipse
 
 
 def book_tables(
-    member: Member, axis: Axis = "tooth", intervals: int = 10, rolls: Values | None = None
+    member: Member,
+    axis: Axis = "tooth",
+    intervals: int = 10,
+    rolls: Values | None = None,
+    main_rolls: Values | None = None,
 ) -> BookTables | None:
-    """The tables of one wheel in ``intervals`` equal steps, of the fillet at ``rolls`` [rad] if these are given.
+    """The tables of one wheel in ``intervals`` equal steps.
 
-    None for a rack, whose flanks are straight. Raises `NoSolutionError` if the wheel has no profile, `UsageError` if
-    rolls are asked of a fillet that no circular rounding cuts.
+    ``rolls`` [rad] are the roll angles of the fillet if they are given, ``main_rolls`` those of the involute, which has
+    its ends beside those between them. None for a rack, whose flanks are straight. Raises `NoSolutionError` if the
+    wheel has no profile, `UsageError` if rolls are asked of a fillet that no circular rounding cuts.
     """
     if member.shape == "rack":
         return None
     half, turn = half_tooth(member), _turn(member, axis)
-    circular = member.shape == "external" and member.flank.rounding.width == member.flank.rounding.height
-    if rolls is not None and not circular:
+    circle = _circular(member)
+    if rolls is not None and circle is None:
         raise UsageError(
             f"wheel {member.label}: the table over the roll angle is that of a circular rounding of a rack",
             where="--fillet",
-            remedy="name an external wheel with --wheel" if member.shape == "ring" else 'fillet = "circle" in [pair]',
+            remedy="name an external wheel with --wheel",
         )
     if member.shape == "ring":
-        main = _sampled(member, half, "involute", turn, intervals)
+        main = _sampled(member, half.flank, _steps(half.flank, intervals, main_rolls), turn)
     else:
-        main = _main(member.flank, turn, intervals, member.module)
-    if circular:
-        fillet = _fillet(member.flank, turn, intervals, rolls, member.module)
-    else:
-        fillet = _sampled(member, half, "fillet", turn, intervals)
-    return BookTables(member, axis, main, fillet, circular)
+        main = _main(member.flank, turn, intervals, main_rolls, member.module)
+    if circle is None:
+        fillet = _sampled(member, half.fillet, _steps(half.fillet, intervals), turn)
+        return BookTables(member, axis, main, fillet, False, 0.0, False)
+    fillet = _fillet(circle, turn, intervals, rolls, member.module)
+    own = member.flank.rounding
+    radius = member.module * circle.rounding.height
+    return BookTables(member, axis, main, fillet, True, radius, own.width != own.height)
+
+
+def _circular(member: Member) -> Flank | None:
+    """The flank with a circular rounding; None: a ring, or a circle that is too wide for the rack."""
+    if member.shape != "external":
+        return None
+    try:
+        return flank_of(member.wheel, member.tip, "circle")
+    except NoSolutionError:
+        return None
 
 
 def _turn(member: Member, axis: Axis) -> float:
@@ -88,8 +110,8 @@ def _half_angle(member: Member) -> float:
     return pi / member.wheel.teeth - float(member.wheel.half_angle)
 
 
-def _main(flank: Flank, turn: float, intervals: int, m: float) -> BookTable:
-    table = main_profile(flank, turn, intervals)
+def _main(flank: Flank, turn: float, intervals: int, rolls: Values | None, m: float) -> BookTable:
+    table = main_profile(flank, turn, intervals, rolls)
     last = "F" if flank.wheel.limit < 0 else "L"
     columns = {"phi[rad]": table.roll, "X_T[m]": m * table.x, "Y_T[m]": m * table.y, "R_T[m]": m * table.radius}
     return BookTable(("A", *[""] * (len(table.roll) - 2), last), columns, np.ones(len(table.roll), bool))
@@ -113,18 +135,28 @@ def _fillet(flank: Flank, turn: float, intervals: int, rolls: Values | None, m: 
     return BookTable((*[""] * (len(table.roll) - 2), "L", "D"), columns, table.cut)
 
 
-def _sampled(member: Member, half: Half, name: str, turn: float, intervals: int) -> BookTable:
-    """A part of the profile in equal steps of its parameter, from the tip towards the root."""
-    part, m = half.fillet if name == "fillet" else half.flank, member.module
-    at = np.linspace(part.curve.end, part.curve.start, intervals + 1)
+def _steps(part: Part, intervals: int, rolls: Values | None = None) -> Values:
+    """Parameters of a part from the tip towards the root: equal steps, or those of roll angles of an involute."""
+    first, last = part.curve.end, part.curve.start
+    if rolls is None:
+        return np.linspace(first, last, intervals + 1)
+    start = last - float(part.roll(np.array([last]))[0])  # the parameter of an involute is phi + tan(alpha_t)
+    given = np.sort(rolls + start)
+    inside = given[(given > min(first, last)) & (given < max(first, last))]
+    return np.concatenate([[first], inside if first < last else inside[::-1], [last]])
+
+
+def _sampled(member: Member, part: Part, at: Values, turn: float) -> BookTable:
+    """A part of the profile at parameters (n,) from the tip towards the root."""
+    m, involute_part = member.module, part.name == "involute"
     psi = _half_angle(member) if member.shape == "ring" else float(member.wheel.half_angle)
-    places = part.curve.point(at) * np.exp(1j * (turn - psi)) - 1j * half.base
-    under = "_T" if name == "involute" else ""
+    places = part.curve.point(at) * np.exp(1j * (turn - psi)) - 1j * abs(member.wheel.base)
+    under = "_T" if involute_part else ""
     columns = {
         "phi[rad]": part.roll(at),
         f"X{under}[m]": m * places.real,
         f"Y{under}[m]": m * places.imag,
         f"R{under}[m]": m * np.abs(part.radius(at)),
     }
-    first, last = ("A", "F") if name == "involute" else ("F", "D")
-    return BookTable((first, *[""] * (intervals - 1), last), columns, np.ones(intervals + 1, bool))
+    first, last = ("A", "F") if involute_part else ("F", "D")
+    return BookTable((first, *[""] * (len(at) - 2), last), columns, np.ones(len(at), bool))

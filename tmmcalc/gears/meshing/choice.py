@@ -10,6 +10,7 @@ from tmmcalc.gears.involute.contour.task import LINES, Task
 from tmmcalc.gears.involute.pair import sum_of_shifts
 from tmmcalc.gears.involute.quality.verdicts import Check, worst
 from tmmcalc.gears.involute.shifts import ROUNDING, Choice, choose
+from tmmcalc.gears.meshing.distances import nearest_distance
 from tmmcalc.gears.meshing.mates import wheel_of
 from tmmcalc.gears.meshing.refusal import place, require_distance
 from tmmcalc.gears.meshing.task import PairTask
@@ -56,8 +57,7 @@ def sum_asked(task: PairTask) -> float | None:
     if task.strategy != "given_aw":
         return 0.0 if task.strategy == "equal_shift" else None
     first, second = wheel_of(task, 1), wheel_of(task, 2)
-    usual = first.reference + second.reference
-    distance = require_distance(task, first.base + second.base, usual, "sum")
+    distance = require_distance(task, first.base + second.base, "sum", lambda: nearest_distance(task))
     return float(sum_of_shifts(first, second, distance)[0])
 
 

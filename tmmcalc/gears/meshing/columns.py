@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.gears.meshing.results import MeshPair, Pairs
+from tmmcalc.gears.meshing.results import MeshPair, Pairs, SlidingTable
+from tmmcalc.gears.meshing.slidingtable import sliding_steps
 
 NO, YES = "no", "yes"
 
 
-def pair_columns(found: Pairs) -> dict[str, np.ndarray]:
-    """Columns by their headers; ``active`` tells whether the flanks touch there."""
-    parts = [_of_pair(pair) for pair in found.pairs]
+def pair_columns(found: Pairs, step: float | None = None) -> dict[str, np.ndarray]:
+    """Columns by their headers; ``active`` tells whether the flanks touch there.
+
+    With a ``step`` [m] of rho1 in equal steps, as `sliding_steps` makes them, and raises.
+    """
+    parts = [sliding_columns(pair, pair.sliding if step is None else sliding_steps(pair, step)) for pair in found.pairs]
     return {header: np.concatenate([part[header] for part in parts]) for header in (parts[0] if parts else ())}
 
 
-def _of_pair(pair: MeshPair) -> dict[str, np.ndarray]:
-    table = pair.sliding
+def sliding_columns(pair: MeshPair, table: SlidingTable) -> dict[str, np.ndarray]:
+    """The columns of one pair."""
     return {
         "pair": np.full(len(table.rho1), pair.task.name or pair.task.title),
         "rho1[m]": table.rho1,

@@ -40,7 +40,7 @@ class Area:
     strict: bool  # no undercut at all
     main: Outline | None  # None: nothing is admissible; then ``reason`` says why
     reason: str
-    pieces: tuple[Outline, ...]  # meshes on one side of the pitch point only, and parts cut off the main region
+    pieces: tuple[Outline, ...]  # beyond a pinch point, or apart, mostly with a tip inside its reference circle
     untraced: tuple[int, ...]  # wheels on whose side there are pieces whose outline is not found
     best_contact_ratio: float  # largest that the other conditions leave
 
@@ -90,7 +90,8 @@ class PairContour:
     points: tuple[ContourPoint, ...]  # the chosen one first; what does not exist is left out
     missing: tuple[str, ...]  # the points that do not exist, with the reason
     margins: dict[str, float]  # of the chosen shifts, by the keys of the lines; modules
-    low: float | None  # least and largest admissible x1 at the chosen sum of shifts (strict, else tolerated)
+    # the admissible interval of x1 at the chosen sum of shifts that holds the chosen x1, or else is nearest to it
+    low: float | None
     high: float | None
     ends: tuple[str, str]  # keys of the lines at both; empty if there are none
 

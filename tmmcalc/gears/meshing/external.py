@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from math import sin
 
-import numpy as np
-
 from tmmcalc.gears.involute.pair import Pair, pair_of_shifts
 from tmmcalc.gears.involute.quality.contact import Contact, contact
 from tmmcalc.gears.involute.quality.existence import nearest_shifts, require_pair
@@ -35,7 +33,8 @@ def solve_external(task: PairTask) -> MeshPair:
     meeting = contact(whole, task.width, task.fillet)
     stands, m = standing(task, shifts, found), task.module
     line = _line(whole, meeting)
-    peaks, table = _sliding(whole, line, m)
+    table = _sliding(whole, line, m)
+    left = _peaks(whole, line.begins, line.ends)
     sizes, gears = _wheels(task, pair, meeting)
     clearances = pair.clearances
     return MeshPair(
@@ -61,7 +60,8 @@ def solve_external(task: PairTask) -> MeshPair:
         sizes=sizes,
         clearances=(m * float(clearances[0]), m * float(clearances[1])),
         checks=found,
-        peaks=peaks,
+        peaks=_peaks(whole, line.start, line.end) or left,
+        peaks_left=left,
         sliding=table,
         measures=tuple(measures(task, number, gear) for number, gear in enumerate(gears, 1)),
     )
@@ -97,14 +97,17 @@ def _line(pair: Pair, meeting: Contact) -> LineOfAction:
     )
 
 
-def _sliding(pair: Pair, line: LineOfAction, module: float) -> tuple[SlidingPeaks | None, SlidingTable]:
+def _sliding(pair: Pair, line: LineOfAction, module: float) -> SlidingTable:
     low, high, g = line.begins, line.ends, line.length
     points = sliding(pair, line_points(low, high, line.pitch, g), (low, high))
-    touch = 0 < low < high < g
-    return (
-        peaks_of(sliding_extremes(pair, (low, high))) if touch else None,
-        sliding_table(points, low, high, module),
-    )
+    return sliding_table(points, low, high, module)
+
+
+def _peaks(pair: Pair, low: float, high: float) -> SlidingPeaks | None:
+    """Of a contact between two radii of curvature of wheel 1; None: it is not within the line of action."""
+    if not 0 < low < high < float(pair.length):
+        return None
+    return peaks_of(sliding_extremes(pair, (low, high)))
 
 
 def _wheels(task: PairTask, pair: Pair, meeting: Contact) -> tuple[tuple[WheelSizes, ...], tuple[Gear, ...]]:
@@ -112,7 +115,8 @@ def _wheels(task: PairTask, pair: Pair, meeting: Contact) -> tuple[tuple[WheelSi
     sizes, gears = [], []
     for k, wheel in enumerate(pair.wheels):
         operating = float(pair.operating[k])
-        gear = Gear(wheel, float(pair.tips[k]), float(wheel.root), operating, float(meeting.forms[k]))
-        sizes.append(external_sizes(task, k + 1, gear, float(np.hypot(wheel.base, meeting.starts[k]))))
+        ends = float(meeting.forms[k]), float(meeting.starts[k])
+        gear = Gear(wheel, float(pair.tips[k]), float(wheel.root), operating, *ends)
+        sizes.append(external_sizes(task, k + 1, gear, float(meeting.margins[k] + meeting.forms[k])))
         gears.append(gear)
     return tuple(sizes), tuple(gears)

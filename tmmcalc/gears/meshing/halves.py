@@ -14,12 +14,13 @@ from typing import Literal
 
 import numpy as np
 
-from tmmcalc.gears.involute.profile.curves import Curve
+from tmmcalc.errors import NoSolutionError
 from tmmcalc.gears.involute.profile.outline import Element, arcs, tooth
 from tmmcalc.gears.involute.profile.ring import RingFlank
 from tmmcalc.gears.involute.profile.shaping import ShapedRing
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.linkage.plane import Real
+from tmmcalc.numerics.curves import Curve
 from tmmcalc.records import record
 
 PartName = Literal["root", "fillet", "involute", "flank", "tip"]  # the straight flank is that of a rack
@@ -87,10 +88,20 @@ class Half:
 
 
 def half_tooth(member: Member) -> Half:
-    """Half a tooth of a wheel; raises `NoSolutionError` if it cannot have a profile."""
-    if member.shape == "rack":
-        return _of_rack(member)
-    return _of_ring(member) if member.shape == "ring" else _of_wheel(member)
+    """Half a tooth of a wheel; raises `NoSolutionError` that names it if it cannot have a profile."""
+    with member.told():
+        if member.shape == "rack":
+            return _of_rack(member)
+        return _of_ring(member) if member.shape == "ring" else _of_wheel(member)
+
+
+def fault_of(member: Member) -> NoSolutionError | None:
+    """Why a wheel cannot have a profile; None: it has one."""
+    try:
+        half_tooth(member)
+    except NoSolutionError as error:
+        return error
+    return None
 
 
 def _of_wheel(member: Member) -> Half:

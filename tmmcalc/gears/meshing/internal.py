@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import hypot, sin
+from math import cos, hypot, sin
 
 import numpy as np
 
@@ -17,13 +17,15 @@ from tmmcalc.gears.involute.internal.contact import (
 )
 from tmmcalc.gears.involute.internal.margins import internal_margins, nearest_internal
 from tmmcalc.gears.involute.internal.pair import InternalPair
-from tmmcalc.gears.involute.internal.ring import angle_of_distance, check_teeth
+from tmmcalc.gears.involute.internal.ring import Ring, angle_of_distance, check_teeth
 from tmmcalc.gears.involute.internal.shifts import InternalChoice, choose_internal
 from tmmcalc.gears.involute.internal.verdicts import internal_checks, require_internal
 from tmmcalc.gears.involute.profile.form import junction
 from tmmcalc.gears.involute.quality.verdicts import NOISE, Check, QualityLimits, Verdict
-from tmmcalc.gears.meshing.along import line_points, peaks_of, sliding_table
+from tmmcalc.gears.meshing.along import REST, line_points, peaks_of, sliding_table
 from tmmcalc.gears.meshing.choice import Standing, known_shifts, sound, strictly
+from tmmcalc.gears.meshing.cutting import NAMES, blamed, cut_short, cutter_checks, cutter_remedy
+from tmmcalc.gears.meshing.distances import nearest_distance, require_sum
 from tmmcalc.gears.meshing.mates import RING_TIPS, asked_distance, internal_of, ring_of, wheel_of
 from tmmcalc.gears.meshing.measures import measures
 from tmmcalc.gears.meshing.refusal import millimetres, refuse, remedy_by, require_distance
@@ -31,27 +33,27 @@ from tmmcalc.gears.meshing.results import LineOfAction, MeshPair, SlidingPeaks, 
 from tmmcalc.gears.meshing.sizes import Gear, external_sizes, on_base, require_root
 from tmmcalc.gears.meshing.task import PairTask
 
-REST = 1.2  # the curves of sliding go so far beyond the end of the contact
-
 
 def solve_internal(task: PairTask) -> MeshPair:
     """The pair with all its sizes; raises `NoSolutionError` as `solve_pair` does."""
     check_teeth(wheel_of(task, 1), ring_of(task))
     shifts, note = _choose(task)
+    require_sum(task, shifts)
     pair = internal_of(task, shifts)
     require_root(pair.pinion, 1)
-    found = (*internal_checks(pair, task.limits, task.width, task.fillet), _undercut(task, shifts[0]))
+    judged = internal_checks(pair, task.limits, task.width, task.fillet)
+    found = blamed((*cutter_checks(task, pair), *judged, _undercut(task, shifts[0])))
     refuse(task, found, lambda: _remedy(task, shifts, found))
     stands = _standing(task, shifts, found)
     whole = replace(pair, tips=on_base(pair.tips, (pair.pinion.base, pair.ring.base)))
     meeting = internal_contact(whole, task.width, task.fillet)
-    peaks, table = _sliding(whole, meeting, task.module)
+    table, left = _sliding(whole, meeting, task.module), _peaks(whole, meeting.segment)
     sizes, gears = _wheels(task, whole, pair.tips, meeting)
     m = task.module
     return MeshPair(
         task=task,
         shifts=shifts,
-        note="; ".join(text for text in (note, _shortened(pair, m)) if text),
+        note="; ".join(text for text in (note, cut_short(pair, m), _shortened(pair, m)) if text),
         broken=stands.broken,
         nearest=stands.nearest,
         angle_t=pair.pinion.section.angle,
@@ -69,7 +71,8 @@ def solve_internal(task: PairTask) -> MeshPair:
         sizes=sizes,
         clearances=(m * pair.clearances[0], m * pair.clearances[1]),
         checks=found,
-        peaks=peaks,
+        peaks=_peaks(whole, whole.segment) or left,
+        peaks_left=left,
         sliding=table,
         measures=tuple(measures(task, number, gear) for number, gear in enumerate(gears, 1)),
     )
@@ -117,8 +120,8 @@ def _sum(task: PairTask) -> float | None:
     if task.strategy != "given_aw":
         return 0.0 if task.strategy in ("equal_shift", "balanced") else None
     pinion, ring = wheel_of(task, 1), ring_of(task)
-    usual = ring.reference - pinion.reference
-    return angle_of_distance(pinion, ring, require_distance(task, ring.base - pinion.base, usual, "difference"))[0]
+    distance = require_distance(task, ring.base - pinion.base, "difference", lambda: nearest_distance(task))
+    return angle_of_distance(pinion, ring, distance)[0]
 
 
 def _standing(task: PairTask, shifts: tuple[float, float], checks: Sequence[Check]) -> Standing:
@@ -147,7 +150,11 @@ def _remedy(task: PairTask, shifts: tuple[float, float], found: Sequence[Check])
     broken = {check.name: check for check in found if check.verdict == "fail"}
     cut = broken.pop("undercut", None)
     told = [] if cut is None else [f"x1 of at least {cut.limit:.6g}, or undercut tolerated"]
-    if broken:
+    of_cutter = [name for name in NAMES if broken.pop(name, None) is not None]
+    if of_cutter:
+        told.append(cutter_remedy(task, internal_of(task, shifts), of_cutter))
+    # a ring that its cutter spoils says nothing about the shifts
+    if broken and not {"cutter tip", "cutter depth"} & {*of_cutter}:
         plain = internal_of(task, shifts, asked_tips=False)
         told.append(
             remedy_by(task, lambda: require_internal(plain, task.limits, RING_TIPS, task.fillet), plain.tips),
@@ -176,12 +183,16 @@ def _line(pair: InternalPair, meeting: InternalContact, module: float) -> LineOf
     )
 
 
-def _sliding(pair: InternalPair, meeting: InternalContact, module: float) -> tuple[SlidingPeaks | None, SlidingTable]:
+def _sliding(pair: InternalPair, meeting: InternalContact, module: float) -> SlidingTable:
     low, high = meeting.segment
     pitch = pair.operating[0] * sin(pair.angle)
     points = internal_sliding(pair, line_points(low, high, pitch, REST * max(high, pitch)), (low, high))
-    peaks = peaks_of(internal_extremes(pair, (low, high))) if 0 < low < high else None
-    return peaks, sliding_table(points, low, high, module)
+    return sliding_table(points, low, high, module)
+
+
+def _peaks(pair: InternalPair, segment: tuple[float, float]) -> SlidingPeaks | None:
+    """Of a contact between two radii of curvature of the pinion; None: it is not on the line of action."""
+    return peaks_of(internal_extremes(pair, segment)) if 0 < segment[0] < segment[1] else None
 
 
 def _wheels(
@@ -191,25 +202,38 @@ def _wheels(
     low, high = meeting.segment
     pinion, ring, (first, second) = pair.pinion, pair.ring, pair.operating
     form = float(junction(pinion, task.fillet).curvature_radius)
-    inner = Gear(pinion, tips[0], float(pinion.root), first, form)
-    outer = Gear(ring.signed, tips[1], ring.root, second, ring.curvature_at(max(ring.form, ring.base)))
+    inner = Gear(pinion, tips[0], float(pinion.root), first, form, low)
+    last, reach = high + pair.length, pair.starts[1]
+    outer = Gear(ring.signed, tips[1], ring.root, second, ring.curvature_at(max(ring.form, ring.base)), last)
+    return (external_sizes(task, 1, inner, pair.starts[0]), _ring_sizes(task, ring, outer, reach)), (inner, outer)
+
+
+def _ring_sizes(task: PairTask, ring: Ring, gear: Gear, reach: float) -> WheelSizes:
+    """Sizes of the ring; ``reach`` is its radius of curvature where the tip of the pinion leaves it, in modules."""
     m = task.module
-    ring_sizes = WheelSizes(
-        task.wheels[1],
-        "ring",
-        ring.teeth,
-        ring.shift,
-        m * ring.reference,
-        m * second,
-        m * tips[1],
-        m * ring.root,
-        m * ring.base,
-        m * ring.form,
-        m * hypot(ring.base, high + pair.length),
-        m * ring.thickness_at(ring.reference),
-        m * ring.thickness_at(tips[1]),
-        None,
-        None,
-        None,
+    thickness, tip_thickness = ring.thickness_at(ring.reference), ring.thickness_at(gear.tip)
+    return WheelSizes(
+        name=task.wheels[1],
+        kind="ring",
+        teeth=ring.teeth,
+        shift=ring.shift,
+        reference=m * ring.reference,
+        operating=m * gear.operating,
+        tip=m * gear.tip,
+        root=m * ring.root,
+        base=m * ring.base,
+        form=m * ring.form,
+        active=m * hypot(ring.base, reach),
+        active_left=m * hypot(ring.base, gear.active),
+        thickness=m * thickness,
+        tip_thickness=m * tip_thickness,
+        arc=m * thickness / cos(ring.helix),
+        tip_arc=m * tip_thickness / cos(float(ring.signed.helix_at(gear.tip))),
+        half_angle=ring.half_angle_at(ring.reference),
+        operating_half_angle=ring.half_angle_at(gear.operating),
+        least_shift=None,
+        limit=None,
+        pointing=None,
+        least_teeth=None,
+        strength=None,
     )
-    return (external_sizes(task, 1, inner, hypot(pinion.base, low)), ring_sizes), (inner, outer)

@@ -1,10 +1,12 @@
 """What is measured on one wheel: span, size over or between balls, chords; modules in, metres out.
 
-The usable involute reaches from the form circle to the tip circle, whatever part of it the mate uses.
+The usable involute reaches from the lowest active point, or the form circle if that is nearer to the tip, to the tip
+circle.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from math import cos, isfinite, sin
 
 import numpy as np
@@ -12,7 +14,7 @@ import numpy as np
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.gears.involute.measure.balls import over_balls, usual_diameter
 from tmmcalc.gears.involute.measure.chords import base_pitch_normal, constant_chord, thickness
-from tmmcalc.gears.involute.measure.span import Spans, span_length, spans
+from tmmcalc.gears.involute.measure.span import LEAST, Spans, span_length, spans
 from tmmcalc.gears.meshing.refusal import millimetres
 from tmmcalc.gears.meshing.results import BallsRow, ChordRow, Measures, SpanRow
 from tmmcalc.gears.meshing.sizes import Gear
@@ -20,33 +22,41 @@ from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.records import record
 
 LEAST_BALLS = 1e-3  # [module] balls smaller than that are none
+NOISE = 1e-9  # [module] by which the active point and the end of the involute may differ
 
 
-def measures(task: PairTask, number: int, gear: Gear) -> Measures:
-    """The measures of wheel 1 or 2 of a pair."""
+def measures(task: PairTask, number: int, gear: Gear, radii: Sequence[float] = ()) -> Measures:
+    """The measures of wheel 1 or 2 of a pair, its chords on the circles of ``radii`` [m] too."""
     wheel, m = gear.wheel, task.module
     ring = wheel.teeth < 0
     span = _NO_SPAN if ring else _measured(task, number, gear)
     balls, told = _balls(task, number, gear)
     chord = constant_chord(wheel, -gear.tip if ring else gear.tip, 0.0)
-    ends = sorted((_curvature(gear, gear.tip), gear.form))
+    ends = sorted((_curvature(gear, gear.tip), gear.active))
+    chords, missing = _chords(task, gear, radii)
     return Measures(
-        task.wheels[number - 1],
-        m * base_pitch_normal(wheel),
-        m * span_length(wheel, 1),
-        span.rows,
-        span.teeth,
-        m * span.lowest,
-        m * span.tip,
-        m * span.tip_exact,
-        None if span.width is None else m * span.width,
-        None if span.width_exact is None else m * span.width_exact,
-        balls,
-        m * float(chord.chord),
-        m * float(chord.height),
-        bool(ends[0] <= abs(float(chord.curvature)) <= ends[1]),
-        _chords(task, gear),
-        (*span.remarks, *told),
+        wheel=task.wheels[number - 1],
+        base_pitch=m * base_pitch_normal(wheel),
+        base_thickness=m * span_length(wheel, 1),
+        spans=span.rows,
+        span_teeth=span.teeth,
+        span_most=span.most,
+        span_most_exact=span.most_exact,
+        span_middle=span.middle,
+        span_lowest=m * span.lowest,
+        span_lowest_active=m * span.lowest_active,
+        span_tip=m * span.tip,
+        span_tip_exact=m * span.tip_exact,
+        span_width=None if span.width is None else m * span.width,
+        span_width_exact=None if span.width_exact is None else m * span.width_exact,
+        balls=balls,
+        constant_chord=m * float(chord.chord),
+        constant_chord_height=m * float(chord.height),
+        constant_chord_curvature=m * abs(float(chord.curvature)),
+        constant_chord_valid=bool(ends[0] <= abs(float(chord.curvature)) <= ends[1]),
+        usable="form" if abs(gear.active - gear.form) <= NOISE else "active",
+        chords=chords,
+        remarks=(*span.remarks, *told, *missing),
     )
 
 
@@ -61,7 +71,11 @@ class _Measured:
 
     rows: tuple[SpanRow, ...]
     teeth: int | None
+    most: int
+    most_exact: int
+    middle: int
     lowest: float
+    lowest_active: float
     tip: float
     tip_exact: float
     width: float | None
@@ -69,52 +83,51 @@ class _Measured:
     remarks: tuple[str, ...]
 
 
-_NO_SPAN = _Measured((), None, 0.0, 0.0, 0.0, None, None, ())
+_NO_SPAN = _Measured((), None, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, None, None, ())
 
 
 def _measured(task: PairTask, number: int, gear: Gear) -> _Measured:
-    asked = task.measuring.span_teeth[number - 1]
-    found = spans(gear.wheel, gear.tip, gear.form, None if task.face_width is None else task.width)
+    asked, m = task.measuring.span_teeth[number - 1], task.module
+    found = spans(gear.wheel, gear.tip, gear.active, None if task.face_width is None else task.width)
     rows = [
-        SpanRow(s.teeth, task.module * s.length, task.module * s.radius, task.module * s.width, s.valid, s.book)
-        for s in found.table
+        SpanRow(s.teeth, m * s.length, m * s.radius, m * s.curvature, m * s.width, s.valid, s.book) for s in found.table
     ]
     if asked is not None and found.over(asked) is None:
-        rows = sorted([*rows, _beyond(task, gear, asked, found.book_teeth)], key=lambda row: row.teeth)
-    chosen = _chosen(task, found) if asked is None else asked
+        rows.append(_beyond(task, gear, asked))
+    most = found.most(task.measuring.rule)
+    chosen = asked if asked is not None else most if most >= LEAST else None
     limits = found.limits
-    remarks = _span_remarks(task, gear, next((row for row in rows if row.teeth == chosen), None), found)
     return _Measured(
-        tuple(rows),
-        chosen,
-        limits.lowest,
-        limits.tip,
-        limits.tip_exact,
-        limits.width,
-        limits.width_exact,
-        remarks,
+        rows=tuple(rows),
+        teeth=chosen,
+        most=found.book_teeth,
+        most_exact=found.exact_teeth,
+        middle=found.middle,
+        lowest=2 * gear.form / cos(gear.wheel.section.base_helix),
+        lowest_active=limits.lowest,
+        tip=limits.tip,
+        tip_exact=limits.tip_exact,
+        width=limits.width,
+        width_exact=limits.width_exact,
+        remarks=_span_remarks(task, next((row for row in rows if row.teeth == chosen), None), found),
     )
 
 
-def _chosen(task: PairTask, found: Spans) -> int | None:
-    """z_w: the largest that the rule admits."""
-    admitted = [s.teeth for s in found.table if (s.book if task.measuring.rule == "book" else s.valid)]
-    return max(admitted, default=None)
-
-
-def _beyond(task: PairTask, gear: Gear, teeth: int, book: int) -> SpanRow:
-    """The span over a number of teeth that neither rule admits."""
+def _beyond(task: PairTask, gear: Gear, teeth: int) -> SpanRow:
+    """The span over a number of teeth that no rule admits."""
     length, helix = span_length(gear.wheel, teeth), gear.wheel.section.base_helix
-    radius = float(np.hypot(gear.base, length * cos(helix) / 2))
+    curvature = length * cos(helix) / 2
+    radius = float(np.hypot(gear.base, curvature))
     m = task.module
-    return SpanRow(teeth, m * length, m * radius, m * length * sin(helix), False, teeth <= book)
+    return SpanRow(teeth, m * length, m * radius, m * curvature, m * length * sin(helix), False, False)
 
 
-def _span_remarks(task: PairTask, gear: Gear, row: SpanRow | None, found: Spans) -> tuple[str, ...]:
+def _span_remarks(task: PairTask, row: SpanRow | None, found: Spans) -> tuple[str, ...]:
     """What is wrong with the chosen span, and which would do."""
     better = "" if found.recommended is None else f"; over {found.recommended} they touch near the middle of the flank"
     if row is None:
-        return (f"no span is admitted by the rule {task.measuring.rule!r}{better}",)
+        most = found.most(task.measuring.rule)
+        return (f"the rule {task.measuring.rule!r} admits no span: z_w,max = {most}, below {LEAST}{better}",)
     if row.valid:
         return ()
     limits, length = found.limits, row.length / task.module
@@ -134,7 +147,7 @@ def _balls(task: PairTask, number: int, gear: Gear) -> tuple[BallsRow | None, tu
         diameter = usual_diameter(gear.wheel) if asked is None else asked / m
         if not diameter > LEAST_BALLS:
             return None, (f"no {body} stand in the space",)
-        found = over_balls(gear.wheel, diameter, gear.tip, gear.form, gear.root, body)
+        found = over_balls(gear.wheel, diameter, gear.tip, gear.active, gear.root, body)
     except NoSolutionError as error:
         side = "smaller" if gear.wheel.teeth < 0 else "larger"
         limit = millimetres(m * (error.limit or 0.0))
@@ -148,22 +161,47 @@ def _balls(task: PairTask, number: int, gear: Gear) -> tuple[BallsRow | None, tu
         remarks.append(f"{body} of {millimetres(m * diameter)} do not touch the usable involute")
     if not found.clear:
         remarks.append(f"{body} of {millimetres(m * diameter)} do not stand proud of the tip or meet the root circle")
-    row = BallsRow(m * diameter, m * found.size, m * found.radius, found.on_flank, found.clear)
+    row = BallsRow(
+        diameter=m * diameter,
+        size=m * found.size,
+        radius=m * found.radius,
+        angle=found.angle,
+        centres=m * found.centres,
+        curvature=m * found.curvature,
+        on_flank=found.on_flank,
+        clear=found.clear,
+    )
     return row, tuple(remarks)
 
 
-def _chords(task: PairTask, gear: Gear) -> tuple[ChordRow, ...]:
-    """The circles that there are on the tooth, and on which it has a thickness."""
+def _chords(task: PairTask, gear: Gear, asked: Sequence[float]) -> tuple[tuple[ChordRow, ...], tuple[str, ...]]:
+    """The circles that there are on the tooth, and on which it has a thickness; which of those asked for are not."""
     wheel, m = gear.wheel, task.module
     side = -1.0 if wheel.teeth < 0 else 1.0
-    named = {"reference": abs(wheel.reference), "operating": gear.operating, "tip": gear.tip}
-    radii = np.array(list(named.values()))
+    named = [("reference", abs(wheel.reference)), ("operating", gear.operating), ("tip", gear.tip)]
+    named += [("asked", radius / m) for radius in asked]
+    radii = np.array([radius for _, radius in named])
     at = thickness(wheel, side * np.maximum(radii, gear.base), side * gear.tip)
     on_tooth = (radii >= gear.base) & (side * (radii - gear.tip) <= 1e-12 * gear.tip) & (at.normal >= 0)
-    columns = (at.pressure_angle, at.helix, at.normal, at.chord, at.height, at.space)
-    rows = zip(named.items(), on_tooth.tolist(), *(column.tolist() for column in columns), strict=True)
-    return tuple(
-        ChordRow(name, m * radius, angle, helix, m * arc, m * chord, m * height, m * space)
-        for (name, radius), good, angle, helix, arc, chord, height, space in rows
+    half = side * np.asarray(wheel.half_angle_at(at.radius))
+    columns = (half, at.pressure_angle, at.helix, at.transverse, at.normal, at.chord, at.height, at.space)
+    rows = zip(named, on_tooth.tolist(), *(column.tolist() for column in columns), strict=True)
+    found = tuple(
+        ChordRow(name, m * radius, theta, angle, helix, *(m * length for length in lengths))
+        for (name, radius), good, theta, angle, helix, *lengths in rows
         if good
     )
+    return found, tuple(_chord_remarks(task, gear, radii[3:], on_tooth[3:]))
+
+
+def _chord_remarks(task: PairTask, gear: Gear, radii: np.ndarray, on_tooth: np.ndarray) -> Iterator[str]:
+    """Circles that were asked for and do not cut the flanks, or cut them where there is a fillet instead."""
+    m, ring = task.module, gear.wheel.teeth < 0
+    form = float(np.hypot(gear.base, gear.form))
+    for radius, good in zip(radii.tolist(), on_tooth.tolist(), strict=True):
+        if not good:
+            ends = millimetres(m * (gear.tip if ring else gear.base)), millimetres(m * (form if ring else gear.tip))
+            yield f"the circle r = {millimetres(m * radius)} does not cut the flanks, from {ends[0]} to {ends[1]}"
+        elif (radius > form * (1 + NOISE)) if ring else (radius < form * (1 - NOISE)):
+            told = f"the circle r = {millimetres(m * radius)} cuts the fillet, the involute ends at r_F = "
+            yield f"{told}{millimetres(m * form)}: its row is of the involute continued"

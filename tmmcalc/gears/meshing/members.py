@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from math import pi
 from typing import Literal
 
+from tmmcalc.errors import NoSolutionError
 from tmmcalc.gears.involute.internal.ring import Ring
+from tmmcalc.gears.involute.profile.faults import ProfileError
 from tmmcalc.gears.involute.profile.flank import Flank, flank_of
 from tmmcalc.gears.involute.profile.outline import Element, tooth
 from tmmcalc.gears.involute.profile.ring import RingFlank, ring_flank
@@ -15,6 +18,7 @@ from tmmcalc.gears.involute.profile.rounding import Rounding, rounding
 from tmmcalc.gears.involute.profile.shaping import ShapedRing, shaped_ring
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.meshing.mates import external_pair, internal_pair, pinion_on_rack, wheel_of
+from tmmcalc.gears.meshing.refusal import millimetres
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.records import record
 
@@ -84,15 +88,17 @@ class Member:
     @property
     def flank(self) -> Flank:
         """The flank of an external wheel; raises `NoSolutionError` where no tooth is left."""
-        return flank_of(self.wheel, self.tip, self.found.task.fillet)
+        with self.told():
+            return flank_of(self.wheel, self.tip, self.found.task.fillet)
 
     @property
     def ring_flank(self) -> RingFlank | ShapedRing:
         """The flank of a ring, beside a space; raises `NoSolutionError` if no involute is left."""
-        ring = self.ring
-        if ring.cutter is not None:
-            return shaped_ring(ring, ring.cutter, self.tip)
-        return ring_flank(self.wheel, self.tip, ring.root)
+        with self.told():
+            ring = self.ring
+            if ring.cutter is not None:
+                return shaped_ring(ring, ring.cutter, self.tip)
+            return ring_flank(self.wheel, self.tip, ring.root)
 
     @property
     def tool(self) -> Rounding:
@@ -102,7 +108,23 @@ class Member:
     @property
     def element(self) -> Element:
         """A tooth of an external wheel, a space of a ring, on +Y; raises `NoSolutionError` if there is none."""
-        return self.ring_flank.element if self.shape == "ring" else tooth(self.flank)
+        with self.told():
+            return self.ring_flank.element if self.shape == "ring" else tooth(self.flank)
+
+    @contextmanager
+    def told(self) -> Iterator[None]:
+        """Let errors about the tooth name the wheel, and say lengths in millimetres."""
+        where = f"wheel {self.label}"
+        try:
+            yield
+        except NoSolutionError as error:
+            if error.where == where:
+                raise
+            text, (value, limit) = error.message, (error.value, error.limit)
+            if isinstance(error, ProfileError):
+                value, limit = (self.module * length for length in error.lengths)
+                text = f"{error.what}: {millimetres(value)} against {millimetres(limit)}"
+            raise NoSolutionError(text, where=where, value=value, limit=limit, remedy=error.remedy) from None
 
     @property
     def half_pitch(self) -> float:

@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.gears.involute.contour.contour import interval
 from tmmcalc.gears.involute.contour.frame import frame_of
+from tmmcalc.gears.involute.contour.interval import interval
 from tmmcalc.gears.involute.internal.line import Span, internal_line, intervals
 from tmmcalc.gears.involute.internal.ring import angle_of_distance
 from tmmcalc.gears.meshing.choice import contour_task, sum_asked
@@ -186,7 +186,7 @@ def _limited(tasks: Sequence[PairTask], first: MeshPair, signs: dict[str, Sign])
         return wanted, []
     return u, [
         f"mesh {tasks[0].name} alone would give wheel {shared} the shift x = {sign.at(wanted):.4f}; "
-        f"x = {sign.at(u):.4f} is the nearest that {others} admits as well"
+        f"x = {sign.at(u):.4f} is the nearest that {others} {'admit' if len(tasks) > 2 else 'admits'} as well"
     ]
 
 

@@ -28,6 +28,8 @@ class WheelProfile:
     x: Values  # (n,) the left half of the tooth
     y: Values  # (n,)
     radius: Values  # (n,) of curvature, positive where the outline bulges; 0: straight or a sharp corner
+    half_angle: float  # psi [rad], half the tooth on the reference circle; 0 for a rack
+    centre: tuple[float, float]  # x_1S, y_1S of the circular rounding on its rack (4.85); 0 unless external
     rolls: tuple[float, float, float, float]  # phi_L, phi_D, phi_A, phi_F: limit point, root, tip, form
     fillet_least_radius: float  # least radius of curvature of the fillet
     join: float  # distance of fillet and involute where they meet: 0 but for rounding

@@ -6,13 +6,11 @@ given_aw  the distance of the datum line from the axis    zero      0
 
 from __future__ import annotations
 
-from math import hypot
-
 from tmmcalc.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.quality.contact import overlap_ratio
 from tmmcalc.gears.involute.rackpair import RackPair, rack_sliding
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.gears.meshing.along import line_points, sliding_table
+from tmmcalc.gears.meshing.along import REST, line_points, sliding_table
 from tmmcalc.gears.meshing.mates import asked_distance, rack_of, wheel_of
 from tmmcalc.gears.meshing.measures import measures
 from tmmcalc.gears.meshing.rackchecks import contact_ends, nearest_shift, rack_checks
@@ -22,7 +20,6 @@ from tmmcalc.gears.meshing.sizes import Gear, external_sizes, require_root
 from tmmcalc.gears.meshing.task import PairTask
 
 STRATEGIES = ("given", "given_aw", "zero", "balanced")
-REST = 1.2  # the curves of sliding go so far beyond the end of the contact
 
 
 def solve_rack(task: PairTask) -> MeshPair:
@@ -37,7 +34,8 @@ def solve_rack(task: PairTask) -> MeshPair:
     (start, end), (low, high), m = pair.segment, contact_ends(pair), task.module
     pitch = pair.pitch_curvature
     points = rack_sliding(pair, line_points(low, high, pitch, REST * max(high, pitch)))
-    gear = Gear(pinion, pair.tip, float(pinion.root), pinion.reference, pair.form)
+    gear = Gear(pinion, pair.tip, float(pinion.root), pinion.reference, pair.form, low)
+    left = _peaks(pair, low, high)
     return MeshPair(
         task=task,
         shifts=(shift, 0.0),
@@ -56,10 +54,11 @@ def solve_rack(task: PairTask) -> MeshPair:
         shortened=pair.shortened,
         overlap=overlap_ratio(pinion.helix, task.width),
         line=LineOfAction(0.0, m * pitch, m * start, m * end, m * low, m * high),
-        sizes=(external_sizes(task, 1, gear, hypot(pinion.base, low)),),
+        sizes=(external_sizes(task, 1, gear, start),),
         clearances=(m * pair.clearances[0], m * pair.clearances[1]),
         checks=found,
-        peaks=_peaks(pair),
+        peaks=_peaks(pair, start, end) or left,
+        peaks_left=left,
         sliding=sliding_table(points, low, high, m),
         measures=(measures(task, 1, gear),),
     )
@@ -118,8 +117,8 @@ def _remedy(task: PairTask, shift: float) -> str:
     return f"the nearest admissible shift is x1 = {near:.6g}, the datum line {distance} from the axis"
 
 
-def _peaks(pair: RackPair) -> SlidingPeaks | None:
-    (low, high), pitch = contact_ends(pair), pair.pitch_curvature
+def _peaks(pair: RackPair, low: float, high: float) -> SlidingPeaks | None:
+    pitch = pair.pitch_curvature
     if not 0 < low < high:
         return None
     return SlidingPeaks(1 - pitch / low, 1 - high / pitch, 1 / low, 1 / pitch, 1 / high, 1 / low)

@@ -22,7 +22,8 @@ def millimetres(length: float) -> str:
 def place(task: PairTask) -> str:
     """The pair as errors name it."""
     fixed = task.strategy == "given_aw" and task.distance is not None
-    return f"pair {task.title}" + (f", centre distance {millimetres(task.distance or 0.0)}" if fixed else "")
+    what = task.title if task.name.startswith("pair ") else f"pair {task.title}"
+    return what + (f", centre distance {millimetres(task.distance or 0.0)}" if fixed else "")
 
 
 @contextmanager
@@ -72,8 +73,8 @@ def remedy_by(task: PairTask, require: Callable[[], None], tips: Sequence[float]
     return f"the tip diameters by the rule: {usual}"
 
 
-def require_distance(task: PairTask, least: float, usual: float, bases: str) -> float:
-    """The centre distance in modules; ``least`` and ``usual`` are in modules too.
+def require_distance(task: PairTask, least: float, bases: str, nearest: Callable[[], str]) -> float:
+    """The centre distance in modules; ``least`` is in modules too, ``nearest`` tells the nearest admissible one.
 
     Raises `UsageError` if none is given, `NoSolutionError` if it does not exceed the least one.
     """
@@ -89,8 +90,7 @@ def require_distance(task: PairTask, least: float, usual: float, bases: str) -> 
         where=place(task),
         value=task.distance,
         limit=least * task.module,
-        remedy=f"a centre distance above {limit}, near {millimetres(usual * task.module)}; "
-        "other numbers of teeth or another helix angle",
+        remedy=f"{nearest()}, or other numbers of teeth or another helix angle",
     )
 
 

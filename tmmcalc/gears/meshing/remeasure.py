@@ -2,29 +2,39 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from tmmcalc.errors import UsageError
+from tmmcalc.gears.involute.measure.span import LEAST
 from tmmcalc.gears.meshing.mates import ring_of, wheel_of
 from tmmcalc.gears.meshing.measures import measures
 from tmmcalc.gears.meshing.results import MeshPair, Pairs, WheelSizes
 from tmmcalc.gears.meshing.sizes import Gear
 
 
-def remeasured(result: Pairs, teeth: int | None = None, ball: float | None = None) -> Pairs:
-    """The same pairs, every wheel measured over ``teeth`` and with balls or pins of the diameter ``ball`` [m].
+def remeasured(
+    result: Pairs, teeth: int | None = None, ball: float | None = None, radii: Sequence[float] = ()
+) -> Pairs:
+    """The same pairs, every wheel measured over ``teeth``, with balls or pins of the diameter ``ball`` [m].
 
-    None keeps what was measured before. Raises `UsageError` for a number or a diameter that is not positive.
+    Its tooth is measured on the circles of ``radii`` [m] too. None keeps what was measured before. Raises `UsageError`
+    for fewer than 2 teeth, or a diameter or radius that is not positive.
     """
-    for where, value in (("span", teeth), ("balls", ball)):
-        if value is not None and not value > 0:
-            raise UsageError(
-                f"{value:g} cannot be measured over", where=where, value=value, limit=0.0, remedy="a positive value"
-            )
-    return replace(result, pairs=tuple(_again(found, teeth, ball) for found in result.pairs))
+    if teeth is not None and teeth < LEAST:
+        raise UsageError(
+            f"a span is not measured over {teeth}", where="span", value=teeth, limit=LEAST, remedy="2 teeth or more"
+        )
+    for where, values in (("balls", () if ball is None else (ball,)), ("circle", radii)):
+        for value in values:
+            if not value > 0:
+                raise UsageError(
+                    f"{value:g} cannot be measured over", where=where, value=value, limit=0.0, remedy="a positive value"
+                )
+    return replace(result, pairs=tuple(_again(found, teeth, ball, radii) for found in result.pairs))
 
 
-def _again(found: MeshPair, teeth: int | None, ball: float | None) -> MeshPair:
+def _again(found: MeshPair, teeth: int | None, ball: float | None, radii: Sequence[float]) -> MeshPair:
     asked = found.task.measuring
     if teeth is not None:
         asked = replace(asked, span_teeth=(teeth, teeth))
@@ -33,7 +43,7 @@ def _again(found: MeshPair, teeth: int | None, ball: float | None) -> MeshPair:
     task = replace(found.task, measuring=asked)
     gears = [gear_of(found, number, size) for number, size in enumerate(found.sizes, 1)]
     return replace(
-        found, task=task, measures=tuple(measures(task, number, gear) for number, gear in enumerate(gears, 1))
+        found, task=task, measures=tuple(measures(task, number, gear, radii) for number, gear in enumerate(gears, 1))
     )
 
 
@@ -43,4 +53,5 @@ def gear_of(found: MeshPair, number: int, size: WheelSizes) -> Gear:
     ring = size.kind == "ring"
     wheel = ring_of(task, size.shift).signed if ring else wheel_of(task, number, size.shift)
     form = float(wheel.curvature_at(max(size.form / m, abs(wheel.base))))
-    return Gear(wheel, size.tip / m, size.root / m, size.operating / m, form)
+    active = float(wheel.curvature_at(max(size.active_left / m, abs(wheel.base))))
+    return Gear(wheel, size.tip / m, size.root / m, size.operating / m, form, active)

@@ -6,12 +6,23 @@ from typing import Literal
 
 import numpy as np
 
+from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.quality.verdicts import Check, Verdict, worst
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
 
+UsableEnd = Literal["active", "form"]
 WheelKind = Literal["external", "ring"]
+
+
+@record
+class ToothStrength:
+    """The weakest section of a tooth with the load at its tip."""
+
+    factor: float  # Y_F
+    chord: float  # s_Fn
+    arm: float  # h_F of the bending force
 
 
 @record
@@ -28,12 +39,19 @@ class WheelSizes:
     root: float  # r_f
     base: float  # r_b
     form: float  # r_F where the involute ends at the fillet
-    active: float  # r_p, the last radius towards the root that the mate reaches
+    active: float  # r_p, the last radius towards the root that the mate's tip reaches on the line of action
+    active_left: float  # the same on the involutes that there are
     thickness: float  # s_n, arc on the reference circle in the normal section
     tip_thickness: float  # s_na, arc on the tip circle in the normal section
+    arc: float  # s_t, the first in the transverse section
+    tip_arc: float  # s_ta, the second
+    half_angle: float  # psi [rad], half the tooth on the reference circle
+    operating_half_angle: float  # psi_w [rad], on the operating pitch circle
     least_shift: float | None  # x_min without undercut; None: ring
     limit: float | None  # LN, signed: radius of curvature at the limit point L; None: ring
     pointing: float | None  # radius where the flanks meet; None: ring
+    least_teeth: float | None  # z_min without undercut at this shift; None: ring
+    strength: ToothStrength | None  # None: ring
 
 
 @record
@@ -67,6 +85,7 @@ class SpanRow:
     teeth: int  # z_w
     length: float  # W
     radius: float  # of the circle on which the plates touch
+    curvature: float  # transverse radius of curvature of the flanks there
     width: float  # b_min, the face width that it needs
     valid: bool  # the plates touch the usable involute, exactly
     book: bool  # the textbook's rule admits it
@@ -79,6 +98,9 @@ class BallsRow:
     diameter: float  # D
     size: float  # M
     radius: float  # of the circle on which they touch
+    angle: float  # alpha_D [rad], transverse, on the circle of the centres
+    centres: float  # d_D, diameter of that circle
+    curvature: float  # rho_M, transverse radius of curvature of the flanks where they touch
     on_flank: bool  # they touch the usable involute
     clear: bool  # they stand proud of the tip circle and clear of the root circle
 
@@ -87,10 +109,12 @@ class BallsRow:
 class ChordRow:
     """The tooth on one circle."""
 
-    name: str  # reference, operating, tip, or the radius as it was asked for
+    name: str  # reference, operating, tip, or asked
     radius: float
+    half_angle: float  # theta [rad], half the tooth
     angle: float  # pressure angle [rad], transverse
     helix: float  # [rad]
+    transverse: float  # arc, transverse section
     arc: float  # normal section
     chord: float  # normal section
     height: float  # from the tip circle to the chord
@@ -106,7 +130,11 @@ class Measures:
     base_thickness: float  # s_bn, normal, on the base circle
     spans: tuple[SpanRow, ...]  # none for a ring
     span_teeth: int | None  # z_w chosen; None: none is admitted
-    span_lowest: float  # W below which the plates touch beneath the usable involute; 0 for a ring
+    span_most: int  # z_w,max of the textbook (4.65), with W* and W**; below 2: no span is admitted; 0 for a ring
+    span_most_exact: int  # the same with the exact limit of the face width
+    span_middle: int  # z_w that touches nearest to mid-flank; 0 for a ring
+    span_lowest: float  # W below which the plates touch beneath the involute; 0 for a ring
+    span_lowest_active: float  # W below which they touch beneath the lowest active point; at least the former
     span_tip: float  # W* by the textbook (4.62); 0 for a ring
     span_tip_exact: float
     span_width: float | None  # W** by the textbook (4.64); None: no helix or no face width
@@ -114,7 +142,9 @@ class Measures:
     balls: BallsRow | None  # None: none of the asked diameter stands in the space
     constant_chord: float  # s_c
     constant_chord_height: float  # h_c
+    constant_chord_curvature: float  # rho_s, transverse radius of curvature of the flank where it ends
     constant_chord_valid: bool
+    usable: UsableEnd  # where the usable involute ends towards the root
     chords: tuple[ChordRow, ...]
     remarks: tuple[str, ...]  # what is unusual or cannot be measured
 
@@ -160,14 +190,25 @@ class MeshPair:
     sizes: tuple[WheelSizes, ...]  # two, of a rack and pinion one
     clearances: tuple[float, float]  # radial, at the roots of both
     checks: tuple[Check, ...]  # lengths in modules
-    peaks: SlidingPeaks | None  # None: the flanks do not reach each other
+    peaks: SlidingPeaks | None  # of the whole flanks if their contact lies on the line of action, else as the next
+    peaks_left: SlidingPeaks | None  # of the involutes that there are; None: these do not reach each other
     sliding: SlidingTable
     measures: tuple[Measures, ...]  # as sizes
 
     @property
     def total(self) -> float:
+        """eps_gamma of the whole flanks (4.69)."""
+        return self.contact_ratio + self.overlap
+
+    @property
+    def total_left(self) -> float:
         """eps_gamma of the involutes that there are."""
         return self.shortened + self.overlap
+
+    @property
+    def turn(self) -> float:
+        """gamma [rad] between the points of a flank on the reference and on the operating pitch circle (4.73)."""
+        return float(involute(self.angle_w) - involute(self.angle_t))
 
     @property
     def verdict(self) -> Verdict:

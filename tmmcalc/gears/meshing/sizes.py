@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from math import hypot, isfinite
+from math import cos, hypot, isfinite, sin
+
+import numpy as np
 
 from tmmcalc.errors import NoSolutionError
+from tmmcalc.gears.involute.contour.strength import tooth_form
 from tmmcalc.gears.involute.wheel import Number, Wheel
-from tmmcalc.gears.meshing.results import WheelSizes
+from tmmcalc.gears.meshing.results import ToothStrength, WheelSizes
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.records import record
 
@@ -20,6 +23,7 @@ class Gear:
     root: float  # r_f
     operating: float  # r_w
     form: float  # rho_F, radius of curvature where the involute ends at the fillet
+    active: float  # radius of curvature where the contact with the mate ends on it
 
     @property
     def base(self) -> float:
@@ -48,25 +52,41 @@ def require_root(wheel: Wheel, number: int) -> None:
     )
 
 
-def external_sizes(task: PairTask, number: int, gear: Gear, active: float) -> WheelSizes:
-    """Sizes of an external wheel; ``active`` is r_p in modules."""
-    wheel, m = gear.wheel, task.module
-    pointing = float(wheel.pointing)
+def external_sizes(task: PairTask, number: int, gear: Gear, start: float) -> WheelSizes:
+    """Sizes of an external wheel; ``start`` [module] is its radius of curvature where the tip of the mate meets it."""
+    wheel, m, rack = gear.wheel, task.module, task.rack
+    pointing, left = float(wheel.pointing), m * hypot(wheel.base, gear.active)
+    thickness, tip_thickness = float(wheel.thickness_at(wheel.reference)), float(wheel.thickness_at(gear.tip))
     return WheelSizes(
-        task.wheels[number - 1],
-        "external",
-        wheel.teeth,
-        float(wheel.shift),
-        m * wheel.reference,
-        m * gear.operating,
-        m * gear.tip,
-        m * gear.root,
-        m * wheel.base,
-        m * hypot(wheel.base, gear.form),
-        m * active,
-        m * float(wheel.thickness_at(wheel.reference)),
-        m * float(wheel.thickness_at(gear.tip)),
-        wheel.least_shift,
-        m * float(wheel.limit),
-        m * pointing if isfinite(pointing) else None,
+        name=task.wheels[number - 1],
+        kind="external",
+        teeth=wheel.teeth,
+        shift=float(wheel.shift),
+        reference=m * wheel.reference,
+        operating=m * gear.operating,
+        tip=m * gear.tip,
+        root=m * gear.root,
+        base=m * wheel.base,
+        form=m * hypot(wheel.base, gear.form),
+        active=m * hypot(wheel.base, start) if start > 0 else left,
+        active_left=left,
+        thickness=m * thickness,
+        tip_thickness=m * tip_thickness,
+        arc=m * thickness / cos(wheel.helix),
+        tip_arc=m * tip_thickness / cos(float(wheel.helix_at(gear.tip))),
+        half_angle=float(wheel.half_angle),
+        operating_half_angle=float(wheel.half_angle_at(gear.operating)),
+        least_shift=wheel.least_shift,
+        limit=m * float(wheel.limit),
+        pointing=m * pointing if isfinite(pointing) else None,
+        least_teeth=2 * (rack.straight - float(wheel.shift)) * cos(wheel.helix) / sin(wheel.section.angle) ** 2,
+        strength=_strength(gear, m),
     )
+
+
+def _strength(gear: Gear, module: float) -> ToothStrength | None:
+    """The form factor with the real tip; None where there is no such section."""
+    with np.errstate(all="ignore"):
+        found = tooth_form(gear.wheel, gear.tip)
+    values = float(found.factor), module * float(found.chord), module * float(found.arm)
+    return ToothStrength(*values) if all(map(isfinite, values)) else None

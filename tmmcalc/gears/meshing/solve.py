@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.gears.involute.profile.rounding import rounding
-from tmmcalc.gears.meshing.mates import wheel_of
-from tmmcalc.gears.meshing.refusal import joined, named
+from tmmcalc.gears.involute.rack import require_tool
+from tmmcalc.gears.meshing.refusal import joined, millimetres, named
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.task import PairsTask, PairTask
 
@@ -44,18 +44,35 @@ def solve_pair(task: PairTask) -> MeshPair:
     (82.2051, 'warn')
     """
     with named(task):
-        rounding(wheel_of(task, 1), task.fillet)  # the tool has to exist
-        if task.kind == "external":
-            from tmmcalc.gears.meshing.external import solve_external
+        require_tool(task.rack)
+        found = _solved(task)
+        return replace(found, note="; ".join(filter(None, (found.note, _rounded(task)))))
 
-            return solve_external(task)
-        if task.kind == "rack":
-            from tmmcalc.gears.meshing.rack import solve_rack
 
-            return solve_rack(task)
-        from tmmcalc.gears.meshing.internal import solve_internal
+def _solved(task: PairTask) -> MeshPair:
+    if task.kind == "external":
+        from tmmcalc.gears.meshing.external import solve_external
 
-        return solve_internal(task)
+        return solve_external(task)
+    if task.kind == "rack":
+        from tmmcalc.gears.meshing.rack import solve_rack
+
+        return solve_rack(task)
+    from tmmcalc.gears.meshing.internal import solve_internal
+
+    return solve_internal(task)
+
+
+def _rounded(task: PairTask) -> str:
+    """What is to be said about a rack that is too narrow for the usual rounding."""
+    rack, m = task.rack, task.module
+    if not rack.limited:
+        return ""
+    return (
+        "the rack is too narrow at its tip for the usual radius c*/(1 - sin alpha) = "
+        f"{millimetres(m * rack.usual_radius)}: it is fully rounded by {millimetres(m * rack.radius)}, "
+        f"rho* = {rack.radius:.4f}"
+    )
 
 
 def _each(tasks: tuple[PairTask, ...]) -> tuple[MeshPair, ...]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import cos, sin, tan
+
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError, UsageError
@@ -61,10 +63,30 @@ def _profile(member: Member, half: Half, points: int) -> WheelProfile:
         x=m * places.real,
         y=m * places.imag,
         radius=m * np.concatenate([part.radius(at) for part, at in zip(half.parts, each, strict=True)]),
+        half_angle=_half_angle(member),
+        centre=_centre(member),
         rolls=half.rolls,
         fillet_least_radius=m * half.least_radius,
         join=m * half.join,
     )
+
+
+def _half_angle(member: Member) -> float:
+    """psi [rad]; of a ring what its space leaves."""
+    if member.shape == "rack":
+        return 0.0
+    half = float(member.wheel.half_angle)
+    return member.half_pitch - half if member.shape == "ring" else half
+
+
+def _centre(member: Member) -> tuple[float, float]:
+    """x_1S, y_1S [m] from the point of the straight flank on the rolling line (4.85)."""
+    if member.shape != "external":
+        return 0.0, 0.0
+    wheel, cut = member.wheel, member.wheel.section
+    height = float(wheel.shift) - wheel.rack.straight
+    across = height * tan(cut.angle) - cut.radius * cos(cut.angle)
+    return member.module * across, member.module * (height + cut.radius * sin(cut.angle))
 
 
 def _sampled(part: Part, points: int) -> np.ndarray:

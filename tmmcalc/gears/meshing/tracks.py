@@ -1,4 +1,4 @@
-"""Outlines of wheels, of single teeth and of pairs in mesh as chains of arcs, lines and cubics, in metres.
+"""Outlines of wheels and of single teeth as chains of arcs, lines and cubics, in metres.
 
 A track runs counter-clockwise about its wheel: right half of a tooth, tip, left half, bottom of the space. That of a
 rack is open and runs in the direction of its -X. Cubics keep a stated distance from the curves that they stand for;
@@ -9,58 +9,24 @@ from __future__ import annotations
 
 from cmath import exp
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from math import pi
 from typing import NamedTuple
 
 import numpy as np
 
 from tmmcalc.errors import UsageError
-from tmmcalc.gears.involute.profile.curves import chords, cubics
-from tmmcalc.gears.involute.profile.mesh import Placing, placings, ring_placings
+from tmmcalc.gears.involute.profile.mesh import Placing
 from tmmcalc.gears.involute.profile.outline import Arc
 from tmmcalc.gears.meshing.halves import Half, Part, half_tooth
-from tmmcalc.gears.meshing.mates import external_pair, internal_pair, pinion_on_rack
-from tmmcalc.gears.meshing.members import Member, both
-from tmmcalc.gears.meshing.results import MeshPair
+from tmmcalc.gears.meshing.members import Member
+from tmmcalc.gears.meshing.refusal import millimetres
 from tmmcalc.linkage.plane import Plane
+from tmmcalc.numerics.curves import chords, cubics
+from tmmcalc.numerics.strokes import Bow, Cubics, Line, Piece
 from tmmcalc.records import record
 
-FINEST = 1e-8  # chord tolerance in modules
-APART = 0.05  # free room between two drawings, of the width of the second
+FINEST, COARSEST = 1e-8, 0.1  # chord tolerance in modules
 UPRIGHT = Placing(0.0, 0j)  # centre at the origin, a tooth on +Y
-
-
-class Cubics(NamedTuple):
-    """Bezier cubics that share their ends."""
-
-    control: Plane  # (n, 4)
-
-
-class Bow(NamedTuple):
-    """An arc, counter-clockwise."""
-
-    centre: complex
-    radius: float
-    start: float  # [rad] from +X
-    sweep: float  # [rad]
-
-    @property
-    def ends(self) -> tuple[complex, complex]:
-        """First and last point."""
-        return self._at(0.0), self._at(self.sweep)
-
-    def _at(self, turn: float) -> complex:
-        return self.centre + self.radius * exp(1j * (self.start + turn))
-
-
-class Line(NamedTuple):
-    """A straight line."""
-
-    ends: tuple[complex, complex]
-
-
-Piece = Cubics | Bow | Line
 
 
 @record
@@ -84,31 +50,41 @@ def track(member: Member, tolerance: float, placing: Placing = UPRIGHT, whole: b
     """The outline of a whole wheel, or of one tooth between the middles of its spaces, placed in modules.
 
     ``tolerance`` is a length [m]. A rack has as many teeth as its pinion. Raises `UsageError` for a tolerance that
-    would take millions of points, and as `half_tooth` does.
+    would take millions of points or leaves nothing of the teeth, and as `half_tooth` does.
     """
     half, m = half_tooth(member), member.module
-    fine = tolerance / m
-    if fine < FINEST:
-        raise UsageError(
-            f"a chord tolerance of {tolerance:g} m is too fine for the module of {m:g} m",
-            where="tooth profile",
-            value=tolerance,
-            limit=FINEST * m,
-            remedy=f"at least {FINEST * m:g} m; the coordinates themselves are exact to rounding",
-        )
+    fine = _fineness(tolerance, m)
     tooth = _tooth(half, fine)
     if whole:
         strokes, places = [*tooth, *_bottom(half, fine)], _places(member, placing)
     else:
         strokes, places = [*_before(half, fine), *tooth, *_after(half, fine)], [placing]
     closed = whole and member.shape != "rack"
-    runs = [_repeated(stroke.piece, places, m) for stroke in strokes]
+    runs = [repeated(stroke.piece, places, m) for stroke in strokes]
     pieces = tuple(piece for of_tooth in zip(*runs, strict=True) for piece in of_tooth)
     one = np.concatenate([stroke.points[:-1] for stroke in strokes])
     points = _everywhere(one, places, m).ravel()
     if not closed:
         points = np.append(points, _everywhere(strokes[-1].points[-1:], places[-1:], m))
     return Track(member, pieces, points, closed)
+
+
+def _fineness(tolerance: float, module: float) -> float:
+    """A chord tolerance [m] in modules."""
+    fine = tolerance / module
+    if FINEST <= fine <= COARSEST:
+        return fine
+    small = fine < FINEST
+    limit = (FINEST if small else COARSEST) * module
+    least, most = millimetres(FINEST * module), millimetres(COARSEST * module)
+    raise UsageError(
+        f"a chord tolerance of {millimetres(tolerance)} is too {'fine' if small else 'coarse'} for the module of "
+        f"{millimetres(module)}",
+        where="tooth profile",
+        value=tolerance,
+        limit=limit,
+        remedy=f"{least} to {most}; the coordinates themselves are exact to rounding",
+    )
 
 
 def _places(member: Member, placing: Placing) -> list[Placing]:
@@ -191,7 +167,7 @@ def _everywhere(points: Plane, places: Sequence[Placing], m: float) -> Plane:
     return placed
 
 
-def _repeated(piece: Piece, places: Sequence[Placing], m: float) -> Iterator[Piece]:
+def repeated(piece: Piece, places: Sequence[Placing], m: float) -> Iterator[Piece]:
     """A piece in every place, in metres."""
     if isinstance(piece, Cubics):
         yield from map(Cubics, _everywhere(piece.control, places, m))
@@ -202,52 +178,3 @@ def _repeated(piece: Piece, places: Sequence[Placing], m: float) -> Iterator[Pie
     else:
         for first, last in _everywhere(np.array(piece.ends), places, m).tolist():
             yield Line((first, last))
-
-
-def beside(groups: Sequence[Sequence[Track]]) -> tuple[Track, ...]:
-    """Groups of tracks moved beside each other along X, so that none overlaps the one before it."""
-    row: list[Track] = []
-    edge = None
-    for group in groups:
-        x = np.concatenate([each.polygon.real for each in group])
-        low, high = float(x.min()), float(x.max())
-        by = 0.0 if edge is None else edge + APART * (high - low) - low
-        row += [_shifted(each, by) for each in group]
-        edge = high + by
-    return tuple(row)
-
-
-def _shifted(one: Track, by: float) -> Track:
-    place = [Placing(0.0, complex(by))]
-    pieces = tuple(moved for piece in one.pieces for moved in _repeated(piece, place, 1.0))
-    return replace(one, pieces=pieces, polygon=one.polygon + by)
-
-
-def mesh_placings(found: MeshPair, phase: float = 0.0) -> tuple[Placing, Placing]:
-    """Both members of a pair with their flanks in touch at the pitch point, in modules.
-
-    The first one stands at the origin and has turned clockwise by ``phase`` [rad] since contact at P; its mate stands
-    above it, the centre of a ring below it.
-    """
-    kind = found.task.kind
-    if kind == "external":
-        return placings(external_pair(found), phase)
-    first, second = both(found)
-    if kind == "internal":
-        pair = internal_pair(found)
-        pinion, ring = ring_placings(pair.pinion, second.wheel, pair.angle, pair.distance, phase)
-        return pinion, Placing(ring.turn - second.half_pitch, ring.centre)  # a tooth, not a space, comes on +Y
-    rack = pinion_on_rack(found)
-    shift, slope = float(rack.pinion.shift), np.tan(rack.pinion.section.angle)
-    offset = second.half_pitch / 2 - shift * float(slope)  # half the tooth of the rack on the rolling line
-    travel = rack.pinion.reference * phase
-    return Placing(-float(first.wheel.half_angle) - phase, 0j), Placing(pi, complex(travel - offset, rack.distance))
-
-
-def mesh_tracks(found: MeshPair, tolerance: float, phase: float = 0.0, whole: bool = True) -> tuple[Track, Track]:
-    """Both members of a pair in mesh; arguments as `mesh_placings` and `track`."""
-    first, second = (
-        track(member, tolerance, placing, whole)
-        for member, placing in zip(both(found), mesh_placings(found, phase), strict=True)
-    )
-    return first, second

@@ -9,7 +9,7 @@ In an internal pair the pinion is first and the ring second, whichever the layou
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from math import cos, isclose
 
@@ -44,7 +44,22 @@ def solve_meshes(task: PairsTask, selection: Selection, solve: Solve) -> Pairs:
     pairs, remarks = _solved(tasks, layout, solve, remark)
     if any(abs(shift) > SAME for pair in pairs for shift in pair.shifts):
         remarks.append("the train's modules, face widths, inertia and efficiency were found for teeth without shifts")
-    return Pairs(pairs, selection.winner.name, tuple(filter(None, (remark, *remarks))))
+    return Pairs(pairs, selection.winner.name, tuple(filter(None, (remark, _helical(pairs, own), *remarks))))
+
+
+def _helical(pairs: Sequence[MeshPair], own: Sequence[float]) -> str:
+    """What helical teeth change of a train that was found for spur ones; ``own`` as `_distances` gives them."""
+    changed = [
+        f"{pair.task.name} {millimetres(pair.distance)} instead of {millimetres(usual * cos(pair.task.helix))}"
+        for pair, usual in zip(pairs, own, strict=True)
+        if pair.task.helix
+    ]
+    if not changed:
+        return ""
+    return (
+        "the train's modules, face widths and centre distances were found for spur teeth; with the helix angle the "
+        f"centre distances are {', '.join(changed)}"
+    )
 
 
 def _once(solve: Solve) -> Solve:

@@ -48,9 +48,9 @@ def draw_kinematics(
     middle of the working stroke (or else a quarter of the way) among up to 24. ``polygons`` is the index of the
     position whose polygons stand on a second sheet below.
     """
-    form = _form(file)
+    form = form_of(file)
     _check_positions(len(result.x), [*(positions or ()), *([] if polygons is None else [polygons])])
-    _check_matplotlib()
+    check_matplotlib()
     from tmmcalc.report.pictures.kinematics import kinematics_figure
     from tmmcalc.report.pictures.page import write
 
@@ -70,9 +70,9 @@ def draw_forces(
 
     ``polygons`` is the index of the row whose load diagrams and force polygons stand on the sheets below.
     """
-    form = _form(file)
+    form = form_of(file)
     _check_positions(len(result.labels), [] if polygons is None else [polygons])
-    _check_matplotlib()
+    check_matplotlib()
     from tmmcalc.report.pictures.forces import forces_figure
     from tmmcalc.report.pictures.page import write
 
@@ -81,8 +81,8 @@ def draw_forces(
 
 def draw_reduction(result: Reduction, file: Path) -> None:
     """Draw the reduced moments, each and their sum, the reduced inertia and its derivative over the cycle."""
-    form = _form(file)
-    _check_matplotlib()
+    form = form_of(file)
+    check_matplotlib()
     from tmmcalc.report.pictures.page import write
     from tmmcalc.report.pictures.reduction import reduction_figure
 
@@ -94,8 +94,8 @@ def draw_flywheel(result: Flywheel, phi: Real, file: Path) -> None:
 
     ``phi`` (n,) are the positions of the cycle, which tell the sense in which the input turns.
     """
-    form = _form(file)
-    _check_matplotlib()
+    form = form_of(file)
+    check_matplotlib()
     from tmmcalc.report.pictures.flywheel import flywheel_figure
     from tmmcalc.report.pictures.page import write
 
@@ -104,8 +104,8 @@ def draw_flywheel(result: Flywheel, phi: Real, file: Path) -> None:
 
 def draw_motion(result: Motion, power: Power, reduction: Reduction, file: Path) -> None:
     """Draw speed and moments over the cycle, loaded and idle, and the characteristic of the motor."""
-    form = _form(file)
-    _check_matplotlib()
+    form = form_of(file)
+    check_matplotlib()
     from tmmcalc.report.pictures.motion import motion_figure
     from tmmcalc.report.pictures.page import write
 
@@ -114,8 +114,8 @@ def draw_motion(result: Motion, power: Power, reduction: Reduction, file: Path) 
 
 def draw_transient(result: TimedMotions, file: Path) -> None:
     """Draw speeds and moments of every motion over the time, a sheet each, with its events."""
-    form = _form(file)
-    _check_matplotlib()
+    form = form_of(file)
+    check_matplotlib()
     from tmmcalc.report.pictures.page import write
     from tmmcalc.report.pictures.transient import transient_figure
 
@@ -127,8 +127,8 @@ def draw_balance(result: Balances, file: Path) -> None:
 
     Raises `UsageError` for a rotor alone, which has no picture.
     """
-    form = _form(file)
-    _check_matplotlib()
+    form = form_of(file)
+    check_matplotlib()
     from tmmcalc.report.pictures.balance import balance_figure
     from tmmcalc.report.pictures.page import write
 
@@ -140,8 +140,8 @@ def draw_train(result: Trains, file: Path, *, choose: int = 1) -> None:
 
     ``choose`` is the number of the set in each variant, from 1. Raises `UsageError` if no variant has it.
     """
-    form = _form(file)
-    _check_matplotlib()
+    form = form_of(file)
+    check_matplotlib()
     from tmmcalc.report.pictures.gears.train import train_figure
     from tmmcalc.report.pictures.page import write
 
@@ -153,8 +153,8 @@ def draw_criteria(result: Selection, trains: Trains, file: Path, *, choose: int 
 
     ``choose`` is a row of the stage's table, from 1. Raises `UsageError` for a row that there is not.
     """
-    form = _form(file)
-    _check_matplotlib()
+    form = form_of(file)
+    check_matplotlib()
     from tmmcalc.report.pictures.gears.criteria import criteria_figure
     from tmmcalc.report.pictures.page import write
 
@@ -166,8 +166,8 @@ def draw_blocking(result: Blocking, file: Path, *, choose: int | None = None) ->
 
     ``choose`` is one pair, from 1. Raises `UsageError` for a pair that there is not, and if none has a contour.
     """
-    form = _form(file)
-    _check_matplotlib()
+    form = form_of(file)
+    check_matplotlib()
     from tmmcalc.report.pictures.gears.contour import blocking_figure
     from tmmcalc.report.pictures.page import write
 
@@ -180,8 +180,8 @@ def draw_pair(found: Pairs, file: Path, *, choose: int | None = None, phase: flo
     ``choose`` is one pair, from 1; the first wheel has turned clockwise by ``phase`` [rad] since the contact at P.
     Raises `UsageError` for a pair that there is not.
     """
-    form = _form(file)
-    _check_matplotlib()
+    form = form_of(file)
+    check_matplotlib()
     from tmmcalc.report.pictures.gears.pairsheet import pair_figure
     from tmmcalc.report.pictures.page import write
 
@@ -191,18 +191,18 @@ def draw_pair(found: Pairs, file: Path, *, choose: int | None = None, phase: flo
 def draw_profile(found: Pairs, file: Path, *, choose: int | None = None) -> None:
     """Draw the generation and the enlarged tooth profile of every wheel, a sheet each.
 
-    ``choose`` is one pair, from 1. Raises `UsageError` for a pair that there is not, `NoSolutionError` for a wheel that
-    has no profile.
+    ``choose`` is one pair, from 1. Raises `UsageError` for a pair that there is not, `NoSolutionError` if no wheel has
+    a profile.
     """
-    form = _form(file)
-    _check_matplotlib()
+    form = form_of(file)
+    check_matplotlib()
     from tmmcalc.report.pictures.gears.toothpicture import profile_figure
     from tmmcalc.report.pictures.page import write
 
     write(file, form, lambda: profile_figure(found, choose=choose))
 
 
-def _form(file: Path) -> str:
+def form_of(file: Path) -> str:
     """The format that the suffix names."""
     form = file.suffix.lower().removeprefix(".")
     if form not in FORMATS:
@@ -220,6 +220,7 @@ def _check_positions(count: int, positions: Sequence[int]) -> None:
             raise UsageError(f"there is no position {k}", where="plot", remedy=f"indices: 0 to {count - 1}")
 
 
-def _check_matplotlib() -> None:
+def check_matplotlib() -> None:
+    """Raise `UsageError` where matplotlib is not installed."""
     if find_spec("matplotlib") is None:
         raise UsageError('pictures need matplotlib: pip install "tmmcalc[plot]"')

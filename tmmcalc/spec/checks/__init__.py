@@ -76,7 +76,7 @@ _OF_TABLE = {
     "criteria": ("criteria",),
     "strength": ("strength",),
     "pair": ("pair",),
-    "cam": ("cam", "camlaws", "camsizes", "camloads"),
+    "cam": ("cam", "camlaws", "camsizes", "camloads", "camsearch"),
 }
 
 

@@ -45,7 +45,7 @@ _USES: dict[tuple[str, str], _Use] = {
     ("", "rocker_turn"): _NO_ROCKER,
     ("", "face_margin"): _Use(("flat",), "there is no flat face"),
     ("", "guide"): _Use(_STEM, "a rocker has no guide"),
-    ("", "optimum"): _Use(("translating",), "it seeks the start distance and the roller of a translating follower"),
+    ("", "optimum"): _Use(_STEM, "it seeks the height of a stem's guide"),
     ("limits", "pressure_angle"): _NO_PRESSURE,
     ("limits", "pressure_angle_return"): _NO_PRESSURE,
     ("limits", "concave_radius"): _NO_HOLLOW,

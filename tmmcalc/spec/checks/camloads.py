@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tmmcalc.spec.camspring import SPRING_KEYS, WIRE_KEYS, spring_method
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.phrases import listing, show
+from tmmcalc.spec.phrases import listing
 from tmmcalc.spec.units import FULL_TURN
 
 from .camwritten import A_FOLLOWER, WrittenCam, place, written_cam
@@ -18,15 +18,6 @@ from .values import amount, amounts, first_disorder
 TURN = 2 * math.pi
 _CONSTANT = ("force", "force_return")
 _SPRING = "[cam.spring]"
-# What the search for the lowest mechanism needs: without them nothing holds the guide and the roller.
-_SEARCHED = (
-    ("loads", "mass"),
-    ("guide", "stem_radius"),
-    ("guide", "land"),
-    ("requirements", "guide_pressure"),
-    ("requirements", "width"),
-    ("requirements", "contact"),
-)
 
 
 def check_needs(outline: Outline) -> Iterator[Finding]:
@@ -131,7 +122,8 @@ def _check_angles(curve: Curve, key: str) -> Iterator[Finding]:
     last = len(angles) - 1
     back = first_disorder(angles)
     if back is not None:
-        rule = f"{curve.at(back)}{show(phi[back])} does not come after {show(phi[back - 1])}; the angles ascend"
+        later, before = (f"{_degrees(angles[i])} deg" for i in (back, back - 1))
+        rule = f"{curve.at(back)}{later} does not come after {before}; the angles ascend"
         yield Finding(curve.place("phi", back), rule, "put the values in order; a jump is two angles close together")
     elif angles[last] > FULL_TURN:
         rule = f"{curve.at(last)}{_degrees(angles[last])} deg is more than a turn"
@@ -198,26 +190,6 @@ def check_guide(outline: Outline) -> Iterator[Finding]:
         yield Finding(place("guide", "length"), rule, "remove one of them")
 
 
-def check_optimum(outline: Outline) -> Iterator[Finding]:
-    """The search has what its constraints need; heights run upwards."""
-    cam = written_cam(outline)
-    optimum = cam.part("optimum")
-    if cam.has("optimum") and cam.kind == "translating":
-        absent = [f"{key} in [cam.{part}]" for part, key in _SEARCHED if key not in cam.part(part)]
-        if absent:
-            rule = "[cam.optimum] without what holds the sizes: nothing keeps the guide from becoming short"
-            yield Finding(place("optimum"), rule, f"add {listing(absent)}")
-    heights = amounts(optimum.get("heights"), "length")
-    if heights is not None and len(heights) == 2 and heights[0] >= heights[1]:
-        rule = f"{show(optimum['heights'])} runs backwards"
-        yield Finding(place("optimum", "heights"), rule, "write the smaller height first")
-    laws = optimum.get("laws")
-    listed = [law for law in laws if isinstance(law, str)] if isinstance(laws, list) else []
-    if len({*listed}) < len(listed):
-        twice = next(law for place_, law in enumerate(listed) if law in listed[:place_])
-        yield Finding(place("optimum", "laws"), f"{show(twice)} is named twice", "remove one of them")
-
-
 def check_limits(outline: Outline) -> Iterator[Finding]:
     """A tool for concave parts is of use only where there may be some."""
     limits = subtable(written_cam(outline).table, "limits")
@@ -226,4 +198,16 @@ def check_limits(outline: Outline) -> Iterator[Finding]:
         yield Finding(place("limits", "concave_radius"), rule, "remove one of them")
 
 
-CHECKS = (check_needs, check_forces, check_table, check_spring, check_guide, check_optimum, check_limits)
+def check_pin(outline: Outline) -> Iterator[Finding]:
+    """A pin that is given goes into a roller that is given."""
+    cam = written_cam(outline)
+    pin, roller = (
+        amount(cam.part("requirements").get("pin"), "length"),
+        amount(cam.table.get("roller_radius"), "length"),
+    )
+    if cam.kind != "flat" and pin and roller and 0 < roller <= pin:
+        rule = f"a pin of {pin * 1e3:.6g} mm radius does not fit into a roller of {roller * 1e3:.6g} mm"
+        yield Finding(place("requirements", "pin"), rule, f'write less than "{roller * 1e3:.6g} mm"')
+
+
+CHECKS = (check_needs, check_forces, check_table, check_spring, check_guide, check_limits, check_pin)

@@ -7,8 +7,9 @@ import pytest
 
 from gears.involute.contour.pairs import PAIRS, case, random_tasks, task
 from tmmcalc.errors import NoSolutionError
-from tmmcalc.gears.involute.contour.contour import contour, contours, interval
+from tmmcalc.gears.involute.contour.contour import contour, contours
 from tmmcalc.gears.involute.contour.frame import frame_of
+from tmmcalc.gears.involute.contour.interval import interval, intervals
 from tmmcalc.gears.involute.contour.margins import margins
 from tmmcalc.gears.involute.pair import pair_of_shifts
 from tmmcalc.gears.involute.rack import RACKS
@@ -73,6 +74,21 @@ def test_corners_meet_two_conditions_and_edges_one(asked):
             assert np.allclose(start, [end[-1], *end[:-1]], atol=1e-12)
 
 
+def enclosed(region, x1, x2):
+    """Whether points lie in the closed curve of a region: an odd number of its steps lies to the right."""
+    one, two = region.outline
+    inside = np.zeros(x1.shape, dtype=bool)
+    for a1, a2, b1, b2 in zip(one[:-1], two[:-1], one[1:], two[1:], strict=True):
+        if a2 != b2:
+            crossed = (a2 > x2) != (b2 > x2)
+            inside ^= crossed & (x1 < a1 + (x2 - a2) * (b1 - a1) / (b2 - a2))
+    return inside
+
+
+def names_of(region):
+    return [edge.line for edge in region.edges] + [line for corner in region.corners for line in corner.lines]
+
+
 @pytest.mark.parametrize("asked", [*PAIRS, *random_tasks(12, 3)], ids=lambda t: f"{t.first.teeth}/{t.second.teeth}")
 def test_membership_and_area_against_a_raster(asked):
     for found in contours(asked):
@@ -86,11 +102,8 @@ def test_membership_and_area_against_a_raster(asked):
         x1, x2 = np.meshgrid(low1 + step1 * (np.arange(n) + 0.5), low2 + step2 * (np.arange(n) + 0.5), indexing="ij")
         raster = margins(asked, x1, x2).least(found.strict) >= 0
         inside = np.zeros_like(raster)
-        total = x1 + x2
         for region in regions:
-            low = np.interp(total, region.total, region.low)
-            high = np.interp(total, region.total, region.high)
-            inside |= (total > region.total[0]) & (total < region.total[-1]) & (x1 > low) & (x1 < high)
+            inside |= enclosed(region, x1, x2)
         assert np.sum(inside != raster) <= 0.004 * raster.sum() + 6
         if found.main is not None and not found.pieces:
             assert found.main.area == pytest.approx(raster.sum() * step1 * step2, rel=0.01)
@@ -109,16 +122,62 @@ def test_areas_that_a_deep_straight_flank_joins(asked):
     """The flank ends below h_a*, so meshes with one tip or both inside the reference circles adjoin the main region."""
     for found in contours(asked):
         assert found.untraced == ()
-        assert len(found.pieces) == 3
+        assert len({part.branch for part in found.main.parts}) > 1
+        assert not any(line.startswith("tip") for region in (found.main, *found.pieces) for line in names_of(region))
+        polygon = np.array(found.main.outline)
+        twice = np.sum(polygon[0, :-1] * polygon[1, 1:] - polygon[0, 1:] * polygon[1, :-1])
+        assert found.main.area == pytest.approx(twice / 2, rel=2e-3)
         span = np.linspace(-4.9, 6.0, 180)
         x1, x2 = np.meshgrid(span + 0.001, span, indexing="ij")
         raster = margins(asked, x1, x2).least(found.strict) >= 0
         inside = np.zeros_like(raster)
         for region in (found.main, *found.pieces):
-            low = np.interp(x1 + x2, region.total, region.low)
-            high = np.interp(x1 + x2, region.total, region.high)
-            inside |= (x1 + x2 > region.total[0]) & (x1 + x2 < region.total[-1]) & (x1 > low) & (x1 < high)
+            inside |= enclosed(region, x1, x2)
         assert np.sum(inside != raster) <= 0.002 * raster.sum() + 4
+
+
+def test_a_pair_of_equal_wheels_has_a_symmetrical_region():
+    """The corners of both sides lie on the same lines of constant sum."""
+    for rack in ("ISO 53 B", "stub 20"):
+        region = contour(task(81, 81, rack=RACKS[rack])).region
+        places = {(round(c.x1, 9), round(c.x2, 9)) for c in region.corners}
+        assert places == {(x2, x1) for x1, x2 in places}
+        mirrored = region.outline[::-1]
+        assert (
+            np.max(
+                np.min(np.hypot(*(np.subtract.outer(*pair) for pair in zip(mirrored, region.outline, strict=True))), 1)
+            )
+            < 1e-6
+        )
+
+
+@pytest.mark.parametrize("asked", [*NECKS, task(100, 200)], ids=lambda t: f"{t.first.teeth}/{t.second.teeth}")
+def test_intervals_of_a_line_against_its_points(asked):
+    """Every run of admissible points of a line is one interval, whatever tip circles are inside reference circles."""
+    frame = frame_of(asked)
+    x1 = np.linspace(-6.0, 6.0, 6001)
+    for total in (-1.5, -0.3, 0.4, 1.3, 2.1):
+        good = margins(asked, x1, total - x1).least() >= 0
+        ends = np.flatnonzero(np.diff(np.concatenate(([0], good.astype(int), [0]))))
+        found = [each for each in intervals(frame, total) if each.high - each.low > 0.004]
+        low, high = x1[ends[::2]], x1[ends[1::2] - 1]
+        assert [each.low for each in found] == pytest.approx(low, abs=0.0021)
+        assert [each.high for each in found] == pytest.approx(high, abs=0.0021)
+        for each in found:
+            for x, line in ((each.low, each.low_line), (each.high, each.high_line)):
+                there = margins(asked, x, total - x)
+                assert abs(float(getattr(there, line.replace("interference", "tolerated")))) < 1e-9
+
+
+def test_the_interval_near_a_point_is_the_one_that_holds_it():
+    asked = task(100, 200)
+    found = intervals(frame_of(asked), 0.1)
+    assert len(found) > 1
+    point = 1.5
+    holding = min(found, key=lambda each: each.distance(point))
+    assert holding.low < point < holding.high
+    assert float(margins(asked, point, 0.1 - point).least()) > 0
+    assert sum(each.distance(point) == 0 for each in found) == 1
 
 
 def test_a_region_between_two_lines_of_the_scan_is_found():

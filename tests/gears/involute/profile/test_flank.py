@@ -151,7 +151,7 @@ def test_pointed_tooth_ends_at_its_point() -> None:
         (Wheel(12, -1.0, 0.0, TOOLS[14.5]), None, "below the beginning of the involute"),
         (Wheel(5, 2.3), None, "pointed below"),
         (Wheel(20, 0.0), 9.0, "below the beginning"),
-        (Wheel(20, 0.0, 0.0, Rack(radians(25))), None, "wider than the tooth of the rack"),
+        (Wheel(20, 0.0, 0.0, Rack(radians(25), tip_radius=0.4)), None, "wider than the tooth of the rack"),
         (Wheel(5, -0.7), None, "cuts the tooth off at its foot"),
     ],
 )

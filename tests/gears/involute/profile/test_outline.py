@@ -10,13 +10,13 @@ import pytest
 
 from gears.involute.profile.extremes import EXTREMES
 from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
-from tmmcalc.gears.involute.profile.curves import Curve, chords, cubics
 from tmmcalc.gears.involute.profile.flank import Flank, flank_of
-from tmmcalc.gears.involute.profile.generation import in_wheel, path_of_centre, rack_outline, rack_positions
+from tmmcalc.gears.involute.profile.generation import in_wheel, path_of_centre, rack_outline
 from tmmcalc.gears.involute.profile.outline import Element, arcs, element_outline, half, outline, pieces, tooth
 from tmmcalc.gears.involute.rack import Rack
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.linkage.plane import cross
+from tmmcalc.numerics.curves import Curve, chords, cubics
 
 WHEELS = [Wheel(10, 0.0), Wheel(14, 0.6, radians(15)), Wheel(8, 0.7), Wheel(5, 0.3), Wheel(120, -0.8, radians(40))]
 
@@ -165,11 +165,10 @@ def tooth_of(curves: tuple[Curve, ...], teeth: int) -> Element:
     return checked(Element(teeth, curves, 11.0, 8.75))
 
 
-def test_rack_positions_touch_the_flank_and_never_enter_it() -> None:
+def test_racks_touch_the_flank_and_never_enter_it() -> None:
     flank = flank_of(Wheel(12, 0.1, 0.3))
-    rolls, racks = rack_positions(flank, 41)
-    assert rolls[[0, -1]] == pytest.approx([flank.rolls.limit, flank.rolls.tip])
-    for rack in racks:
+    rolls = np.linspace(flank.rolls.limit, flank.rolls.tip, 41)
+    for rack in in_wheel(flank, rack_outline(flank), rolls):
         gap = clearance(flank, rack)
         assert gap.min() > -1e-3  # the straight side is given by its ends, the rounding by chords
     # each contact of rounding and straight flank lies on the flank

@@ -11,7 +11,7 @@ from gears.involute.profile.envelope import CASES
 from tmmcalc.errors import UsageError
 from tmmcalc.gears.involute.pair import Pair, pair_of_shifts
 from tmmcalc.gears.involute.profile.flank import flank_of
-from tmmcalc.gears.involute.profile.tables import axis_turn, fillet_table, flank_table, main_profile
+from tmmcalc.gears.involute.profile.tables import axis_turn, fillet_table, main_profile
 from tmmcalc.gears.involute.wheel import Wheel
 
 
@@ -79,23 +79,8 @@ def test_axes() -> None:
     wheel = Wheel(20, 0.3)
     assert axis_turn(wheel, "reference") == 0
     assert axis_turn(wheel, "tooth") - axis_turn(wheel, "space") == pytest.approx(pi / 20)
-    flank = flank_of(wheel)
-    table = flank_table(flank, axis_turn(wheel, "space"), 5)
-    # right of the space's axis lies the tooth, the root arc about the axis
-    assert table.x[0] > 0
-    assert table.x[0] / float(wheel.root) == pytest.approx(np.sin(flank.rounding.flat / wheel.reference), rel=1e-9)
     with pytest.raises(UsageError):
         axis_turn(wheel, "pitch")
-
-
-def test_flank_table_runs_on_from_fillet_to_involute() -> None:
-    flank = flank_of(Wheel(25, 0.1, 0.3))
-    table = flank_table(flank, axis_turn(flank.wheel, "tooth"), 12)
-    assert table.fillet.sum() == 13
-    assert (table.x[12], table.y[12]) == pytest.approx((table.x[13], table.y[13]), abs=1e-13)
-    assert table.roll[12] == pytest.approx(table.roll[13], abs=1e-13)
-    assert np.all(table.curvature[:13] > 0)
-    assert np.all(table.curvature[13:] < 0)
 
 
 def test_book_table_needs_the_circle() -> None:

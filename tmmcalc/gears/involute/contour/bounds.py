@@ -82,6 +82,15 @@ def cuts(frame: Frame, w: Values, region: int = 0, *, tolerated: bool = True) ->
     return Cuts(sums, lower, upper)
 
 
+def edge_names(low: str, high: str, region: int) -> tuple[str, str]:
+    """The names of the edges; beyond a reference circle it is the other side of its line that bounds."""
+    if region in (1, 3):
+        low = {"tolerated1": "interference1"}.get(low, low)
+    if region in (2, 3):
+        high = {"tolerated2": "interference2"}.get(high, high)
+    return low, high
+
+
 def _free(
     frame: Frame, i: int, sums: Sums, low: Values, high: Values, beyond: bool, tolerated: bool
 ) -> tuple[Values, Values]:
@@ -126,11 +135,13 @@ def contact_ends(frame: Frame, sums: Sums, low1: Values, high1: Values) -> tuple
 def _domain(frame: Frame, sums: Sums, reach: Values, region: int) -> tuple[Values, Values]:
     low1, high1 = sums.total - reach, reach
     one, two = frame.sides
+    # a low tip still lies outside its base circle
+    most, least = high1 + two.reference - two.base, low1 - one.reference + one.base
     if region == 1:
-        return np.maximum(high1, low1), high1 + two.reference - two.base
+        return np.maximum(high1, low1), most
     if region == 2:
-        return low1 - one.reference + one.base, np.minimum(low1, high1)
-    return (high1, low1) if region == 3 else (low1, high1)
+        return least, np.minimum(low1, high1)
+    return (np.maximum(high1, least), np.minimum(low1, most)) if region == 3 else (low1, high1)
 
 
 def _put(lower: Values, upper: Values, sums: Sums, i: int, below: str, above: str, least: Values, most: Values) -> None:

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cached_property
+from itertools import zip_longest
 
 import numpy as np
 
 from tmmcalc.errors import AccuracyError, NoSolutionError
-from tmmcalc.gears.involute.contour.bounds import LOWER, UPPER, cuts
+from tmmcalc.gears.involute.contour.bounds import Cuts, cuts
+from tmmcalc.gears.involute.contour.equalstrength import strength_ends
 from tmmcalc.gears.involute.contour.frame import Frame, frame_of
-from tmmcalc.gears.involute.contour.task import LINES, Task
-from tmmcalc.gears.involute.contour.trace import Region, regions, scan
+from tmmcalc.gears.involute.contour.joined import Region, joined
+from tmmcalc.gears.involute.contour.largest import largest_contact_ratio
+from tmmcalc.gears.involute.contour.task import Task
+from tmmcalc.gears.involute.contour.trace import Part, parts_of, scan
+from tmmcalc.gears.model import Values
 from tmmcalc.records import record
-
-BRANCHES = (0, 1, 2, 3)
-LOW: tuple[tuple[int, ...], ...] = ((), (1,), (0,), (0, 1))  # of each branch: wheels with the tip inside r
 
 
 @record
@@ -24,13 +26,14 @@ class Contour:
 
     strict: bool  # no undercut at all
     frame: Frame
-    main: Region | None  # both tip circles outside the reference circles; None: nothing is admissible there
-    pieces: tuple[
-        Region, ...
-    ]  # meshes with contact on one side of the pitch point only, and parts cut off the main region
+    # with both tip circles outside the reference circles and what a neck joins to it; None: nothing is admissible there
+    main: Region | None
+    pieces: tuple[Region, ...]  # beyond the pinch points, with a tip inside its reference circle, or apart from main
     untraced: tuple[
         int, ...
     ] = ()  # 1, 2, 3: tip of wheel 2, 1, both inside the reference circle; pieces there whose outline is not found
+
+    twin: Contour | None = None  # the strict contour, if undercut bounds nothing and both have the same main region
 
     @property
     def task(self) -> Task:
@@ -53,12 +56,20 @@ class Contour:
     @cached_property
     def best(self) -> tuple[float, float, float]:
         """x1, x2 and the contact ratio of point E, where it is largest; of an empty contour without its own limit."""
-        from tmmcalc.gears.involute.contour.points import largest_contact_ratio
-
+        if self.twin is not None:
+            return self.twin.best
         if self.main is not None:
-            return largest_contact_ratio(self)
+            return largest_contact_ratio(self.frame, self.main, self.strict)
         free = contour(replace(self.task, contact_ratio=0.0), self.strict, pieces=False)
-        return (0.0, 0.0, 0.0) if free.main is None else largest_contact_ratio(free)
+        return (0.0, 0.0, 0.0) if free.main is None else free.best
+
+    @cached_property
+    def strength_ends(self) -> tuple[Values, Values]:
+        """Sums of shifts and x1 (k,) at which the line of equal tooth form factors ends in the main region."""
+        if self.twin is not None:
+            return self.twin.strength_ends
+        ends = [strength_ends(self.frame, part, self.strict) for part in self.region.parts]
+        return np.concatenate([total for total, _ in ends]), np.concatenate([x1 for _, x1 in ends])
 
     @property
     def best_contact_ratio(self) -> float:
@@ -86,85 +97,52 @@ class Contour:
 
 def contour(task: Task, strict: bool = True, *, pieces: bool = True) -> Contour:
     """The strict or the tolerated contour, or its main region only; main is None if no shifts meet all conditions."""
-    return _contours(task, (strict,), BRANCHES if pieces else (0,))[0]
+    return _contours(task, (strict,), pieces)[0]
 
 
 def contours(task: Task) -> tuple[Contour, Contour]:
     """The strict and the tolerated contour."""
-    strict, tolerated = _contours(task, (True, False))
-    return strict, tolerated
+    strict, tolerated = _contours(task, (True, False), True)
+    if strict.main is None or tolerated.main is None:
+        return strict, tolerated
+    pairs = zip_longest(strict.main.parts, tolerated.main.parts)
+    same = all(one is other for one, other in pairs)
+    return strict, replace(tolerated, main=strict.main, twin=strict) if same else tolerated
 
 
-def _contours(task: Task, kinds: tuple[bool, ...], branches: tuple[int, ...] = BRANCHES) -> list[Contour]:
+def _contours(task: Task, kinds: tuple[bool, ...], pieces: bool) -> list[Contour]:
     frame = frame_of(task)
-    found: dict[bool, list[Region]] = {kind: [] for kind in kinds}
+    found: dict[bool, list[Part]] = {kind: [] for kind in kinds}
     untraced: dict[bool, list[int]] = {kind: [] for kind in kinds}
-    mains: dict[bool, Region | None] = dict.fromkeys(kinds)
-    for branch in branches:
-        if any(frame.sides[i].least > 0 for i in LOW[branch]):
-            continue  # the wheel whose tip is low would be undercut far into its flank
-        if branch == 3 and frame.neck <= 0:
-            continue  # only a deep flank leaves room for two low tips
-        w = scan(frame, branch)
+    for branch in frame.branches if pieces or frame.neck > 0 else (0,):
+        w = scan(frame, branch, [part for kind in kinds for part in found[kind]])
         if not w.size:
             continue
         scanned = cuts(frame, w, branch, tolerated=False in kinds)
+        alike = len(kinds) > 1 and _alike(scanned)
         for kind in kinds:
+            if alike and kind != kinds[0]:
+                found[kind] += [part for part in found[kinds[0]] if part.branch == branch]
+                untraced[kind] += [b for b in untraced[kinds[0]] if b == branch]
+                continue
             try:
-                parts = list(regions(frame, branch, kind, scanned))
+                found[kind] += parts_of(frame, branch, kind, scanned)
             except AccuracyError:
                 if branch == 0:
                     raise
                 untraced[kind].append(branch)
-                continue
-            if branch == 0 and parts:
-                mains[kind] = max(parts, key=lambda part: part.area)
-                parts.remove(mains[kind])  # type: ignore[arg-type]
-            found[kind] += parts
-    return [Contour(kind, frame, mains[kind], tuple(found[kind]), tuple(untraced[kind])) for kind in kinds]
+    return [_whole(kind, frame, found[kind], tuple(untraced[kind])) for kind in kinds]
 
 
-@record
-class Interval:
-    """Admissible x1 on a line x1 + x2 = const, and the conditions (keys of LINES) at its ends."""
-
-    total: float  # x1 + x2
-    low: float
-    high: float
-    low_line: str
-    high_line: str
-
-    def __str__(self) -> str:
-        return f"x1 = {self.low:.4f} ({LINES[self.low_line][1]}) ... {self.high:.4f} ({LINES[self.high_line][1]})"
+def _alike(scanned: Cuts) -> bool:
+    """Whether undercut bounds nothing, so that both contours have the same parts."""
+    one, other = scanned.ends(strict=True), scanned.ends(strict=False)
+    empty = (one[0] > one[1]) & (other[0] > other[1])
+    return all(bool(np.all((a == b) | empty)) for a, b in zip(one, other, strict=True))
 
 
-def interval(frame: Frame, total: float, strict: bool = True) -> Interval:
-    """Admissible x1 on the line of a sum of shifts; raises `NoSolutionError` if there are none.
-
-    >>> from tmmcalc.gears.involute.wheel import Wheel
-    >>> found = interval(frame_of(Task(Wheel(14), Wheel(17))), 1.1)
-    >>> found.low_line, round(found.low, 5)
-    ('undercut1', 0.18116)
-    """
-    w = frame.angle_of(np.array([total]))
-    if not w[0] > 0:
-        least = float(frame.sums(np.array([0.0])).total[0])
-        raise NoSolutionError(
-            f"there is no pair with the sum of shifts {total:.4f}: the base circles would overlap",
-            where="blocking contour",
-            value=total,
-            limit=least,
-            remedy=f"a sum of shifts above {least:.4f}",
-        )
-    low, high, below, above = cuts(frame, w, tolerated=not strict).ends(strict)
-    found = Interval(total, float(low[0]), float(high[0]), LOWER[below[0]], UPPER[above[0]])
-    if found.low > found.high:
-        raise NoSolutionError(
-            f"no shifts with the sum {total:.4f} are admissible: {LINES[found.low_line][1]} "
-            f"excludes {LINES[found.high_line][1]}",
-            where="blocking contour",
-            value=found.high - found.low,
-            limit=0.0,
-            remedy="another centre distance, a smaller contact ratio or tip thickness, or the tolerated contour",
-        )
-    return found
+def _whole(strict: bool, frame: Frame, parts: list[Part], untraced: tuple[int, ...]) -> Contour:
+    regions = joined(frame, parts)
+    central = (region for region in regions if any(part.branch == 0 for part in region.parts))
+    main = max(central, key=lambda region: region.area, default=None)
+    return Contour(strict, frame, main, tuple(region for region in regions if region is not main), untraced)

@@ -24,6 +24,7 @@ WIDTH = 1e-6  # of the differences that give the derivatives
 STEPS = 30
 REACH = 0.2  # largest step of x1
 EXACT = 1e-11  # of both conditions
+LAST = 1e-10  # step of Newton's method below which rounding may be all that is left
 
 
 def stacked(frame: Frame, w: Values, x1: Values) -> Values:
@@ -62,7 +63,7 @@ def polish(frame: Frame, w: Values, x1: Values, rows: Values, span: Values) -> t
     """
     m = w.size
     every = np.arange(m)
-    residual = np.inf
+    residual = last = np.inf
     low, high = w - span, w + span
     for _ in range(STEPS):
         h = WIDTH
@@ -80,6 +81,8 @@ def polish(frame: Frame, w: Values, x1: Values, rows: Values, span: Values) -> t
         w, x1 = np.clip(w - step_w, low, high), x1 - np.clip(step_x, -REACH, REACH)
         if not np.isfinite(size):
             return w, x1, False
-        if size < 1e-13 or (residual < EXACT / 100 and size < EXACT):
+        settled = size < LAST and size >= last / 2  # only rounding moves the corners
+        if size < 1e-13 or settled or (residual < EXACT and size < EXACT):
             return w, x1, residual < EXACT
+        last = size
     return w, x1, residual < EXACT

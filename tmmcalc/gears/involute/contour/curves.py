@@ -1,4 +1,4 @@
-"""The lines of the picture of a contour, as points (x1, x2): contact ratio, tip thickness, sliding, strength, sums."""
+"""The lines of the picture of a contour, as points (x1, x2): contact ratio, tip thickness, sliding, strength."""
 
 from __future__ import annotations
 
@@ -9,14 +9,16 @@ import numpy as np
 
 from tmmcalc.gears.involute.contour.bounds import NEVER, contact_ends, thickness_ends
 from tmmcalc.gears.involute.contour.contour import Contour
+from tmmcalc.gears.involute.contour.equalstrength import strength_split
 from tmmcalc.gears.involute.contour.frame import Frame, Sums
-from tmmcalc.gears.involute.contour.points import along, sliding_split, strength_split
+from tmmcalc.gears.involute.contour.points import along, sliding_split
 from tmmcalc.gears.involute.contour.trace import scan
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
 
 POINTS = 200  # lines of constant sum across the plane
 FINE = 1e-9  # difference of form factors that counts as none
+SAME = 1e-9  # difference of sums that counts as none
 
 
 @record
@@ -92,17 +94,15 @@ def sliding_line(contour: Contour) -> Line:
 
 def strength_line(contour: Contour) -> Line:
     """Points of equal tooth form factors within the main region (one line for 12 and 13); none: arrays of length 0."""
-    region = contour.region
-    sums = contour.frame.sums(region.angles)
-    x1, left = strength_split(contour.frame, sums, region.low, region.high)
-    equal = np.abs(left) < FINE
-    return Line("12, 13", 0.0, x1[equal], (sums.total - x1)[equal])
-
-
-def sum_line(contour: Contour, total: float) -> Line:
-    """The line x1 + x2 = total (14; 15 for zero; 16 for the largest) across the window of the main region."""
-    edge1, edge2 = contour.region.outline
-    low, high = float(edge1.min()), float(edge1.max())
-    low, high = min(low, total - float(edge2.max())), max(high, total - float(edge2.min()))
-    x1 = np.array([low, high])
-    return Line("15" if total == 0 else "14", total, x1, total - x1)
+    total, x1 = contour.strength_ends
+    frame, totals, places = contour.frame, [total], [x1]
+    for part in contour.region.parts:
+        sums = frame.sums(part.angles)
+        x1, left = strength_split(frame, sums, part.low, part.high)
+        equal = np.abs(left) < FINE
+        totals.append(sums.total[equal])
+        places.append(x1[equal])
+    total, x1 = np.concatenate(totals), np.concatenate(places)
+    order = np.argsort(total, kind="stable")
+    order = order[np.append(True, np.diff(total[order]) > SAME)[: order.size]]
+    return Line("12, 13", 0.0, x1[order], (total - x1)[order])

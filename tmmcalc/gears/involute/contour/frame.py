@@ -13,7 +13,7 @@ rack whose straight flank ends at h_a*; where it ends deeper, the areas on both 
 from __future__ import annotations
 
 from functools import cached_property
-from math import cos, pi, sin, tan
+from math import acos, atan2, cos, hypot, pi, sin, tan
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +26,11 @@ from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
 
+BRANCHES = (0, 1, 2, 3)
+LOW: tuple[tuple[int, ...], ...] = ((), (1,), (0,), (0, 1))  # of each branch: wheels with the tip inside r
 DEPTH = 5.0  # addenda below the reference circle down to which undercut is followed
+THROUGH = 0.4  # reference radii below it, where no flank is left of a wheel of few teeth
+CROSSING = 60  # halvings
 
 
 Chosen = NDArray[np.bool_] | NDArray[np.intp]
@@ -66,7 +70,9 @@ class Side:
         """rho_F as a function of the shift; only made where undercut is followed."""
         addendum = self.wheel.rack.addendum
         # the main region lies above -h_a*; a wheel that can be free of undercut with x < 0 may have pieces far below
-        return form_of(self.wheel, -DEPTH * addendum if self.least <= 0 else -addendum, self.fillet)
+        # but not so far below that its tooth would be cut through
+        deep = max(-DEPTH * addendum, -THROUGH * self.reference)
+        return form_of(self.wheel, min(deep, -addendum) if self.least <= 0 else -addendum, self.fillet)
 
     def start(self, x: Values) -> Sloped:
         """rho_F, LN without undercut, and its derivative."""
@@ -100,6 +106,13 @@ class Frame:
         depth = self.task.first.rack.straight - self.addendum
         return depth if abs(depth) > 1e-12 else 0.0
 
+    @cached_property
+    def branches(self) -> tuple[int, ...]:
+        """The branches that may have admissible shifts."""
+        # a wheel with x_min > 0 whose tip is low would be undercut far into its flank
+        found = (b for b in BRANCHES if all(self.sides[i].least <= 0 for i in LOW[b]))
+        return tuple(b for b in found if b != 3 or self.neck > 0)  # only a deep flank leaves room for two low tips
+
     def sums(self, w: Values) -> Sums:
         """The shared quantities at operating angles (n,)."""
         one, two = self.sides
@@ -131,6 +144,26 @@ class Frame:
         base = self.sides[0].base + self.sides[1].base
         apart = 2 * base * np.sin((sums.angle - self.angle) / 2) ** 2 / np.cos(sums.angle)
         return (self.neck - apart) / sin(self.angle)
+
+    @cached_property
+    def joint(self) -> tuple[float, float]:
+        """Operating angles between which both necks end below, and at which both tip lines cross; equal: no necks.
+
+        The room on a tip line is positive down to the first one; at the other one both tip circles are the reference
+        circles.
+        """
+        if self.neck <= 0:
+            return self.angle, self.angle
+        base = self.sides[0].base + self.sides[1].base
+        turned = cos(self.angle) + self.neck / base
+        end = atan2(sin(self.angle), turned) - acos(1 / hypot(sin(self.angle), turned))
+        low, high = 1e-4, self.angle
+        for _ in range(CROSSING):
+            middle = (low + high) / 2
+            sums = self.sums(np.array([middle]))
+            beyond = sums.total[0] > 2 * (sums.modification[0] + self.addendum)
+            low, high = (middle, high) if beyond else (low, middle)
+        return end, high
 
     def room_roots(self, i: int, sums: Sums) -> tuple[Values, Values]:
         """x_i (n,) on both sides of the least room where the room of a flank without undercut vanishes.

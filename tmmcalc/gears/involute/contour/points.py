@@ -1,8 +1,8 @@
-"""Points of interest of a contour: C, D and E of the textbook's figures, the deepest point, and lines through it."""
+"""Points of interest of a contour: C and D of the textbook's figures, the deepest point, and lines through it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,55 +11,20 @@ from tmmcalc.gears.involute.contour.bounds import cuts, root
 from tmmcalc.gears.involute.contour.contour import Contour
 from tmmcalc.gears.involute.contour.form import Sloped
 from tmmcalc.gears.involute.contour.frame import Frame, Sums
-from tmmcalc.gears.involute.contour.strength import tooth_form
-from tmmcalc.gears.involute.wheel import Wheel
+from tmmcalc.gears.involute.contour.trace import Part
 from tmmcalc.gears.model import Values
-from tmmcalc.numerics.roots import Indices, bracketed
 
-ZOOM = 17  # points of a round that narrows a maximum or a root
-ROUNDS = 9
+ZOOM = 65  # points of a round that narrows a root
+ROUNDS = 6
 NARROWINGS = 16  # of the place of the largest circle
 SHRINK = 0.45
-EQUAL = 1e-9  # difference of form factors that counts as none
-INSIDE = 1e-10  # [rad] below the largest sum, where a line of constant sum still has a part in the region
-ASIDE = np.array([-1e-7, 1e-7])  # [rad] from a place that may be a maximum by itself
-LEVEL = 1e-15  # of a contact ratio that grows no more
 
 
 def largest_sum(contour: Contour) -> tuple[float, float]:
     """Point C: the largest x1 + x2, and so the largest reduced radius of curvature, of the main region."""
-    region = contour.region
-    x1 = float(region.low[-1])
-    return x1, float(region.total[-1]) - x1
-
-
-def largest_contact_ratio(contour: Contour) -> tuple[float, float, float]:
-    """Point E: x1, x2 and eps_alpha of the largest contact ratio of the main region."""
-    frame, region = contour.frame, contour.region
-
-    def best(low: Values, high: Values, sums: Sums) -> tuple[Values, Values]:
-        x1 = np.clip(frame.best_split(sums), low, high)
-        return x1, frame.overlap(sums, x1)[0]
-
-    def looked(w: Values) -> tuple[Values, Values]:
-        found = cuts(frame, w, tolerated=not contour.strict)
-        low, high, _, _ = found.ends(contour.strict)
-        x1, ratio = best(low, high, found.sums)
-        return x1, np.where(low <= high, ratio, -np.inf)
-
-    w = region.angles
-    x1, ratio = best(region.low, region.high, frame.sums(w))
-    k = int(np.argmax(ratio))
-    if 0 < k < w.size - 1 and np.all(looked(w[k] + ASIDE)[1] < ratio[k]):
-        w, x1, ratio, k = w[k : k + 1], x1[k : k + 1], ratio[k : k + 1], 0  # a corner
-    for _ in range(ROUNDS):
-        if k in (0, w.size - 1) or ratio[k] - min(ratio[k - 1], ratio[k + 1]) < LEVEL:
-            break
-        w = np.linspace(w[k - 1], w[k + 1], ZOOM)
-        x1, ratio = looked(w)
-        k = int(np.argmax(ratio))
-    sums = frame.sums(w)
-    return float(x1[k]), float(sums.total[k] - x1[k]), float(ratio[k]) + frame.task.contact_ratio
+    top = max(contour.region.parts, key=lambda part: float(part.total[-1]))
+    x1 = float(top.low[-1])
+    return x1, float(top.total[-1]) - x1
 
 
 def sliding_split(frame: Frame, sums: Sums) -> Values:
@@ -84,58 +49,13 @@ def sliding_split(frame: Frame, sums: Sums) -> Values:
     return root(difference, sums, low, high)
 
 
-def strength_split(frame: Frame, sums: Sums, low: Values, high: Values) -> tuple[Values, Values]:
-    """x1 (n,) of equal tooth form factors between low and high, and the difference Y_F1 - Y_F2 left there.
-
-    Where no split is equal the end with the smaller difference is given.
-    """
-
-    def difference(x1: Values, which: Indices) -> Values:
-        return strength_gap(frame, sums.some(which), x1)
-
-    x1 = bracketed(difference, low, high, absolute=1e-12)
-    return x1, difference(x1, np.arange(x1.size))
-
-
-def strength_gap(frame: Frame, sums: Sums, x1: Values) -> Values:
-    """Y_F1 - Y_F2 (n,) at x1 on lines of constant sum."""
-    one, two = frame.task.first, frame.task.second
-    x2 = sums.total - x1
-    first = tooth_form(Wheel(one.teeth, x1, one.helix, one.rack), frame.tip(0, sums, x1))
-    second = tooth_form(Wheel(two.teeth, x2, two.helix, two.rack), frame.tip(1, sums, x2))
-    return first.factor - second.factor
-
-
 def largest_equal_strength(contour: Contour) -> tuple[float, float] | None:
-    """x1, x2 of the largest sum in the main region at which both tooth form factors are equal; None if there is none.
-
-    Upwards the line of equal strength leaves the region through the edge at which the difference changes its sign.
-    """
-    frame, region = contour.frame, contour.region
-    sums = frame.sums(region.angles)
-    ends = strength_gap(frame, sums, region.low), strength_gap(frame, sums, region.high)
-    holds = np.flatnonzero((ends[0] < 0) != (ends[1] < 0))
-    if not holds.size:
+    """x1, x2 of the largest sum in the main region with equal tooth form factors; None if there is none."""
+    total, x1 = contour.strength_ends
+    if not total.size:
         return None
-    k = int(holds[-1])
-    top = k + 2 == region.angles.size
-    if top and abs(float(ends[0][-1])) < EQUAL:
-        return largest_sum(contour)  # as of equal wheels
-    side = 0 if (ends[0][k] < 0) != (ends[0][k + 1] < 0) else 1
-
-    def edge(w: Values) -> tuple[Sums, Values]:
-        found = cuts(frame, w, tolerated=not contour.strict)
-        low, high, _, _ = found.ends(contour.strict)
-        return found.sums, high if side else low
-
-    at = bracketed(
-        lambda w, _: strength_gap(frame, *edge(w)),
-        region.angles[k : k + 1],
-        region.angles[k + 1 : k + 2] - (INSIDE if top else 0.0),
-        absolute=1e-12,
-    )
-    found, x1 = edge(at)
-    return float(x1[0]), float(found.total[0] - x1[0])
+    k = int(np.argmax(total))
+    return float(x1[k]), float(total[k] - x1[k])
 
 
 def along(f: Callable[[Values], Values], left: float, right: float) -> float:
@@ -182,7 +102,7 @@ def deepest(contour: Contour) -> tuple[float, float, float]:
     grid = np.linspace(-1, 1, 9)
     for _ in range(NARROWINGS):
         points = centre + half * np.stack(np.meshgrid(grid, grid, indexing="ij"), axis=-1).reshape(-1, 2)
-        inside = _within(contour, points)
+        inside = _within(region.parts, points)
         distance = np.sqrt(np.min(_squares(points, start, run, square), axis=1))
         best = int(np.argmax(np.where(inside, distance, -1.0)))
         if inside[best] and distance[best] >= clear:
@@ -203,10 +123,20 @@ def _squares(points: Values, start: Values, run: Values, square: Values) -> Valu
     return found
 
 
-def _within(contour: Contour, points: Values) -> NDArray[np.bool_]:
-    """Whether points (n, 2) lie in the outline: between its ends on their line of constant sum."""
-    region = contour.region
-    total = points[:, 0] + points[:, 1]
-    low = np.interp(total, region.total, region.low)
-    high = np.interp(total, region.total, region.high)
-    return (total > region.total[0]) & (total < region.total[-1]) & (points[:, 0] > low) & (points[:, 0] < high)
+def _within(parts: Sequence[Part], points: Values) -> NDArray[np.bool_]:
+    """Whether points (n, 2) lie in one of the parts: between its ends on their line of constant sum."""
+    x1, total = points[:, 0], points[:, 0] + points[:, 1]
+    inside = np.zeros(x1.shape, dtype=bool)
+    for part in parts:
+        low, high = np.interp(total, part.total, part.low), np.interp(total, part.total, part.high)
+        inside |= (total >= part.total[0]) & (total <= part.total[-1]) & (x1 >= low) & (x1 <= high)
+    return inside
+
+
+def held(contour: Contour, w: Values, x1: Values) -> NDArray[np.bool_]:
+    """Whether the main region holds x1 (n,) on the lines of operating angles w (n,); exact."""
+    inside = np.zeros(w.shape, dtype=bool)
+    for part in contour.region.parts:
+        low, high, _, _ = cuts(contour.frame, w, part.branch, tolerated=not contour.strict).ends(contour.strict)
+        inside |= (w >= part.angles[0]) & (w <= part.angles[-1]) & (x1 >= low) & (x1 <= high)
+    return inside

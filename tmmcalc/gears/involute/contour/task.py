@@ -17,14 +17,8 @@ LINES: dict[str, tuple[str, str]] = {  # key -> (number in the textbook's figure
     "contact_ratio": ("5", "least contact ratio"),
     "thickness1": ("9", "least tip thickness of wheel 1"),
     "thickness2": ("9'", "least tip thickness of wheel 2"),
-    "tip1": (
-        "",
-        "tip circle of wheel 1 is its reference circle: beyond it the contact lies on one side of the pitch point",
-    ),
-    "tip2": (
-        "",
-        "tip circle of wheel 2 is its reference circle: beyond it the contact lies on one side of the pitch point",
-    ),
+    "tip1": ("", "tip circle of wheel 1 is its reference circle"),
+    "tip2": ("", "tip circle of wheel 2 is its reference circle"),
 }
 
 

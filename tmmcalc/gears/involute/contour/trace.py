@@ -1,4 +1,4 @@
-"""One region of the plane of shifts as a closed curve: corners, labelled edges between them, area.
+"""One part of a contour, of one branch, as a closed curve: corners, labelled edges between them, area.
 
 A scan over the lines of constant sum shows which conditions bound the region where. Every change from one line to the
 next is narrowed, then the corner in it is found exactly. Between corners the edges are smooth, and are traced at
@@ -7,24 +7,30 @@ Gauss points of phi in w = mean - half cos(phi), which crowd at the ends as the 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 
 from tmmcalc.errors import AccuracyError
-from tmmcalc.gears.involute.contour.bounds import LOWER, UPPER, Cuts, Kinds, cuts
-from tmmcalc.gears.involute.contour.corners import equations, polish
+from tmmcalc.gears.involute.contour.bounds import LOWER, UPPER, Cuts, Kinds, cuts, edge_names
+from tmmcalc.gears.involute.contour.corners import ROWS, equations, polish, stacked
 from tmmcalc.gears.involute.contour.frame import Frame
 from tmmcalc.gears.model import Values
 from tmmcalc.numerics.panels import rule
 from tmmcalc.records import record
 
 SCAN = 64  # lines of the first scan
+TOUCH = np.array([-1e-9, 1e-9])  # [rad]
+JOINT = 25  # lines about the place where the tip lines cross
 SPLIT = 16  # parts of a narrowed step
 TRIES = 5
 POINTS = 24  # of an edge between two breaks
 EMPTY = -1
 POINT = 1e-10  # [rad] width of a region that is none
+BROKEN = 1e-9  # by which a corner may miss a condition
+SNAP = 1e-12  # [rad] difference of angles that is rounding
 
 
 @record
@@ -46,9 +52,10 @@ class Edge:
 
 
 @record
-class Region:
-    """A closed region of admissible shifts."""
+class Part:
+    """A closed region of admissible shifts of one branch."""
 
+    branch: int  # 0: both tip circles outside the reference circles; 1 (2): that of wheel 2 (1) inside; 3: both inside
     corners: tuple[Corner, ...]  # counter-clockwise, from the least sum of shifts
     edges: tuple[Edge, ...]
     area: float
@@ -58,12 +65,6 @@ class Region:
     total: Values  # (n,) sums of shifts
     low: Values  # (n,) least x1 on each
     high: Values  # (n,) largest x1
-
-    @property
-    def outline(self) -> tuple[Values, Values]:
-        """x1, x2 of the closed curve, counter-clockwise; the first point is the last too."""
-        x1 = np.concatenate((self.high, self.low[::-1]))
-        return x1, np.concatenate((self.total, self.total[::-1])) - x1
 
 
 @record
@@ -76,8 +77,11 @@ class Break:
     side: int  # -1: on the side of low x1, 1: of high x1, 0: an end
 
 
-def scan(frame: Frame, region: int) -> Values:
-    """Operating angles [rad] that cover the region, or none; closer where the branches touch."""
+def scan(frame: Frame, region: int, also: Sequence[Part] = ()) -> Values:
+    """Operating angles [rad] that cover the region, or none; closer where the branches touch.
+
+    ``also``: parts of other branches, which may go on in this one where they end on a tip line.
+    """
     near = frame.angle + np.linspace(-0.25, 0.25, 401)
     w = np.sort(np.concatenate((np.linspace(1e-4, 1.5, 600), near[near > 1e-4])))
     sums = frame.sums(w)
@@ -89,12 +93,18 @@ def scan(frame: Frame, region: int) -> Values:
     if not found.size:
         return w[:0]
     left, right = w[max(found[0] - 1, 0)], w[min(found[-1] + 1, w.size - 1)]
-    even = np.linspace(left, right, SCAN)
-    if region == 0:
-        return even
     part = np.linspace(-1.0, 1.0, SCAN) ** 3 + 1e-5
     close = frame.angle + np.where(part < 0, frame.angle - left, right - frame.angle) * part
-    return np.sort(np.concatenate((even, close[(close > left) & (close < right)])))
+    lines = [np.linspace(left, right, SCAN), close]
+    if region == 0:
+        lines.append(frame.angle + TOUCH)  # lines of interference have a corner between, which others may cut off
+    if frame.neck > 0:  # all branches meet where the tip lines cross, and the necks may end close to it
+        end, crossing = frame.joint
+        lines.append(end + (crossing - end) * np.linspace(-1.0, 2.0, JOINT))
+    shared = [e.x1 + e.x2 for part in also for e in part.edges if e.line in ("tip1", "tip2")]
+    lines += [frame.angle_of((total[1:] + total[:-1]) / 2) for total in shared]  # between points: some are corners
+    w = np.sort(np.concatenate(lines))
+    return w[(w >= left) & (w <= right)]
 
 
 def signatures(found: Cuts, strict: bool) -> Kinds:
@@ -103,16 +113,16 @@ def signatures(found: Cuts, strict: bool) -> Kinds:
     return np.where(low <= high, below * len(UPPER) + above, EMPTY)
 
 
-def regions(frame: Frame, region: int, strict: bool, scanned: Cuts) -> tuple[Region, ...]:
+def parts_of(frame: Frame, region: int, strict: bool, scanned: Cuts) -> tuple[Part, ...]:
     """All closed regions of one branch, by ascending sums."""
     w, kinds = scanned.sums.angle, signatures(scanned, strict)
     changes = np.flatnonzero(kinds[1:] != kinds[:-1])
     if not changes.size:
         return ()
     left, right = w[changes], w[changes + 1]
-    for _ in range(TRIES):
+    for n in range(TRIES):
         steps = _narrowed(frame, region, strict, left, right)
-        parts = _components(frame, region, steps)
+        parts = _components(frame, region, strict, steps, n == TRIES - 1)
         if parts is not None:
             return tuple(_traced(frame, region, strict, part) for part in parts)
         left, right = np.array([place[:2] for place, _ in steps]).T
@@ -140,17 +150,17 @@ def _narrowed(frame: Frame, region: int, strict: bool, left: Values, right: Valu
 
 
 def _names(kind: int, region: int) -> tuple[str, str]:
-    """The conditions of a signature; beyond a reference circle it is the other side of its line that bounds."""
-    low, high = LOWER[kind // len(UPPER)], UPPER[kind % len(UPPER)]
-    if region in (1, 3):
-        low = {"tolerated1": "interference1"}.get(low, low)
-    if region in (2, 3):
-        high = {"tolerated2": "interference2"}.get(high, high)
-    return low, high
+    """The conditions of a signature."""
+    return edge_names(LOWER[kind // len(UPPER)], UPPER[kind % len(UPPER)], region)
 
 
-def _components(frame: Frame, region: int, steps: list[tuple[Values, Kinds]]) -> list[list[Break]] | None:
-    """The exact breaks of every region, ascending; None if some are not found."""
+def _components(
+    frame: Frame, region: int, strict: bool, steps: list[tuple[Values, Kinds]], last: bool
+) -> list[list[Break]] | None:
+    """The exact breaks of every region, ascending; None if some are not found, or break another condition.
+
+    The latter means that a line which bounds the region between the two was stepped over; ``last``: put up with it.
+    """
     rough: list[Break] = []
     spans: list[float] = []
     for place, kinds in steps:
@@ -171,7 +181,7 @@ def _components(frame: Frame, region: int, steps: list[tuple[Values, Kinds]]) ->
     rows = np.array([equations(*each.lines) for each in rough]).T
     places = np.array([(b.w, b.x1) for b in rough]).T
     ws, xs, found = polish(frame, places[0], places[1], rows, np.array(spans))
-    if not found:
+    if not found or not (last or np.all(_kept(frame, strict, ws, xs) > -BROKEN)):
         return None
     exact = [Break(float(one), float(x), b.lines, b.side) for one, x, b in zip(ws, xs, rough, strict=True)]
     ends = [k for k, b in enumerate(exact) if b.side == 0]
@@ -181,12 +191,16 @@ def _components(frame: Frame, region: int, steps: list[tuple[Values, Kinds]]) ->
     return wide if len(wide) == len(parts) or max(spans) < SPLIT * POINT else None
 
 
-def _traced(frame: Frame, region: int, strict: bool, breaks: list[Break]) -> Region:
+def _kept(frame: Frame, strict: bool, w: Values, x1: Values) -> Values:
+    """The least value (m,) of all conditions."""
+    rows = [k for k, name in enumerate(ROWS) if not name.startswith("tip" if strict else ("tip", "undercut"))]
+    least: Values = np.min(stacked(frame, w, x1)[rows], axis=0)
+    return least
+
+
+def _traced(frame: Frame, region: int, strict: bool, breaks: list[Break]) -> Part:
+    breaks, edges_w = _snapped(frame, breaks)
     start, end = breaks[0], breaks[-1]
-    marks = {b.w for b in breaks}
-    if start.w < frame.angle < end.w:
-        marks.add(frame.angle)  # branches of the lines of interference touch on it
-    edges_w = np.array(sorted(marks))
     gauss = rule(POINTS)
     half, mean = np.diff(edges_w) / 2, (edges_w[1:] + edges_w[:-1]) / 2
     inner = mean[:, None] - half[:, None] * np.cos(np.pi * gauss.points)
@@ -212,11 +226,25 @@ def _traced(frame: Frame, region: int, strict: bool, breaks: list[Break]) -> Reg
         )
         right, left = [*right[:-1], turned], left[1:]
     corners = _corners(frame, breaks, edges_w, lows, highs, low, high, total, size)
-    return Region(corners, (*right, *left), area, w, total, low, high)
+    return Part(region, corners, (*right, *left), area, w, total, low, high)
 
 
 def _xy(edge: Edge) -> tuple[Values, Values]:
     return edge.x1, edge.x2
+
+
+def _snapped(frame: Frame, breaks: list[Break]) -> tuple[list[Break], Values]:
+    """The breaks and the angles between which edges are smooth; breaks at one angle, but for rounding, have the same.
+
+    Between two such angles a line that turns round in a break would be missed by the root of what rounding leaves.
+    """
+    marks: list[float] = []
+    touch = [frame.angle] if breaks[0].w < frame.angle < breaks[-1].w else []  # of the lines of interference
+    for w in (*touch, *(b.w for b in breaks)):
+        if all(abs(w - mark) > SNAP for mark in marks):
+            marks.append(w)
+    snapped = [replace(b, w=min(marks, key=lambda mark: abs(mark - b.w))) for b in breaks]
+    return snapped, np.array(sorted(marks))
 
 
 def _edges(names: list[str], x1: Values, total: Values, size: int) -> list[Edge]:

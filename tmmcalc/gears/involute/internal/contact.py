@@ -71,4 +71,4 @@ def internal_extremes(pair: InternalPair, segment: tuple[float, float] | None = 
     pitch = float(pair.operating[0] * np.sin(pair.angle))
     at = internal_sliding(pair, np.array([low, pitch, high]), (low, high))
     first, middle, last = (float(value) for value in at.pressure)
-    return SlidingExtremes(float(at.theta1[0]), float(at.theta2[2]), first, middle, last, last, first, low)
+    return SlidingExtremes(float(at.theta1[0]), float(at.theta2[2]), first, middle, last, first)

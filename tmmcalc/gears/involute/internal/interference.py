@@ -9,6 +9,7 @@ trimming     the pinion cannot be moved radially out of the ring (nor a cutter b
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import acos, atan2, pi
 from typing import Literal
 
@@ -22,6 +23,7 @@ from tmmcalc.gears.model import Values
 from tmmcalc.numerics.roots import Indices, bracketed
 from tmmcalc.records import record
 
+Corner = tuple[float, float]  # radius of a point of the pinion's tip, and inv [rad] of the involute through it
 Kind = Literal["involute", "fillet 1", "fillet 2", "trochoid", "trimming"]
 _ONE = np.zeros(1, np.intp)  # the number of the only problem
 
@@ -58,35 +60,51 @@ def _told(kind: Kind, margin: float, text: str) -> Interference:
     return Interference(kind, margin, "" if margin >= -1e-12 else f"{text} (margin {margin:.4g} modules)")
 
 
-def _tip_angles(pair: InternalPair) -> tuple[float, float, float]:
-    """inv(alpha_a1), inv(alpha_a2), inv(alpha_tw)."""
-    first, second = (
-        float(involute(atan2(wheel.curvature_at(tip), wheel.base)))
-        for wheel, tip in ((pair.pinion, pair.tips[0]), (pair.ring, pair.tips[1]))
-    )
-    return first, second, float(involute(pair.angle))
+def _corner(pair: InternalPair) -> Corner:
+    """The corner of the pinion's tip."""
+    return pair.tips[0], float(involute(atan2(float(pair.pinion.curvature_at(pair.tips[0])), pair.pinion.base)))
 
 
-def trochoid_margin(pair: InternalPair) -> float:
-    """Distance of the tips' corners where the pinion's tip circle crosses the ring's, along that circle."""
-    (tip1, tip2), a = pair.tips, pair.distance
-    if tip1 + a <= tip2:  # the pinion's tip stays within the ring's tip circle
-        return tip2 - a - tip1
-    inv1, inv2, inv = _tip_angles(pair)
+def _ring_angles(pair: InternalPair) -> tuple[float, float]:
+    """inv(alpha_a2), inv(alpha_tw)."""
+    return float(involute(atan2(pair.ring.curvature_at(pair.tips[1]), pair.ring.base))), float(involute(pair.angle))
+
+
+def trochoid_margin(pair: InternalPair, corners: Sequence[Corner] = ()) -> float:
+    """Distance of the tips' corners where the pinion's tip circle crosses the ring's, along that circle.
+
+    ``corners`` are the points of a rounded tip of the pinion, the first of them the outermost.
+    """
+    corners = corners or [_corner(pair)]
+    tip2, a = pair.tips[1], pair.distance
+    crossing = [corner for corner in corners if corner[0] + a > tip2]
+    if not crossing:  # the pinion's tip stays within the ring's tip circle
+        return tip2 - a - corners[0][0]
+    return min(_beside(pair, corner) for corner in crossing)
+
+
+def _beside(pair: InternalPair, corner: Corner) -> float:
+    (tip1, inv1), tip2, a = corner, pair.tips[1], pair.distance
+    inv2, inv = _ring_angles(pair)
     delta1 = acos(max(-1.0, min(1.0, (tip2**2 - tip1**2 - a**2) / (2 * a * tip1))))
     delta2 = acos(max(-1.0, min(1.0, (tip2**2 + a**2 - tip1**2) / (2 * a * tip2))))
     return tip2 * ((delta1 + inv1 - inv) / pair.ratio - (delta2 + inv2 - inv))
 
 
-def trimming_margin(pair: InternalPair) -> float:
+def trimming_margin(pair: InternalPair, corners: Sequence[Corner] = ()) -> float:
     """Least sideways distance of the tips' corners as the pinion is drawn out along the line of centres.
 
     A corner of the pinion at the angle psi from that line stands beside the ring's corner at the angle
     z1/z2 (psi + inv(alpha_a1) - inv(alpha_tw)) - inv(alpha_a2) + inv(alpha_tw). Their distance falls with psi down to
-    its least value; corners that are no deeper than the ring's tip need not pass it.
+    its least value; corners that are no deeper than the ring's tip need not pass it. ``corners`` as in
+    `trochoid_margin`.
     """
-    (tip1, tip2), n = pair.tips, 1 / pair.ratio
-    inv1, inv2, inv = _tip_angles(pair)
+    return min(_passing(pair, corner) for corner in corners or [_corner(pair)])
+
+
+def _passing(pair: InternalPair, corner: Corner) -> float:
+    (tip1, inv1), tip2, n = corner, pair.tips[1], 1 / pair.ratio
+    inv2, inv = _ring_angles(pair)
     lead = n * (inv1 - inv) - inv2 + inv
 
     def narrowing(psi: Values, _: Indices) -> Values:

@@ -15,14 +15,8 @@ from tmmcalc.gears.involute.internal.pair import Tips
 from tmmcalc.gears.involute.internal.ring import Ring
 from tmmcalc.gears.involute.profile.form import junction
 from tmmcalc.gears.involute.profile.rounding import Shape
-from tmmcalc.gears.involute.quality.existence import (
-    Form,
-    Margin,
-    Nearest,
-    deepest,
-    form_over_shifts,
-    nearest_admitted,
-)
+from tmmcalc.gears.involute.quality.existence import Form, deepest, form_over_shifts
+from tmmcalc.gears.involute.quality.nearest import Margin, Nearest, nearest_admitted
 from tmmcalc.gears.involute.quality.verdicts import NOISE, QualityLimits
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values

@@ -66,7 +66,7 @@ class Ring:
     def root(self) -> float:
         """Radius r_f of the root circle: of the cutter's tip, or by the rack r + h_a* + c* - x."""
         if self.cutter is not None:
-            _, distance, tip = _cutting(self, self.cutter)
+            _, distance, tip = cutting(self, self.cutter)
             return distance + tip
         return self.reference + self.rack.addendum + self.rack.clearance - self.shift
 
@@ -75,7 +75,7 @@ class Ring:
         """Radius r_F where the involute ends at the root: by the cutter's rounding, or by the rack r + h_a* - x."""
         if self.cutter is None:
             return self.reference + self.rack.straight - self.shift
-        angle, distance, tip = _cutting(self, self.cutter)
+        angle, distance, tip = cutting(self, self.cutter)
         base = Wheel(self.cutter.teeth, 0.0, self.helix, self.rack).base
         # the normal of the cutter's involute where its rounding begins passes through the centre of the rounding
         centre = tip - self.cutter.rounding
@@ -95,11 +95,38 @@ class Ring:
         return float(self.signed.curvature_at(radius))
 
 
-def _cutting(ring: Ring, cutter: Cutter) -> tuple[float, float, float]:
-    """Generating angle [rad], centre distance and tip radius of the cutter of a ring."""
+def cutting(ring: Ring, cutter: Cutter) -> tuple[float, float, float]:
+    """Generating angle [rad], centre distance and tip radius of the cutter of a ring.
+
+    Raises `NoSolutionError` for a cutter that does not fit into the ring, or whose shift is too great for it.
+    """
+    if cutter.teeth >= ring.teeth:
+        raise NoSolutionError(
+            f"a cutter of {cutter.teeth} teeth does not fit into a ring of {ring.teeth}",
+            where="cutter of the ring",
+            value=float(cutter.teeth),
+            limit=float(ring.teeth - 1),
+            remedy="a cutter with fewer teeth",
+        )
     tool = Wheel(cutter.teeth, cutter.shift, ring.helix, ring.rack)
-    angle, distance = angle_of_shifts(tool, ring)
+    try:
+        angle, distance = angle_of_shifts(tool, ring)
+    except NoSolutionError as error:
+        raise NoSolutionError(
+            f"a cutter of {cutter.teeth} teeth cannot make this ring: its shift x0 = {cutter.shift:.6g} and x2 add up "
+            f"to {error.value:.6g}, and have to stay below {error.limit:.6g}",
+            where="cutter of the ring",
+            value=error.value,
+            limit=error.limit,
+            remedy="a smaller shift of the cutter, fewer teeth of it, or a smaller x2",
+        ) from None
     return angle, distance, float(tool.plain_tip) + ring.rack.clearance if cutter.tip is None else cutter.tip
+
+
+def largest_sum(pinion: Wheel, ring: Ring) -> float:
+    """x1 + x2 at which the operating angle vanishes; the sum has to be smaller."""
+    start, total = pinion.section.angle, ring.teeth - pinion.teeth
+    return float(involute(start)) * total / (2 * float(np.tan(pinion.rack.angle)))
 
 
 def angle_of_shifts(pinion: Wheel, ring: Ring) -> tuple[float, float]:
@@ -111,15 +138,15 @@ def angle_of_shifts(pinion: Wheel, ring: Ring) -> tuple[float, float]:
     start, total = pinion.section.angle, ring.teeth - pinion.teeth
     shifts = float(pinion.shift) + ring.shift
     inv = float(involute(start))
-    slope = 2 * float(np.tan(pinion.rack.angle)) / total
+    slope, limit = 2 * float(np.tan(pinion.rack.angle)) / total, largest_sum(pinion, ring)
     if inv - slope * shifts <= 0:
         raise NoSolutionError(
             f"the involute of the operating pressure angle is not positive: x1 + x2 = {shifts:.6g}, "
-            f"it has to stay below {inv / slope:.6g} (margin {inv / slope - shifts:.4g})",
+            f"it has to stay below {limit:.6g} (margin {limit - shifts:.4g})",
             where="internal pair",
             value=shifts,
-            limit=inv / slope,
-            remedy=f"x1 + x2 below {inv / slope:.6g}: a smaller x1, or a smaller x2 (wider spaces of the ring)",
+            limit=limit,
+            remedy=f"x1 + x2 below {limit:.6g}: a smaller x1, or a smaller x2 (wider spaces of the ring)",
         )
     angle = float(inverse_involute(inv - slope * shifts))
     return angle, (ring.reference - pinion.reference) * float(np.cos(start) / np.cos(angle))

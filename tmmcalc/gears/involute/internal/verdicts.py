@@ -8,7 +8,7 @@ from tmmcalc.gears.involute.internal.interference import interferences
 from tmmcalc.gears.involute.internal.margins import margin_of
 from tmmcalc.gears.involute.internal.pair import InternalPair, Tips
 from tmmcalc.gears.involute.profile.rounding import Shape
-from tmmcalc.gears.involute.quality.existence import told_nearest
+from tmmcalc.gears.involute.quality.nearest import told_nearest
 from tmmcalc.gears.involute.quality.verdicts import Check, QualityLimits, Verdict, at_least, at_most, wanted_angle
 
 

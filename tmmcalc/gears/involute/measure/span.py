@@ -19,6 +19,8 @@ from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.records import record
 
 Rule = Literal["book", "exact"]
+LEAST = 2  # teeth of a span: over one there is no common normal of outer flanks to be clamped
+ROWS = 3  # of the table, at least
 NEAR = 1e-9  # of a tooth: a limit that a whole number meets but for rounding is kept
 
 
@@ -33,9 +35,14 @@ class SpanLimits:
     width_exact: float | None  # b/sin(beta_b)
 
     def highest(self, rule: Rule) -> float:
-        """The least of the upper limits by one of the rules."""
-        tip, width = (self.tip, self.width) if rule == "book" else (self.tip_exact, self.width_exact)
-        return tip if width is None else min(tip, width)
+        """W_min, the least of the textbook's upper limits; the rule is that of the face width."""
+        width = self.width if rule == "book" else self.width_exact
+        return self.tip if width is None else min(self.tip, width)
+
+    @property
+    def highest_exact(self) -> float:
+        """The least of the exact upper limits."""
+        return self.tip_exact if self.width_exact is None else min(self.tip_exact, self.width_exact)
 
 
 @record
@@ -47,9 +54,6 @@ class Span:
     curvature: float  # transverse radius of curvature of the flanks where the plates touch
     radius: float  # of the circle on which they touch
     width: float  # b_min = W sin(beta_b), the face width that it needs
-    above_form: bool  # whether the plates touch above the lowest usable point of the involute
-    below_tip: bool  # exactly
-    on_width: bool  # exactly
     book: bool  # whether the textbook's rule admits it
     valid: bool  # whether the plates touch the involute: the exact rule
 
@@ -63,8 +67,14 @@ class Spans:
     base_pitch: float  # p_bn (4.60)
     limits: SpanLimits
     book_teeth: int  # z_w,max of the textbook (4.65), at least 0
-    recommended: int | None  # the z_w that touches nearest to mid-flank; None: no span is valid
-    table: tuple[Span, ...]  # from z_w = 1 or 2 to the last that either rule admits
+    exact_teeth: int  # the same with the exact limit of the face width
+    middle: int  # the z_w that touches nearest to mid-flank, valid or not
+    recommended: int | None  # the valid z_w nearest to that; None: no span is valid
+    table: tuple[Span, ...]  # from z_w = 2 to the last that a rule admits, three at least
+
+    def most(self, rule: Rule) -> int:
+        """z_w,max (4.65) by the face width of a rule."""
+        return self.book_teeth if rule == "book" else self.exact_teeth
 
     def over(self, teeth: int) -> Span | None:
         """The span over ``teeth``, if it is in the table."""
@@ -92,18 +102,26 @@ def spans(
     """
     limits = span_limits(wheel, tip if relief is None else min(relief, tip), lowest, face_width)
     pitch, base = pi * cos(wheel.rack.angle), span_length(wheel, 1)
-    book = max(floor((limits.highest("book") - base) / pitch + 1 + NEAR), 0)
-    first = max(ceil((limits.lowest - base) / pitch + 1 - NEAR), 1)
-    last = floor((limits.highest("exact") - base) / pitch + 1 + NEAR)
-    begin = min(2, first) if wheel.teeth > 1 else 1
-    table = tuple(_span(wheel, k, limits, book, (first, last)) for k in range(begin, max(book, last) + 1))
-    usual = min(max(mid_flank_teeth(wheel), first), last)
+
+    def up_to(length: float) -> int:
+        return max(floor((length - base) / pitch + 1 + NEAR), 0)
+
+    book, relaxed, last = (
+        up_to(length) for length in (limits.highest("book"), limits.highest("exact"), limits.highest_exact)
+    )
+    first = max(ceil((limits.lowest - base) / pitch + 1 - NEAR), LEAST)
+    end = max(book, relaxed, last, LEAST + ROWS - 1)
+    table = tuple(_span(wheel, k, book, (first, last)) for k in range(LEAST, end + 1))
+    middle = mid_flank_teeth(wheel)
+    usual = min(max(middle, first), last)
     return Spans(
         pi / 2 + 2 * float(wheel.shift) * tan(wheel.rack.angle),
         base,
         pitch,
         limits,
         book,
+        relaxed,
+        middle,
         usual if first <= last else None,
         table,
     )
@@ -137,18 +155,15 @@ def mid_flank_teeth(wheel: Wheel) -> int:
     return max(round(z / pi * turned - 2 * float(wheel.shift) * tan(wheel.rack.angle) / pi + 0.5), 1)
 
 
-def _span(wheel: Wheel, teeth: int, limits: SpanLimits, book: int, exact: tuple[int, int]) -> Span:
+def _span(wheel: Wheel, teeth: int, book: int, exact: tuple[int, int]) -> Span:
     length, base_helix = span_length(wheel, teeth), abs(wheel.section.base_helix)
-    curvature, slack = length * cos(base_helix) / 2, NEAR * pi
+    curvature = length * cos(base_helix) / 2
     return Span(
         teeth,
         length,
         curvature,
         float(np.hypot(wheel.base, curvature)),
         length * sin(base_helix),
-        teeth >= exact[0],
-        length <= limits.tip_exact + slack,
-        limits.width_exact is None or length <= limits.width_exact + slack,
-        teeth <= book,
+        LEAST <= teeth <= book,
         exact[0] <= teeth <= exact[1],
     )

@@ -12,13 +12,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
 from tmmcalc.gears.involute.function import inverse_involute, involute
-from tmmcalc.gears.involute.profile.curves import Curve
+from tmmcalc.gears.involute.profile.faults import ProfileError
 from tmmcalc.gears.involute.profile.form import form_radius, junction
 from tmmcalc.gears.involute.profile.rounding import Rounding, Shape, rounding
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.numerics.curves import Curve
 from tmmcalc.numerics.roots import Indices, bracketed
 from tmmcalc.records import record
 
@@ -140,7 +140,7 @@ def flank_of(wheel: Wheel, tip: float | None = None, shape: Shape = "ellipse") -
     waist = flank.slope + WAIST * (pi / 2 - flank.slope)
     least_angle = float(np.min(np.angle(flank.on_fillet(waist)))) - pi / 2
     if least_angle <= 0:
-        raise _none("the undercut cuts the tooth off at its foot", least_angle, 0.0, spared)
+        raise _none("the undercut cuts the tooth off at its foot", 2 * least_angle * float(wheel.root), 0.0, spared)
     return flank
 
 
@@ -160,7 +160,5 @@ def _largest_shift(wheel: Wheel, shape: Shape, least: float) -> float:
     return float(bracketed(spare, np.array([least]), np.array([float(wheel.shift)]))[0])
 
 
-def _none(message: str, value: float, limit: float, remedy: str) -> NoSolutionError:
-    return NoSolutionError(
-        f"{message}: {value:.6g} against {limit:.6g}", where="tooth profile", value=value, limit=limit, remedy=remedy
-    )
+def _none(message: str, value: float, limit: float, remedy: str) -> ProfileError:
+    return ProfileError(message, value, limit, where="tooth profile", remedy=remedy)

@@ -36,14 +36,6 @@ def in_wheel(flank: Flank, of_rack: Plane | complex, rolls: Real) -> Plane:
     return (np.atleast_1d(of_rack) - centre * roll + 1j * centre) * turn
 
 
-def rack_positions(flank: Flank, count: int = 12, teeth: int = 1) -> tuple[Real, Plane]:
-    """Roll angles (k,) evenly over the whole generation of the flank, and the rack at them (k, n) (Fig. 4.34)."""
-    rolls = flank.rolls
-    first, last = min(rolls.limit, rolls.root), rolls.tip
-    at = np.linspace(first, last, count)
-    return at, in_wheel(flank, rack_outline(flank, teeth), at)
-
-
 def path_of_centre(flank: Flank, rolls: Real) -> Plane:
     """The path (k,) of S, the centre of the tip rounding, at roll angles (k,)."""
     tool = flank.rounding

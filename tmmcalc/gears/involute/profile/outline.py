@@ -12,9 +12,9 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.gears.involute.profile.curves import Curve, chords, cubics
 from tmmcalc.gears.involute.profile.flank import Flank
 from tmmcalc.linkage.plane import Plane
+from tmmcalc.numerics.curves import Curve, chords, cubics
 from tmmcalc.records import record
 
 FLAT = 1e-12  # [rad] half angle below which there is no arc

@@ -12,12 +12,12 @@ from math import atan2, hypot, pi, sqrt
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
 from tmmcalc.gears.involute.function import involute
-from tmmcalc.gears.involute.profile.curves import Curve
+from tmmcalc.gears.involute.profile.faults import ProfileError
 from tmmcalc.gears.involute.profile.outline import Element, checked
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.numerics.curves import Curve
 from tmmcalc.numerics.roots import Indices, bracketed
 from tmmcalc.records import record
 
@@ -115,7 +115,5 @@ def _largest_corner(base: float, half: float, root: float) -> float:
     return float(bracketed(beside, low, high)[0])
 
 
-def _none(message: str, value: float, limit: float, remedy: str) -> NoSolutionError:
-    return NoSolutionError(
-        f"{message}: {value:.6g} against {limit:.6g}", where="ring profile", value=value, limit=limit, remedy=remedy
-    )
+def _none(message: str, value: float, limit: float, remedy: str) -> ProfileError:
+    return ProfileError(message, value, limit, where="ring profile", remedy=remedy)

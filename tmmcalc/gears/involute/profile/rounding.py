@@ -20,7 +20,7 @@ from typing import Literal
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.gears.involute.rack import require_tool
 from tmmcalc.gears.involute.wheel import Number, Wheel
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.records import record
@@ -103,19 +103,11 @@ def rounding(wheel: Wheel, shape: Shape = "ellipse") -> Rounding:
     angle, deepest = section.angle, rack.addendum + rack.clearance
     height = max(section.radius if shape == "circle" else rack.radius, SHARP)
     width = height if shape == "circle" else height / cos(wheel.helix)
-    # where the straight flank ends: a small radius lets it run on below the addendum
-    end = rack.addendum if rack.tip_radius is None else deepest - rack.radius * (1 - sin(rack.angle))
+    require_tool(rack)
+    end = rack.straight  # a small radius lets the straight flank run on below the addendum
     slant = np.hypot(width * cos(angle), height * sin(angle))
     inset = width**2 * cos(angle) / slant
     flat = pi / 4 * section.module - end * tan(angle) - inset
-    if flat < -1e-12:
-        raise NoSolutionError(
-            "the tip rounding is wider than the tooth of the rack",
-            where="tooth profile",
-            value=float(flat),
-            limit=0.0,
-            remedy="a smaller tip radius, addendum, clearance or profile angle",
-        )
     return Rounding(
         wheel.reference,
         angle,

@@ -10,18 +10,19 @@ to pi/2 on the root circle; d = QS, and the fillet lies beyond S by the radius o
 
 from __future__ import annotations
 
-from math import atan2, hypot, pi, sqrt
+from math import hypot, pi, sqrt
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
 from tmmcalc.gears.involute.function import involute
-from tmmcalc.gears.involute.internal.ring import Cutter, Ring, angle_of_shifts
-from tmmcalc.gears.involute.profile.curves import Curve
+from tmmcalc.gears.involute.internal.cutter import tip_lead
+from tmmcalc.gears.involute.internal.ring import Cutter, Ring, cutting
+from tmmcalc.gears.involute.profile.faults import ProfileError
 from tmmcalc.gears.involute.profile.outline import Element, checked
 from tmmcalc.gears.involute.profile.rounding import SHARP
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.numerics.curves import Curve
 from tmmcalc.records import record
 
 
@@ -121,17 +122,15 @@ def shaped_ring(ring: Ring, cutter: Cutter, tip: float) -> ShapedRing:
     Raises `NoSolutionError` if the cutter is pointed or its rounding too large, or if no involute is left.
     """
     tool = Wheel(cutter.teeth, cutter.shift, ring.helix, ring.rack)
-    angle, distance = angle_of_shifts(tool, ring)
-    top = float(tool.plain_tip) + ring.rack.clearance if cutter.tip is None else cutter.tip
+    angle, distance, top = cutting(ring, cutter)
     rounding = max(cutter.rounding, SHARP)
     orbit = top - rounding
-    if not orbit > tool.base:
+    lead = tip_lead(tool, top, rounding)
+    if lead is None:
         raise _none("the rounding of the cutter reaches below its base circle", orbit, tool.base)
-    arm = sqrt(orbit**2 - tool.base**2)
-    inv = float(involute(ring.signed.section.angle))
-    lead = float(tool.half_angle) + inv - (arm + rounding) / tool.base + atan2(arm, tool.base)
     if lead < -1e-12:
-        raise _none("the tip of the cutter is narrower than its rounding", lead, 0.0)
+        raise _none("the tip of the cutter is narrower than its rounding", 2 * lead * top, 0.0)
+    inv = float(involute(ring.signed.section.angle))
     like = Wheel(ring.teeth, -ring.shift, ring.helix, ring.rack)
     operating = tool.base / float(np.cos(angle))
     found = ShapedRing(
@@ -148,21 +147,12 @@ def shaped_ring(ring: Ring, cutter: Cutter, tip: float) -> ShapedRing:
         max(lead, 0.0),
     )
     if not ring.base <= tip < found.form:
-        raise NoSolutionError(
-            f"no involute is left between tip and fillet of the ring: {tip:.6g} against {found.form:.6g}",
-            where="ring profile",
-            value=tip,
-            limit=found.form,
-            remedy="another tip radius of the ring, or a smaller rounding of the cutter",
-        )
+        remedy = "another tip radius of the ring, or a smaller rounding of the cutter"
+        what = "no involute is left between tip and fillet of the ring"
+        raise ProfileError(what, tip, found.form, where="ring profile", remedy=remedy)
     return found
 
 
-def _none(message: str, value: float, limit: float) -> NoSolutionError:
-    return NoSolutionError(
-        f"{message}: {value:.6g} against {limit:.6g}",
-        where="ring profile",
-        value=value,
-        limit=limit,
-        remedy="a cutter with a smaller tip radius, shift or rounding",
-    )
+def _none(message: str, value: float, limit: float) -> ProfileError:
+    remedy = "a cutter with a smaller tip radius, shift or rounding"
+    return ProfileError(message, value, limit, where="ring profile", remedy=remedy)

@@ -1,4 +1,4 @@
-"""The textbook's tables of the main profile and of the fillet (program 2.6), and a table of the whole flank.
+"""The textbook's tables of the main profile and of the fillet (program 2.6).
 
 Axes X-Omega-Y: the origin lies on the base circle, Y runs from the centre through a point of the pitch circle, the axis
 of the tooth or that of the space; the point of the flank on the reference circle is turned from Y by ``turn``. The
@@ -45,17 +45,6 @@ class FilletTable:
     centre_radius: Real  # R_S, of curvature of the path of S
     radius: Real  # R, of curvature of the fillet, 0 where nothing is cut
     cut: np.ndarray  # whether the rounding cuts the fillet at this roll
-
-
-@record
-class FlankTable:
-    """Table of a whole flank from the root circle to the tip; arrays (n,), lengths in normal modules."""
-
-    fillet: np.ndarray  # whether the point belongs to the fillet
-    roll: Real  # phi [rad] at which it is cut
-    x: Real
-    y: Real
-    curvature: Real  # positive where the flank is hollow
 
 
 def axis_turn(wheel: Wheel, axis: Axis = "pitch", angle: float | None = None) -> float:
@@ -128,20 +117,3 @@ def fillet_table(flank: Flank, turn: float, rolls: Real) -> FilletTable:
 
 def _radius(curvature: Real) -> Real:
     return 1 / np.where(np.abs(curvature) < STRAIGHT, STRAIGHT, curvature)
-
-
-def flank_table(flank: Flank, turn: float, intervals: int = 20) -> FlankTable:
-    """The whole flank: fillet in equal steps of theta, involute in equal steps of phi, ``intervals`` each."""
-    tool = flank.rounding
-    theta = np.linspace(pi / 2, flank.slope, intervals + 1)
-    xi = np.linspace(flank.lowest, flank.highest, intervals + 1)
-    points = np.concatenate([flank.on_fillet(theta), flank.on_involute(xi)])
-    x, y = _split(flank, points, turn)
-    bulge = -1 / np.maximum(flank.wheel.base * xi, STRAIGHT)
-    return FlankTable(
-        np.repeat([True, False], intervals + 1),
-        np.concatenate([tool.roll(theta), xi - tan(tool.angle)]),
-        x,
-        y,
-        np.concatenate([tool.curvature(theta), bulge]),
-    )

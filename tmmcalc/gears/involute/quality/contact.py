@@ -23,8 +23,6 @@ class Contact:
     transverse: Number  # eps_alpha of the whole flanks
     shortened: Number  # eps_alpha of the involutes that there are
     overlap: float  # eps_beta
-    form_radii: tuple[Number, Number]  # r_F1, r_F2, where the involutes begin
-    active_radii: tuple[Number, Number]  # the lowest radii at which the wheels really touch
 
     @property
     def total(self) -> Number:
@@ -55,7 +53,6 @@ def contact(pair: Pair, face_width: float = 0.0, fillet: Shape = "ellipse") -> C
     forms = junction(pair.first, fillet).curvature_radius, junction(pair.second, fillet).curvature_radius
     first, second = pair.starts
     starts = np.maximum(first, forms[0]), np.maximum(second, forms[1])
-    bases = pair.first.base, pair.second.base
     return Contact(
         starts,
         forms,
@@ -63,6 +60,4 @@ def contact(pair: Pair, face_width: float = 0.0, fillet: Shape = "ellipse") -> C
         pair.contact_ratio,
         (pair.length - starts[0] - starts[1]) / pair.first.base_pitch,
         overlap_ratio(pair.first.helix, face_width),
-        (np.hypot(bases[0], forms[0]), np.hypot(bases[1], forms[1])),
-        (np.hypot(bases[0], starts[0]), np.hypot(bases[1], starts[1])),
     )

@@ -8,41 +8,24 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from math import pi, tan
+from math import tan
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.gears.involute.contour.form import form_of
 from tmmcalc.gears.involute.function import involute
-from tmmcalc.gears.involute.pair import Pair, pair_at, pair_of_shifts, sum_of_shifts
+from tmmcalc.gears.involute.pair import Pair, pair_of_shifts
 from tmmcalc.gears.involute.profile.form import junction
 from tmmcalc.gears.involute.profile.rounding import Shape
+from tmmcalc.gears.involute.quality.nearest import REACH, Margin, Nearest, nearest_admitted, told_nearest
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits, checks
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 WHERE = "involute pair"
-REACH = 3.0  # how far from the given shifts the nearest admissible ones are sought
-STEPS = 60  # along a ray
-RAYS = 72  # directions in the plane (x1, x2)
-ZOOMS = 7  # looks between the neighbours of the best ray: its direction ends within 1e-5 rad
-PARTS = np.arange(1, 25) / 24  # of the step in which a ray enters
-PASSES = 5  # the entry ends within 1e-8
-INWARD = 1e-9  # the shifts found are moved so far inward, beyond the error of the polynomial
 
 Form = Callable[[Values], Values]
-Margin = Callable[[Values, Values], Values]  # over x1 and x2 (n,)
-
-
-@record
-class Nearest:
-    """The nearest admissible shifts, and how far they are."""
-
-    shifts: tuple[float, float]  # x1, x2
-    distance: float  # in the plane (x1, x2)
 
 
 def least_sum(first: Wheel, second: Wheel) -> float:
@@ -125,57 +108,8 @@ def nearest_shifts(
     >>> nearest.distance
     0.0
     """
-    chosen = limits or QualityLimits()
-    forms = form_over_shifts(first, fillet), form_over_shifts(second, fillet)
-
-    def least(x1: Values, x2: Values) -> Values:
-        return least_margin(first, second, x1, x2, chosen, fillet, forms)
-
-    return nearest_admitted(least, (float(first.shift), float(second.shift)), direction)
-
-
-def nearest_admitted(least: Margin, start: tuple[float, float], direction: float | None = None) -> Nearest | None:
-    """The point nearest to ``start`` where a margin over the shifts (n,) is not negative; None: none within 3."""
-
-    def admitted(angle: Values, t: Values) -> NDArray[np.bool_]:
-        x1, x2 = start[0] + t * np.cos(angle), start[1] + t * np.sin(angle)
-        return least(x1.ravel(), x2.ravel()).reshape(x1.shape) >= 0
-
-    if direction is not None:
-        angles = np.array([direction, direction + pi])
-        lengths = _entries(admitted, angles)
-    else:
-        angles = np.arange(RAYS) * (2 * pi / RAYS)
-        lengths = _entries(admitted, angles)
-        for zoom in range(ZOOMS):
-            middle, width = angles[np.argmin(lengths)], 2 * pi / RAYS / 5**zoom
-            angles = middle + width * np.linspace(-1, 1, 11)
-            lengths = _entries(admitted, angles)
-    at, angle = float(np.min(lengths)), float(angles[np.argmin(lengths)])
-    if not np.isfinite(at):
-        return None
-    at += INWARD if at else 0.0
-    x1, x2 = start[0] + at * float(np.cos(angle)), start[1] + at * float(np.sin(angle))
-    return Nearest((round(x1, 12) + 0.0, round(x2, 12) + 0.0), at)
-
-
-def _entries(admitted: Callable[[Values, Values], NDArray[np.bool_]], angles: Values) -> Values:
-    """How far along each ray (k,) the first admissible point lies; inf: there is none."""
-    steps = np.linspace(0.0, REACH, STEPS + 1)
-    inside = admitted(angles[:, None], np.broadcast_to(steps, (len(angles), len(steps))))
-    index, hit = np.argmax(inside, axis=1), inside.any(axis=1)
-    lengths = np.where(hit, steps[index], np.inf)
-    # only rays that may hold the nearest point are worth refining
-    near = np.flatnonzero((index > 0) & (lengths <= np.min(lengths) + steps[1]))
-    low, width = lengths[near] - steps[1], steps[1]
-    for _ in range(PASSES if near.size else 0):
-        trial = low[:, None] + width * PARTS
-        inside = admitted(angles[near, None], trial)
-        inside[:, -1] = True  # the end was found admissible before
-        lengths[near] = trial[np.arange(near.size), np.argmax(inside, axis=1)]
-        width = width * PARTS[0]
-        low = lengths[near] - width
-    return lengths
+    fast, _ = margin_of(first, second, limits or QualityLimits(), fillet)
+    return nearest_admitted(fast, (float(first.shift), float(second.shift)), direction)
 
 
 def require_pair(pair: Pair, limits: QualityLimits | None = None, fillet: Shape = "ellipse") -> None:
@@ -213,37 +147,8 @@ def pair_from_shifts(first: Wheel, second: Wheel) -> Pair:
     )
 
 
-def pair_from_distance(first: Wheel, second: Wheel, distance: float, first_shift: float) -> Pair:
-    """The pair with a given centre distance and x1, in normal modules; the shifts of both wheels are not read.
-
-    Raises `NoSolutionError` if the distance does not exceed the sum of the base radii.
-
-    >>> from math import radians
-    >>> pair = pair_from_distance(Wheel(14, 0.0, radians(15)), Wheel(17, 0.0, radians(15)), 17.0, 0.6)
-    >>> round(float(pair.second.shift), 6)
-    0.522194
-    """
-    least = first.base + second.base
-    if distance > least:
-        total, angle = sum_of_shifts(first, second, distance)
-        return pair_at(
-            replace(first, shift=first_shift),
-            replace(second, shift=float(total) - first_shift),
-            float(angle),
-            float(distance),
-        )
-    raise NoSolutionError(
-        f"the centre distance of {distance:.6g} modules does not exceed the sum of the base radii, "
-        f"{least:.6g} (margin {distance - least:.4g})",
-        where=WHERE,
-        value=distance,
-        limit=least,
-        remedy=f"a centre distance above {least:.6g} modules, near {first.reference + second.reference:.6g}; "
-        "other numbers of teeth or another helix angle",
-    )
-
-
-def _remedy(first: Wheel, second: Wheel, limits: QualityLimits, fillet: Shape) -> str:
+def margin_of(first: Wheel, second: Wheel, limits: QualityLimits, fillet: Shape) -> tuple[Margin, Margin]:
+    """The least margin over x1 and x2 (n,): quickly to about 1e-9, and exactly."""
     forms = form_over_shifts(first, fillet), form_over_shifts(second, fillet)
 
     def fast(x1: Values, x2: Values) -> Values:
@@ -252,34 +157,10 @@ def _remedy(first: Wheel, second: Wheel, limits: QualityLimits, fillet: Shape) -
     def exact(x1: Values, x2: Values) -> Values:
         return least_margin(first, second, x1, x2, limits, fillet)
 
+    return fast, exact
+
+
+def _remedy(first: Wheel, second: Wheel, limits: QualityLimits, fillet: Shape) -> str:
+    fast, exact = margin_of(first, second, limits, fillet)
     told = told_nearest(fast, exact, (float(first.shift), float(second.shift)))
     return told or f"no shifts within {REACH:g} make this pair possible: other numbers of teeth or lower limits"
-
-
-def told_nearest(fast: Margin, exact: Margin, start: tuple[float, float]) -> str:
-    """The shifts nearest to ``start`` in the plane and along its main lines, in words; empty if there are none.
-
-    Both margins are the same, the first to about 1e-9.
-    """
-    parts = []
-    for direction, text in ((None, ""), (0.0, "x1 alone: "), (pi / 2, "x2 alone: "), (-pi / 4, "at this x1 + x2: ")):
-        along = nearest_admitted(fast, start, direction)
-        if direction is None and along is None:
-            return ""
-        if along is not None:
-            x1, x2 = _rounded(exact, start, along)
-            parts.append(f"{text}x1 = {x1:.6g}, x2 = {x2:.6g}")
-    return "the nearest admissible shifts are " + "; ".join(parts)
-
-
-def _rounded(least: Margin, at: tuple[float, float], nearest: Nearest) -> tuple[float, float]:
-    """The shifts with four decimals where they change, a little farther along if rounding leads out again."""
-    start, end = np.array(at), np.array(nearest.shifts)
-    along = end - start
-    points = end + np.arange(41)[:, None] / 20000 * along / (nearest.distance or 1.0)
-    shifts = np.where(np.abs(along) > 1e-9, np.round(points, 4), start)
-    if abs(along.sum()) < 1e-9:
-        shifts[:, 1] = start.sum() - shifts[:, 0]
-    good = np.flatnonzero(least(shifts[:, 0], shifts[:, 1]) >= 0)
-    x1, x2 = shifts[good[0]] if good.size else end
-    return float(x1) + 0.0, float(x2) + 0.0

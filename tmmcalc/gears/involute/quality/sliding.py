@@ -39,9 +39,7 @@ class SlidingExtremes:
     pressure_start: float  # lambda at A2
     pressure_pitch: float  # lambda at P
     pressure_end: float  # lambda at A1
-    pressure_least: float  # least lambda of the segment
     pressure_largest: float  # largest lambda of the segment
-    at_largest: float  # rho1 of the largest lambda
 
 
 def slide(rho1: Values, rho2: Values, ratio: float) -> tuple[Values, Values]:
@@ -109,18 +107,13 @@ def sliding_extremes(pair: Pair, segment: tuple[float, float] | None = None) -> 
     or N2.
     """
     low, high = segment if segment is not None else whole_segment(pair)
-    g = float(pair.length)
     pitch = float(pair.operating[0] * np.sin(pair.angle))
-    middle = min(max(g / 2, low), high)
-    at = sliding(pair, np.array([low, pitch, high, middle]), (low, high))
-    largest = 0 if at.pressure[0] >= at.pressure[2] else 2
+    at = sliding(pair, np.array([low, pitch, high]), (low, high))
     return SlidingExtremes(
         float(at.theta1[0]),
         float(at.theta2[2]),
         float(at.pressure[0]),
         float(at.pressure[1]),
         float(at.pressure[2]),
-        float(at.pressure[3]),
-        float(at.pressure[largest]),
-        float(at.rho1[largest]),
+        max(float(at.pressure[0]), float(at.pressure[2])),
     )

@@ -56,7 +56,7 @@ def checks(
     found = [wanted_angle(float(pair.angle), limits), *_ratios(meeting, limits)]
     if meeting.overlap > 0:
         found.append(Check("overlap ratio", 0, meeting.overlap, None, 0.0, "ok", ""))
-        found.append(Check("total contact ratio", 0, float(meeting.total_shortened), None, 0.0, "ok", ""))
+        found.append(Check("total contact ratio", 0, float(meeting.total), None, 0.0, "ok", ""))
     for wheel in (1, 2):
         found += [_interference(meeting, wheel), _undercut(pair, meeting, wheel, limits), _tip(pair, wheel, limits)]
         found.append(_clearance(pair, wheel))
@@ -126,7 +126,8 @@ def _tip(pair: Pair, wheel: int, limits: QualityLimits) -> Check:
         return Check("tip thickness", wheel, float(tip), cut.base, float(tip) - cut.base, "fail", text)
     value, wanted = float(cut.thickness_at(tip)), max(limits.tip_thickness, limits.tip_thickness_wanted)
     if value < min(0.0, limits.tip_thickness) - NOISE:
-        text = f"gear {wheel} is pointed {float(tip - cut.pointing):.4g} modules below its tip circle"
+        above = float(tip - cut.pointing)
+        text = f"gear {wheel} is pointed {above:.4g} modules below its tip circle (margin: thickness {value:.4g})"
         return Check("tip thickness", wheel, value, limits.tip_thickness, value - limits.tip_thickness, "fail", text)
     return at_least("tip thickness", wheel, value, (limits.tip_thickness, wanted), f"tip thickness of gear {wheel}")
 

@@ -144,7 +144,7 @@ def _areas(axes: Axes, pair: PairContour, width: float) -> Iterator[Row]:
         text += f"area of all {tolerated.main.area:.4f}"
         yield _worded(axes, text, width, LEFT, _swatch(axes, BELT, True))
     if strict.pieces or tolerated.pieces:
-        text = "contact on one side of the pitch point only, beyond the pinch point"
+        text = "admissible beyond a pinch point, or apart: with a tip circle inside its reference circle"
         yield _worded(axes, text, width, LEFT, _swatch(axes, PALE, not strict.pieces))
 
 

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
-from tmmcalc.errors import UsageError
+from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.gears.meshing.halves import fault_of
+from tmmcalc.gears.meshing.members import both
+from tmmcalc.gears.meshing.refusal import joined
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.report.numbers import number
 from tmmcalc.report.pictures.board import Board
@@ -54,15 +57,34 @@ def chosen(found: Pairs, choose: int | None) -> tuple[MeshPair, ...]:
 def pair_figure(found: Pairs, *, choose: int | None = None, phase: float = 0.0) -> Figure:
     """Two sheets a pair; the first wheel has turned clockwise by ``phase`` [rad] since the contact at P.
 
-    ``choose`` is the number of a pair, from 1; None: all. Raises `UsageError` for a pair that there is not.
+    ``choose`` is the number of a pair, from 1; None: all. A pair with a wheel that has no profile has one sheet, which
+    tells why. Raises `UsageError` for a pair that there is not, `NoSolutionError` if no other pair can be drawn.
     """
-    placed = [placed_pair(one, phase) for one in chosen(found, choose)]
-    figure, sheets = blank(2 * len(placed))
-    finish = [_sheets(sheets[2 * k], sheets[2 * k + 1], pair) for k, pair in enumerate(placed)]
+    faulty, sound = list[tuple[MeshPair, list[NoSolutionError]]](), list[PlacedPair]()
+    for one in chosen(found, choose):
+        errors = [error for member in both(one) if (error := fault_of(member)) is not None]
+        if errors:
+            faulty.append((one, errors))
+        else:
+            sound.append(placed_pair(one, phase))
+    if not sound:
+        every = [error for _, errors in faulty for error in errors]
+        raise joined(every, 2 * len(faulty))
+    figure, sheets = blank(2 * len(sound) + len(faulty))
+    finish = [_sheets(sheets[2 * k], sheets[2 * k + 1], pair) for k, pair in enumerate(sound)]
+    for sheet, (one, errors) in zip(sheets[2 * len(sound) :], faulty, strict=True):
+        tell(sheet, f"Mesh {one.task.title} cannot be drawn", errors)
     settle(figure)
     for draw in finish:
         draw()
     return figure
+
+
+def tell(sheet: SubFigure, heading: str, errors: Sequence[NoSolutionError]) -> None:
+    """A sheet in place of a drawing, with the reasons why there is none."""
+    sheet.text(LEFT, 0.965, heading, size=10)
+    lines = [f"{error.where}: {error.message}; remedy: {error.remedy}" for error in errors]
+    sheet.text(LEFT, 0.925, "\n".join(lines), size=8, va="top", parse_math=False)
 
 
 def _sheets(first: SubFigure, second: SubFigure, pair: PlacedPair) -> Callable[[], None]:

@@ -13,12 +13,13 @@ import numpy as np
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 
-from tmmcalc.gears.meshing.halves import Half, Part, half_tooth
+from tmmcalc.gears.meshing.halves import Half, Part, fault_of, half_tooth
 from tmmcalc.gears.meshing.members import Member, members
+from tmmcalc.gears.meshing.refusal import joined
 from tmmcalc.gears.meshing.results import Pairs
 from tmmcalc.report.pictures.gears.generation import generation_of
 from tmmcalc.report.pictures.gears.listing import Heading, Row, list_rows
-from tmmcalc.report.pictures.gears.pairsheet import chosen, scale
+from tmmcalc.report.pictures.gears.pairsheet import chosen, scale, tell
 from tmmcalc.report.pictures.gears.toothdrawing import (
     ACTIVE,
     CENTRE_PATH,
@@ -36,11 +37,21 @@ from tmmcalc.report.pictures.style import INK
 def profile_figure(found: Pairs, *, choose: int | None = None) -> Figure:
     """One sheet a wheel; ``choose`` is the number of a pair, from 1, whose wheels are drawn; None: all.
 
-    Raises `UsageError` for a pair that there is not, `NoSolutionError` for a wheel that has no profile.
+    The sheet of a wheel that has no profile tells why. Raises `UsageError` for a pair that there is not,
+    `NoSolutionError` if no wheel has a profile.
     """
     shown = members(Pairs(chosen(found, choose), found.train, ()))
+    faults = [fault_of(member) for member in shown]
+    errors = [fault for fault in faults if fault is not None]
+    if len(errors) == len(shown):
+        raise joined(errors, len(shown))
     figure, sheets = blank(len(shown))
-    finish = [_sheet(sheet, member) for sheet, member in zip(sheets, shown, strict=True)]
+    finish = []
+    for sheet, member, fault in zip(sheets, shown, faults, strict=True):
+        if fault is None:
+            finish.append(_sheet(sheet, member))
+        else:
+            tell(sheet, f"{_title(member)} has no profile", [fault])
     settle(figure)
     for draw in finish:
         draw()

@@ -6,12 +6,16 @@ A chord or cubic is halved as long as the curve between its ends strays too far 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.errors import AccuracyError, UsageError
-from tmmcalc.linkage.plane import Plane, Real, cross
 from tmmcalc.records import record
+
+Real = NDArray[np.floating[Any]]
+Plane = NDArray[np.complexfloating[Any, Any]]
 
 INSIDE = np.array([0.25, 0.5, 0.75])  # parts of an interval where the distance is measured
 MARGIN = 0.9  # of the tolerance, for what lies between them
@@ -37,7 +41,12 @@ def chords(curve: Curve, tolerance: float) -> Plane:
 
     Raises `UsageError` for a tolerance that is not positive, `AccuracyError` for one that rounding forbids.
     """
-    return curve.point(_knots(curve, tolerance, _off_chord))
+    return curve.point(knots(curve, tolerance))
+
+
+def knots(curve: Curve, tolerance: float) -> Real:
+    """Parameters (n,) of the points of `chords`; raises as it does."""
+    return _knots(curve, tolerance, _off_chord)
 
 
 def cubics(curve: Curve, tolerance: float) -> Plane:
@@ -45,33 +54,33 @@ def cubics(curve: Curve, tolerance: float) -> Plane:
 
     Raises as `chords`.
     """
-    knots = _knots(curve, tolerance, _off_cubic)
-    return _bezier(curve, knots[:-1], knots[1:])
+    ends = _knots(curve, tolerance, _off_cubic)
+    return _bezier(curve, ends[:-1], ends[1:])
 
 
 def _knots(curve: Curve, tolerance: float, stray: Stray) -> Real:
     if not tolerance > 0:
         raise UsageError(
             f"a chord tolerance of {tolerance:g} is not positive",
-            where="tooth profile",
+            where="outline",
             value=tolerance,
             limit=0.0,
-            remedy="for example 0.001 modules",
+            remedy="for example a thousandth of the size",
         )
-    knots = np.linspace(curve.start, curve.end, FIRST + 1)
+    found = np.linspace(curve.start, curve.end, FIRST + 1)
     if curve.start == curve.end:
-        return knots[:1]
-    while knots.size <= MOST:
-        low, high = knots[:-1], knots[1:]
+        return found[:1]
+    while found.size <= MOST:
+        low, high = found[:-1], found[1:]
         wide = np.flatnonzero(stray(curve, low, high) > MARGIN * tolerance)
         if not wide.size:
-            return knots
-        knots = np.insert(knots, wide + 1, (low + high)[wide] / 2)
+            return found
+        found = np.insert(found, wide + 1, (low + high)[wide] / 2)
     raise AccuracyError(
         "no polyline keeps so close to the curve",
-        where="tooth profile",
+        where="outline",
         value=tolerance,
-        remedy="a chord tolerance of at least 1e-11 modules",
+        remedy="a tolerance of at least 1e-11 of the size",
     )
 
 
@@ -84,7 +93,7 @@ def _off_chord(curve: Curve, low: Real, high: Real) -> Real:
     first, last = curve.point(low), curve.point(high)
     chord = last - first
     length = np.maximum(np.abs(chord), np.finfo(float).tiny)
-    offset = np.abs(cross(chord / length, curve.point(_inside(low, high)) - first))
+    offset = np.abs((np.conj(chord / length) * (curve.point(_inside(low, high)) - first)).imag)
     return np.max(offset, axis=0)
 
 

@@ -1,0 +1,180 @@
+"""The return spring: both methods of sizing, the exact stiffness, the safety that is reached, the wire."""
+
+import json
+from math import pi, radians
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.cams.turns import overshooting, task_of
+from tmmcalc.cams.forces.spring import lifting, solve_spring
+from tmmcalc.cams.laws.catalogue import LAWS
+from tmmcalc.cams.laws.law import polynomial
+from tmmcalc.cams.program import Phase, Program
+from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Force, Loads, Spring
+from tmmcalc.errors import NoSolutionError
+
+CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases/cams.json").read_text())}
+
+
+def program(rise, back, stroke, rise_law, back_law=None):
+    first, second = (LAWS[law] if isinstance(law, str) else law for law in (rise_law, back_law or rise_law))
+    rest = 2 * pi - rise - back - 0.2
+    return Program(
+        (
+            Phase("rise", rise, 0.0, stroke, first),
+            Phase("high dwell", 0.2, stroke, stroke),
+            Phase("return", back, stroke, 0.0, second),
+            Phase("low dwell", rest, 0.0, 0.0),
+        )
+    )
+
+
+SIXTY = radians(60)
+
+
+def task(laws, spring, *, rise=SIXTY, back=SIXTY, stroke=0.02, mass=0.2, speed=100.0, **more):
+    kind = more.pop("kind", "translating")
+    loads = Loads(speed=speed, mass=mass, spring=spring, **more)
+    return CamTask(program(rise, back, stroke, *laws), Asked(kind), AngleLimits(1.0, None), loads=loads)
+
+
+def found(given):
+    return solve_spring(given, given.loads)
+
+
+@pytest.mark.parametrize("law", list(CASES["cams-s18"]["expected"]))
+def test_safety_of_all_laws(law):
+    """Textbook's spring, the safety it really reaches, and the exact stiffness."""
+    expected = CASES["cams-s18"]["expected"][law]
+    spring = found(task([law], Spring("safety", safety=1.25)))
+    assert spring.lifting == pytest.approx(expected["P_M_N"], rel=1e-5)
+    assert spring.preload == pytest.approx(expected["Q0_N"], rel=1e-5)
+    assert spring.stiffness / 1e3 == pytest.approx(expected["c_N_per_mm"], rel=1e-5)
+    assert spring.exact / 1e3 == pytest.approx(expected["c_exact_N_per_mm"], rel=2e-5)  # const: of a grid there
+    assert spring.reached == pytest.approx(expected["min_ratio"], rel=1e-5)
+
+
+def test_tangent_construction():
+    given, expected = CASES["cams-s07"]["inputs"], CASES["cams-s07"]["expected"]
+    # the analogue of acceleration fixes the angle of the phase: S'' = 4 h/phi^2
+    angle = float(np.sqrt(4 * 0.04 / given["S2max_m"]))
+    asked = Spring("preload", least=5.0, deflection=0.016)
+    spring = found(task(["const"], asked, rise=angle, back=angle, stroke=0.04, mass=0.12, speed=600 * pi / 30))
+    assert spring.lifting == pytest.approx(expected["F_in_max_N"], rel=2e-4)
+    assert spring.stiffness / 1e3 == pytest.approx(expected["c_N_per_mm"], rel=2e-4)
+    assert spring.highest == pytest.approx(expected["F_max_N"], rel=2e-4)
+    assert spring.preload == pytest.approx(expected["F_preload_N"], rel=2e-4)
+    assert spring.lift == pytest.approx(0.02)
+    usual = found(
+        task(["const"], Spring("preload"), rise=angle, back=angle, stroke=0.04, mass=0.12, speed=600 * pi / 30)
+    )
+    assert usual.stiffness == pytest.approx(spring.stiffness, rel=1e-12)  # 0.4 h is the default
+
+
+@pytest.mark.parametrize("case", ["cams-s08", "cams-s09"])
+def test_rocker_of_program_27(case):
+    given, expected = CASES[case]["inputs"], CASES[case]["expected"]
+    asked = task(
+        [given["law"]], Spring("safety", safety=1.25), stroke=radians(30), mass=1e-4, kind="oscillating"
+    )  # fmt: skip
+    spring = found(asked)
+    assert spring.lifting == pytest.approx(expected["M_in_max_Nm"], rel=1e-6)
+    assert spring.lift == pytest.approx(expected["dpsi_M_rad"], rel=1e-6)
+    assert spring.stiffness == pytest.approx(expected["c_psi_Nm_per_rad"], rel=1e-6)
+    assert spring.preload == pytest.approx(expected["M0_Nm"], rel=1e-6)
+
+
+@pytest.mark.parametrize("laws", [("sine", "const"), ("poly5", "cosine"), ("modified_trapezoid", "shun")])
+@pytest.mark.parametrize("angles", [(60, 90), (80, 50), (5, 120)])
+def test_exact_stiffness_against_a_dense_scan(laws, angles):
+    """Never beaten by a point of a dense scan, and reached by one within its resolution."""
+    rise, back = map(radians, angles)
+    asked = task(laws, Spring("safety", safety=1.4, exact=True), rise=rise, back=back)
+    spring = found(asked)
+    y, _, y2, _ = asked.program.at(np.linspace(0, 2 * pi, 400_001))
+    lift = -0.2 * 100**2 * y2
+    where = (lift > 0) & (y > 1e-9)
+    scan = np.max((1.4 * lift[where] - spring.preload) / y[where])
+    assert scan <= spring.stiffness * (1 + 1e-12)
+    assert spring.stiffness == pytest.approx(scan, rel=1e-4)
+    assert spring.reached == pytest.approx(1.4, rel=1e-10)
+    ratios = (spring.preload + spring.stiffness * y[where]) / lift[where]
+    assert np.min(ratios) >= 1.4 * (1 - 1e-12)
+
+
+def test_a_return_that_lifts_lower_down_is_held_as_well():
+    """A slightly smaller P_M at half the lift asks for the stiffer spring."""
+    asked = task(("cosine", "const"), Spring("safety", safety=1.2), rise=radians(60), back=radians(54.1))
+    spring = found(asked)
+    rise, back = (0.2 * 1e4 * 0.02 * c / radians(a) ** 2 for c, a in ((pi**2 / 2, 60), (4, 54.1)))
+    assert rise > back
+    assert spring.lifting == pytest.approx(rise, rel=1e-12)
+    assert spring.stiffness == pytest.approx((1.2 * back - 0.2 * rise) / 0.01, rel=1e-10)
+    assert spring.reached == pytest.approx(1.2, rel=1e-9)
+
+
+def test_weight_that_presses_spares_stiffness():
+    free = found(task(["cosine"], Spring("safety")))
+    pressed = found(task(["cosine"], Spring("safety"), gravity=-9.81))
+    assert pressed.lifting == pytest.approx(free.lifting - 0.2 * 9.81, rel=1e-12)
+    for speed in (0.5, 100.0):
+        hanging = found(task(["sine"], Spring("safety", exact=True), gravity=9.81, speed=speed))
+        assert hanging.preload >= 1.25 * 0.2 * 9.81 * (1 - 1e-12)
+        assert hanging.reached >= 1.25 * (1 - 1e-9)
+
+
+def test_nothing_lifts_off():
+    spring = found(task(["cosine"], Spring("safety"), mass=0.0))
+    assert (spring.stiffness, spring.preload, spring.lifting, spring.reached) == (0.0, 0.0, None, None)
+
+
+def test_given_and_none():
+    spring = found(task(["shun"], Spring("given", stiffness=5e3, preload=30.0)))
+    assert (spring.stiffness, spring.preload, spring.highest) == (5e3, 30.0, 130.0)
+    lifted = task(["shun"], Spring("none"))
+    assert found(lifted).reached == 0.0
+    assert np.max(lifting(lifted, lifted.loads).force) > 0
+
+
+def test_wire():
+    """c and tau of the wire give the spring back."""
+    spring = found(task(["cosine"], Spring("safety", wire=0.002, coil=0.016)))
+    wire = spring.wire
+    assert 8e10 * 0.002**4 / (8 * 0.016**3 * wire.coils) == pytest.approx(spring.stiffness, rel=1e-12)
+    plain = 8 * spring.highest * 0.016 / (pi * 0.002**3)
+    assert wire.stress == pytest.approx(plain * (31 / 28 + 0.615 / 8), rel=1e-12)
+    with pytest.raises(NoSolutionError, match="does not wind"):
+        found(task(["cosine"], Spring("safety", wire=0.02, coil=0.016)))
+
+
+def test_lift_off_at_the_lowest_position_is_refused():
+    """A law that brakes most at its begin lifts the follower off where a stiffness has no arm."""
+    backward = polynomial("backward", (0.0, [0, 0, -6, 28, -33, 12]))
+    with pytest.raises(NoSolutionError, match="lowest position"):
+        found(task([backward], Spring("safety")))
+
+
+def test_technological_force_does_not_size_the_spring():
+    """The textbook sizes it for idle running."""
+    assert found(task(["sine"], Spring(), force=Force(-500.0, -200.0))) == found(task(["sine"], Spring()))
+
+
+@pytest.mark.parametrize("asked", [Spring(), Spring(exact=True), Spring("preload", least=1.0), Spring("none")])
+def test_nothing_lifts_off_where_the_weight_outweighs_inertia(asked):
+    """2 N of weight press at 1 rad/s; the preload needs nothing for 1 N of contact."""
+    spring = found(task(["sine"], asked, speed=1.0, gravity=-9.81))
+    assert (spring.stiffness, spring.preload, spring.highest) == (0.0, 0.0, 0.0)
+    assert (spring.lifting, spring.reached, spring.phase) == (None, None, "")
+
+
+def test_a_given_spring_is_kept_where_nothing_lifts_off():
+    spring = found(task(["sine"], Spring("given", stiffness=5e3, preload=30.0), speed=1.0, gravity=-9.81))
+    assert (spring.stiffness, spring.preload, spring.highest) == (5e3, 30.0, 130.0)
+    assert (spring.lifting, spring.reached) == (None, None)
+
+
+def test_highest_force_stands_at_the_top_of_an_overshoot():
+    given = task_of(overshooting(0.02), loads=Loads(10.0, 0.2, spring=Spring("given", stiffness=5e3, preload=30.0)))
+    assert found(given).highest == pytest.approx(30 + 5e3 * 0.02 * 1.11475, rel=1e-12)

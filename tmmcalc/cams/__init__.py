@@ -1,0 +1,1 @@
+"""Disk cams: laws of motion, profiles, pressure angle, synthesis, forces, strength, optimal design."""

@@ -1,0 +1,202 @@
+"""The follower as one mass on an elastic train: what the law of motion leaves of vibration.
+
+    m x'' + c (x' - y') + k (x - y) = 0         y the lift that the cam gives, x that of the mass
+
+The residual vibration is what goes on after a rise from rest; the steady one repeats every turn. The train is pressed
+together by -(k z + c z') = m x'', and the roller stays on the cam where that and the other forces press on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi, sqrt
+
+import numpy as np
+
+from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.forces.kernels import resultant
+from tmmcalc.cams.forces.spring import solve_spring
+from tmmcalc.cams.forces.turn import at_angles, crossings, loads_of, spans
+from tmmcalc.cams.laws.catalogue import LAWS
+from tmmcalc.cams.laws.law import Law, Values
+from tmmcalc.cams.response import Course, residual, steady
+from tmmcalc.cams.speed import constant_speed
+from tmmcalc.cams.task import CamTask, Loads
+from tmmcalc.errors import UsageError
+from tmmcalc.numerics.panels import Panels
+from tmmcalc.records import record
+
+RATIOS = np.arange(1, 241) / 20  # of the spectra: phase time over natural period
+COMPARED = ("sine", "cosine", "const", "shun", "modified_trapezoid", "modified_sine")
+SHOWN = 6  # points of the curves to a panel
+
+
+@record
+class Spectrum:
+    """Residual vibration of a law over the ratio of phase time and natural period."""
+
+    law: str
+    residual: Values  # (m,) amplitude over the stroke
+    acceleration: Values  # (m,) amplitude of x'' over the largest of y''
+
+
+@record
+class PhaseVibration:
+    """What a moving phase leaves for the dwell after it."""
+
+    kind: str  # "rise" or "return"
+    law: str
+    ratio: float  # phase time over natural period
+    residual: float  # amplitude [m or rad] after this phase alone, from rest
+    relative: float  # the same over the stroke
+    steady: float  # amplitude [m or rad] at its end in the steady motion
+
+
+@record
+class ElasticResult:
+    """Vibration of the follower at n angles of the turn."""
+
+    turns: bool  # a rocker: y in rad, else in m
+    stiffness: float  # k [N/m] or [N*m/rad]
+    mass: float  # m [kg] or [kg*m^2]
+    damping: float  # zeta
+    frequency: float  # natural, w [rad/s]
+    multiple: float  # of the cam's own frequency
+    stroke: float  # [m or rad]
+    phi: Values  # (n,) [rad]
+    lift: Values  # (n,) y
+    stretch: Values  # (n,) z = x - y
+    given: Values  # (n,) y'' in time
+    response: Values  # (n,) x'' in time
+    load: Values  # (n,) force on the follower, closed where negative [N or N*m]
+    rigid: Values  # (n,) the same of a rigid train
+    phases: tuple[PhaseVibration, ...]
+    peak_given: float  # largest |y''|
+    peak_response: float  # largest |x''|
+    peak_phi: float  # [rad] where it stands
+    train: float  # largest |k z + c z'| [N or N*m]
+    largest: float  # of z [m or rad], in size
+    closest: float  # the largest load: positive, where the follower leaves the cam
+    lost: tuple[tuple[float, float], ...]  # from phi to phi [rad]: it leaves the cam by vibration
+    ratios: Values  # (m,)
+    spectra: tuple[Spectrum, ...]
+    notes: tuple[str, ...]
+
+
+def solve_elastic(task: CamTask, follower: Follower) -> ElasticResult:
+    """Residual and steady vibration of the follower, at the speed of the machine if the task has it.
+
+    Raises `UsageError` without [cam.elastic], a mass or a speed, `SingularityError` at resonance without damping.
+    """
+    train, loads = task.elastic, loads_of(task, "cam_elastic")
+    if train is None:
+        raise UsageError("nothing is known of the elastic train", where="cam_elastic", remedy="add [cam.elastic]")
+    mass = loads.mass if train.mass is None else train.mass
+    if mass <= 0:
+        raise UsageError("the elastic follower has no mass", where="cam_elastic", remedy="[cam.elastic] mass")
+    frequency = sqrt(train.stiffness / mass)
+    speed = constant_speed(loads.speed) if task.turning is None else task.turning
+    course = steady(task.program, speed, frequency, train.damping)
+    on = course.panels
+    (low, low_at), (high, high_at) = on.extremes(course.mass)
+    peak, place = (high, high_at) if high >= -low else (-low, low_at)
+    load, rigid = _loads(task, loads, course, mass)
+    closest = on.extremes(load)[1][0]
+    zero = crossings(on, load) if closest > 0 else np.empty(0)
+    lost = _lost(on, load, zero)
+    pick = (slice(None), np.linspace(0, on.order - 1, SHOWN).round().astype(int))
+    laws = [phase.law for phase in task.program.phases if phase.law is not None]
+    return ElasticResult(
+        turns=follower.kind == "oscillating",
+        stiffness=train.stiffness,
+        mass=mass,
+        damping=train.damping,
+        frequency=frequency,
+        multiple=frequency * float(course.time[-1]) / (2 * pi),
+        stroke=task.program.stroke,
+        phi=on.x[pick].ravel(),
+        lift=course.lift[pick].ravel(),
+        stretch=course.stretch[pick].ravel(),
+        given=course.given[pick].ravel(),
+        response=course.mass[pick].ravel(),
+        load=load[pick].ravel(),
+        rigid=rigid[pick].ravel(),
+        phases=tuple(_phases(task, course, frequency, train.damping)),
+        peak_given=max(map(abs, (each[0] for each in on.extremes(course.given)))),
+        peak_response=peak,
+        peak_phi=place,
+        train=mass * peak,
+        largest=max(abs(each[0]) for each in on.extremes(course.stretch)),
+        closest=closest,
+        lost=lost,
+        ratios=RATIOS,
+        spectra=tuple(_spectra(laws, train.damping)),
+        notes=tuple(_notes(lost, rigid, loads, task)),
+    )
+
+
+def _loads(task: CamTask, loads: Loads, course: Course, mass: float) -> tuple[Values, Values]:
+    """P_c (K, N) with the acceleration of the mass, and with that of the cam."""
+    on = course.panels
+    at = at_angles(task, loads, on.x.ravel())
+    spring = solve_spring(task, loads)
+    still = resultant(at.motion, 0.0, spring.stiffness, spring.preload, at.force).reshape(on.x.shape)
+    return still - mass * course.mass, still - mass * course.given
+
+
+def _lost(on: Panels, load: Values, zero: Values) -> tuple[tuple[float, float], ...]:
+    edges = np.sort(np.concatenate((on.edges, zero)))
+    middle = (edges[:-1] + edges[1:]) / 2
+    return spans(edges, on.at(load, middle) > 0)
+
+
+def _phases(task: CamTask, course: Course, frequency: float, damping: float) -> Iterator[PhaseVibration]:
+    program, on = task.program, course.panels
+    free = frequency * sqrt(1 - damping**2)
+    for phase, begin, end in zip(program.phases, program.starts, program.starts[1:], strict=False):
+        if phase.law is None:
+            continue
+        first, last = (int(np.argmin(np.abs(on.edges - x))) for x in (begin, end))
+        duration = course.time[last] - course.time[first]
+        fading = np.exp(complex(-damping * frequency, free) * duration)
+        alone = abs(course.edges[last] - fading * course.edges[first]) / free
+        yield PhaseVibration(
+            phase.kind,
+            phase.law.name,
+            float(duration * frequency / (2 * pi)),
+            float(alone),
+            float(alone / program.stroke),
+            float(abs(course.edges[last]) / free),
+        )
+
+
+def _spectra(own: list[Law], damping: float) -> Iterator[Spectrum]:
+    """Of the laws of the cam, and of some others beside them."""
+    laws = {law.name: law for law in own} | {name: LAWS[name] for name in COMPARED if name not in [o.name for o in own]}
+    for law in laws.values():
+        found = residual(law, RATIOS, damping)
+        k = np.concatenate([np.linspace(a, b, 200) for a, b in zip(law.breaks, law.breaks[1:], strict=False)])
+        piece = np.repeat(np.arange(law.count), 200)
+        peak = float(np.max(np.abs(law.at(k, piece)[2])))
+        yield Spectrum(law.name, found, found * (2 * pi * RATIOS) ** 2 / peak)
+
+
+def _notes(lost: tuple[tuple[float, float], ...], rigid: Values, loads: Loads, task: CamTask) -> Iterator[str]:
+    if lost and task.asked.closure == "force":
+        where = ", ".join(f"{np.degrees(a):.5g} to {np.degrees(b):.5g} deg" for a, b in lost)
+        also = "as a rigid one does" if float(np.max(rigid)) > 0 else "which a rigid one would not"
+        yield f"warning: the follower leaves the cam for phi from {where}, {also}"
+
+
+def elastic_columns(result: ElasticResult) -> dict[str, Values]:
+    """The table: y, z and accelerations along the turn by their headers."""
+    unit, force = ("rad", "N*m") if result.turns else ("m", "N")
+    return {
+        "phi[deg]": np.degrees(result.phi),
+        f"y[{unit}]": result.lift,
+        f"z[{unit}]": result.stretch,
+        f"a_y[{unit}/s^2]": result.given,
+        f"a_x[{unit}/s^2]": result.response,
+        f"P_c[{force}]": result.load,
+        f"P_c_rigid[{force}]": result.rigid,
+    }

@@ -1,0 +1,67 @@
+"""What is said about the forces: loss of contact, impacts, nearness to jamming, a spring that falls short."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees
+
+from tmmcalc.cams.forces.results import Reserve, SpringFound
+from tmmcalc.cams.task import CamTask
+
+EATEN, MUCH = 0.5, 0.8  # parts of the useful component that friction takes: a note, a warning
+INDEX = (4, 16)  # usual D/d of a spring
+
+
+def force_notes(
+    task: CamTask,
+    spring: SpringFound,
+    lost: tuple[tuple[float, float], ...],
+    reversals: tuple[float, ...],
+    reserve: Reserve,
+) -> Iterator[str]:
+    """Notes and warnings in the order of their weight."""
+    if lost:
+        where = ", ".join(f"{degrees(a):.6g} to {degrees(b):.6g} deg" for a, b in lost)
+        yield (
+            f"warning: nothing presses the follower on the cam for phi from {where}; figures there hold for a follower "
+            "that is held: a stiffer spring, more preload, or closure = 'groove'"
+        )
+    if reversals:
+        where = ", ".join(f"{degrees(phi):.6g}" for phi in reversals)
+        yield f"note: the roller goes to the other wall of the groove at phi = {where} deg, with an impact"
+    if reserve.eaten > EATEN:
+        grade = "warning" if reserve.eaten > MUCH else "note"
+        yield (
+            f"{grade}: friction takes {100 * reserve.eaten:.4g} % of the useful component of R at phi = "
+            f"{degrees(reserve.phi):.6g} deg; at 100 % the follower jams"
+        )
+    yield from _spring_notes(task, spring)
+    if task.turning is not None and task.loads is not None:
+        slow, fast = float(task.turning.omega.min()), float(task.turning.omega.max())
+        yield (
+            f"note: the cam turns with the crank at {slow:.6g} to {fast:.6g} rad/s, as the stage motion found; inertia "
+            f"is y'' omega^2 + y' eps"
+        )
+    if task.loads is None or not task.loads.mass:
+        yield "note: the follower has no mass: give mass or inertia in [cam.loads]"
+
+
+def _spring_notes(task: CamTask, spring: SpringFound) -> Iterator[str]:
+    if spring.method == "safety" and spring.lifting is None:
+        yield "note: nothing lifts the follower off, so the spring is none"
+    if spring.reached is not None and spring.asked is not None and spring.reached < spring.asked * (1 - 1e-9):
+        grade = "warning" if spring.reached < 1 else "note"
+        stiffness = ""
+        if spring.exact is not None:
+            unit, factor = ("N*m/rad", 1.0) if task.asked.kind == "oscillating" else ("N/mm", 1e-3)
+            stiffness = f"; c = {factor * spring.exact:.7g} {unit} would keep it (exact = true)"
+        yield (
+            f"{grade}: the spring reaches {spring.reached:.6g} of the asked K1 = {spring.asked:.6g} at phi = "
+            f"{degrees(spring.reached_phi or 0.0):.6g} deg{stiffness}"
+        )
+    wire = spring.wire
+    if wire is not None and not INDEX[0] <= wire.index <= INDEX[1]:
+        yield f"note: D/d = {wire.index:.4g} of the spring is outside the usual {INDEX[0]} to {INDEX[1]}"
+    asked = task.loads.spring if task.loads else None
+    if asked and asked.wire and task.asked.kind == "oscillating":
+        yield "note: coils and stress are found for compression springs, not for a spring about the pivot"

@@ -1,0 +1,228 @@
+"""The return spring: preload and stiffness by the safety of the contact or by the tangent, and what they reach.
+
+P is the force of inertia and weight that lifts the follower off, Q = Q0 + c dS that of the spring, K1 the safety:
+
+    safety    Q0 = (K1 - 1) P_M,  Q0 + c dS_M = K1 P_M at the largest P of rise and return        (5.54 to 5.57)
+              exact: the same Q0 and the least c with Q >= K1 P all over the turn
+    preload   c = max (P + F_min)/(f1 + dS),  Q0 = c f1: the tangent from the point -f1 to the curve of P + F_min
+
+The least c, and the safety that a spring reaches, are the zeros of functions
+
+    G(c) = max (K1 P - Q0 - c dS),  H(K) = min (Q - K P)
+
+that are convex, so Newton's steps from one side reach them; each asks for one extreme over the turn.
+"""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+
+from tmmcalc.cams.forces.results import SpringFound, Wire
+from tmmcalc.cams.forces.turn import at_angles, smooth_panels, steady, weight
+from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.pressure import on_phase
+from tmmcalc.cams.task import CamTask, Loads, Spring
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.numerics.panels import Panels
+from tmmcalc.records import record
+
+DEFLECTION = 0.4  # f1 of the method preload, part of the stroke
+STEPS = 30
+LEVEL = 1e-12  # of the largest: values that count as equal
+
+
+@record
+class Lifting:
+    """The force P that lifts the follower off, over the turn."""
+
+    on: Panels
+    lift: Values  # dS (K, N)
+    force: Values  # P (K, N)
+
+
+@record
+class Peak:
+    """The largest P of a phase."""
+
+    phase: str
+    force: float  # P_M
+    lift: float  # dS_M
+    phi: float
+
+
+def lifting(task: CamTask, loads: Loads) -> Lifting:
+    """P of inertia and weight on the panels of the motion."""
+    on = task.program.panels if task.turning is None else smooth_panels(task, loads)
+    at = at_angles(task, loads, on.x.ravel())
+    force = lifting_force(task, loads, at.acceleration)
+    return Lifting(on, at.motion[0].reshape(on.x.shape), force.reshape(on.x.shape))
+
+
+def lifting_force(task: CamTask, loads: Loads, acceleration: Values) -> Values:
+    """P of inertia and weight along the lift (5.52)."""
+    force: Values = weight(task, loads) - loads.mass * loads.speed**2 * acceleration
+    return force
+
+
+def solve_spring(task: CamTask, loads: Loads) -> SpringFound:
+    """The spring as it is asked for, and the safety that it reaches.
+
+    Raises `NoSolutionError` where no stiffness keeps the follower on the cam.
+    """
+    asked, lifted = loads.spring, lifting(task, loads)
+    tops = peaks_of(task, lifted)
+    top = max(tops, key=lambda each: each.force) if tops else None
+    place = top
+    if asked.method == "preload":
+        stiffness, preload, place = _by_tangent(task, asked, lifted)
+    elif asked.method == "safety":
+        stiffness, preload = _by_safety(asked, lifted, tops)
+    else:
+        stiffness, preload = (asked.stiffness, asked.preload) if asked.method == "given" else (0.0, 0.0)
+    safety = asked.safety if asked.method == "safety" and top else None
+    exact = least_stiffness(lifted, safety, preload) if safety is not None and preload > 0 else None
+    reached = _reached(lifted, stiffness, preload) if top else None
+    highest = preload + stiffness * task.program.highest
+    return SpringFound(
+        method=asked.method,
+        stiffness=stiffness,
+        preload=preload,
+        highest=highest,
+        asked=safety,
+        lifting=place.force if place else None,
+        phi=place.phi if place else None,
+        lift=place.lift if place else None,
+        phase=place.phase if place else "",
+        exact=exact,
+        reached=reached[0] if reached else None,
+        reached_phi=reached[1] if reached else None,
+        wire=_wire(task, asked, stiffness, preload, highest),
+    )
+
+
+def peaks_of(task: CamTask, lifted: Lifting) -> list[Peak]:
+    """M of rise and of return, where P is largest and above 0; of equal values that of least lift (fig. 5.20)."""
+    found = []
+    for kind in ("rise", "return"):
+        part, force = on_phase(task.program, lifted.on, lifted.force, kind)
+        at, values = part.turning(steady(force))
+        lift = task.program.at(at)[0]
+        highest = np.max(values)
+        level = np.flatnonzero(values >= highest - LEVEL * abs(highest))
+        first = level[np.argmin(lift[level])]
+        if values[first] > 0:
+            found.append(Peak(kind, float(values[first]), float(lift[first]), float(at[first])))
+    return found
+
+
+def _by_safety(asked: Spring, lifted: Lifting, tops: list[Peak]) -> tuple[float, float]:
+    """c and Q0 for the larger P_M; where the other phase lifts lower down, stiff enough for it as well."""
+    if not tops:
+        return 0.0, 0.0
+    safety = asked.safety
+    preload = (safety - 1) * max(top.force for top in tops)
+    if asked.exact:
+        preload = max(preload, safety * _at_rest(lifted))
+        return least_stiffness(lifted, safety, preload), preload
+    if any(top.lift <= 0 for top in tops):
+        raise _no_spring("the largest lifting force stands at the lowest position")
+    return max((safety * top.force - preload) / top.lift for top in tops), preload
+
+
+def _at_rest(lifted: Lifting) -> float:
+    """The largest P at the lowest position, which the preload alone has to hold."""
+    ends = lifted.on.ends(np.stack((lifted.lift, lifted.force)))
+    low = [force[lift <= LEVEL * np.max(lifted.lift)] for lift, force in ends]
+    return float(max(np.max(force, initial=0.0) for force in low))
+
+
+def least_stiffness(lifted: Lifting, safety: float, preload: float, deflection: float = 0.0) -> float:
+    """The least c with preload + c (deflection + dS) >= K1 P all over the turn; 0 if the preload does it alone.
+
+    Raises `NoSolutionError` if the preload is too small where there is no lift.
+    """
+    return _least(lifted, safety * lifted.force - preload, deflection)[0]
+
+
+def _least(lifted: Lifting, needed: Values, deflection: float) -> tuple[float, float]:
+    """max needed/(deflection + dS) where needed > 0, and its place; by Newton on G from below."""
+    on, arm = lifted.on, lifted.lift + deflection
+    level = LEVEL * float(np.max(np.abs(needed)))
+    c, place = 0.0, 0.0
+    for _ in range(STEPS):
+        _, (excess, at) = on.extremes(steady(needed - c * arm))
+        if excess <= level:
+            return c, place
+        length = float(on.at(arm, np.array([at]))[0])
+        step = excess / length if length > LEVEL * float(np.max(arm)) else np.inf
+        if not np.isfinite(step):
+            raise _no_spring("a force lifts the follower off its lowest position, where the preload is too small")
+        place = at
+        if step <= LEVEL * c:
+            return c + step, place
+        c += step
+    return c, place
+
+
+def _no_spring(why: str) -> NoSolutionError:
+    return NoSolutionError(
+        f"no stiffness keeps the follower on the cam: {why}",
+        where="cam_forces, spring",
+        remedy="give [cam.spring] exact = true, or method = 'given' with a preload",
+    )
+
+
+def _by_tangent(task: CamTask, asked: Spring, lifted: Lifting) -> tuple[float, float, Peak | None]:
+    deflection = DEFLECTION * task.program.stroke if asked.deflection is None else asked.deflection
+    c, at = _least(lifted, lifted.force + asked.least, deflection)
+    if c == 0:
+        return 0.0, 0.0, None
+    force = _before_and_after(lifted.on, lifted.force, at)
+    number = min(max(int(np.searchsorted(task.program.starts, at)) - 1, 0), len(task.program.phases) - 1)
+    lift = float(task.program.at(np.array([at]))[0, 0])
+    return c, c * deflection, Peak(task.program.phases[number].kind, float(force), lift, at)
+
+
+def _reached(lifted: Lifting, stiffness: float, preload: float) -> tuple[float, float]:
+    """The least Q/P where P > 0 and its place, by Newton on H from above."""
+    on, spring = lifted.on, preload + stiffness * lifted.lift
+    _, (top, at) = on.extremes(steady(lifted.force))
+    ratio = float(on.at(spring, np.array([at]))[0]) / top
+    for _ in range(STEPS):
+        (short, place), _ = on.extremes(steady(spring - ratio * lifted.force))
+        if short >= -LEVEL * max(float(np.max(spring)), top * ratio):
+            break
+        at = place
+        better = ratio + short / _before_and_after(on, lifted.force, at)
+        if not better < ratio * (1 - LEVEL):
+            break
+        ratio = better
+    return max(ratio, 0.0), at
+
+
+def _before_and_after(on: Panels, values: Values, at: float) -> float:
+    """The larger of the two limits at a place."""
+    x = np.array([at])
+    return float(max(on.at(values, x)[0], on.at(values, x, before=True)[0]))
+
+
+def _wire(task: CamTask, asked: Spring, stiffness: float, preload: float, highest: float) -> Wire | None:
+    """Coils and stresses of a compression spring: c = G d^4/(8 D^3 n), tau = 8 Q D k_w/(pi d^3)."""
+    d, coil = asked.wire, asked.coil
+    if d is None or coil is None or stiffness <= 0 or task.asked.kind == "oscillating":
+        return None
+    index = coil / d
+    if index <= 1:
+        raise NoSolutionError(
+            f"the wire of {1e3 * d:g} mm does not wind to coils of {1e3 * coil:g} mm mean diameter",
+            where="cam_forces, spring",
+            value=index,
+            limit=1.0,
+            remedy="a thinner wire or larger coils; usual is coil/wire = 4 to 12",
+        )
+    factor = (4 * index - 1) / (4 * index - 4) + 0.615 / index
+    stress = 8 * coil * factor / (pi * d**3)
+    coils = asked.shear * d**4 / (8 * coil**3 * stiffness)
+    return Wire(index, coils, factor, stress * highest, stress * preload)

@@ -1,0 +1,165 @@
+"""The motion of the follower over the turn: rows, constants of the laws, extremes with their angles, shocks.
+
+y is the displacement from the lowest position [m or rad], its derivatives are by the angle of the cam; in time they
+are multiplied by omega, omega^2, omega^3.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees
+
+import numpy as np
+
+from tmmcalc.cams.laws.constants import LEVEL, LawConstants, constants
+from tmmcalc.cams.laws.law import Indices, Values
+from tmmcalc.cams.overshoot import overshoot_remarks
+from tmmcalc.cams.program import PhaseKind, Positions, Program
+from tmmcalc.cams.task import CamTask
+from tmmcalc.columns import degrees as degrees_of
+from tmmcalc.records import record
+
+POINTS = {"rise": "a", "high dwell": "b", "return": "c", "low dwell": "d"}  # at which a phase begins (fig. 5.2)
+SHOCKS = {1: "rigid shock", 2: "soft shock", 3: "jump of the jerk"}
+
+
+@record
+class PhaseMotion:
+    """A phase of the turn; angles [rad]."""
+
+    kind: PhaseKind
+    begin: float
+    end: float
+    low: float  # y at its begin [m or rad]
+    high: float  # y at its end
+    constants: LawConstants | None  # of its law; None: dwell
+
+
+@record
+class MotionExtreme:
+    """The largest or least value of a derivative of y over the turn."""
+
+    order: int  # 1: y', 2: y'', 3: y'''
+    value: float  # [m or rad]
+    phi: float  # [rad] of the first place that has it
+
+
+@record
+class Shock:
+    """A jump of a derivative of y."""
+
+    order: int  # 1: rigid shock, 2: soft shock, 3: of the jerk
+    phi: float  # [rad]
+    jump: float  # [m or rad], what is after less what is before
+
+
+@record
+class LawResult:
+    """The motion of a follower at n rows."""
+
+    positions: Positions  # (n,)
+    turns: bool  # a rocker: y [rad], else [m]
+    motion: Values  # (4, n): y, y', y'', y'''
+    phase: Indices  # (n,) number of the phase
+    part: Values  # (n,) k of its phase; 0 in the low dwell, 1 in the high one
+    speed: float | None  # omega [rad/s]
+    stroke: float  # h [m] or psi_m [rad]
+    phases: tuple[PhaseMotion, ...]
+    extremes: tuple[MotionExtreme, ...]  # largest and least of y', y'', y'''
+    shocks: tuple[Shock, ...]
+    remarks: tuple[str, ...]
+
+    @property
+    def in_time(self) -> Values | None:
+        """Velocity, acceleration, jerk (3, n) [m or rad, s]; None without a speed."""
+        if self.speed is None:
+            return None
+        return self.motion[1:] * self.speed ** np.arange(1, 4)[:, None]
+
+
+def solve_law(task: CamTask) -> LawResult:
+    """Rows, constants and shocks of the motion that a task gives."""
+    program, rows = task.program, task.positions
+    phase = program.places[0][rows.piece]
+    shocks = tuple(_shocks(program))
+    turns = task.asked.kind == "oscillating"
+    return LawResult(
+        rows,
+        turns,
+        task.motion,
+        phase,
+        _parts(program, rows.phi, phase),
+        None if task.loads is None else task.loads.speed,
+        program.stroke,
+        tuple(_phases(program)),
+        tuple(_extremes(program)),
+        shocks,
+        (*task.remarks, *overshoot_remarks(program, turns), *_remarks(shocks, turns)),
+    )
+
+
+def _parts(program: Program, phi: Values, phase: Indices) -> Values:
+    """k (n,) of the phases that hold phi; it runs from 1 to 0 on the return."""
+    angles = np.array([each.angle for each in program.phases])
+    k = np.clip((phi - program.starts[phase]) / angles[phase], 0.0, 1.0)
+    back = np.array([each.end < each.start for each in program.phases])
+    still = np.array([-1.0 if each.moves else float(each.start > 0) for each in program.phases])
+    return np.where(still[phase] >= 0, still[phase], np.where(back[phase], 1 - k, k))
+
+
+def _phases(program: Program) -> Iterator[PhaseMotion]:
+    for begin, each in zip(program.starts.tolist(), program.phases, strict=False):
+        law = None if each.law is None else constants(each.law)
+        yield PhaseMotion(each.kind, begin, begin + each.angle, each.start, each.end, law)
+
+
+def _extremes(program: Program) -> Iterator[MotionExtreme]:
+    """Both one-sided limits count where something jumps; of equal values the first."""
+    on, sampled = program.panels, program.sampled
+    for order in (1, 2, 3):
+        at, found = on.turning(sampled[order])
+        for sign in (1, -1):
+            best = np.max(sign * found)
+            level = np.flatnonzero(sign * found >= best - LEVEL * np.max(np.abs(found)))
+            first = level[np.argmin(at[level])]
+            yield MotionExtreme(order, float(found[first]) + 0.0, float(at[first]))
+
+
+def _shocks(program: Program) -> Iterator[Shock]:
+    """All jumps by angle, the gravest first at one angle."""
+    for place, jumps in zip(program.edges.tolist(), program.jumps.T.tolist(), strict=False):
+        for order in (1, 2, 3):
+            if jumps[order]:
+                yield Shock(order, place, jumps[order])
+
+
+def _remarks(shocks: tuple[Shock, ...], turns: bool) -> Iterator[str]:
+    unit, factor = ("", 1.0) if turns else (" mm", 1e3)
+    for order, grade, what in ((1, "warning", "y' jumps"), (2, "note", "y'' jumps")):
+        found = [shock for shock in shocks if shock.order == order]
+        if found:
+            said = ", ".join(
+                f"by {factor * shock.jump:+.6g}{unit} at phi = {degrees(shock.phi):.6g} deg" for shock in found
+            )
+            yield f"{grade}: {SHOCKS[order]}: {what} {said}"
+
+
+def law_columns(result: LawResult) -> dict[str, np.ndarray]:
+    """Columns of all rows in SI by their headers."""
+    kinds = np.array([each.kind for each in result.phases])
+    name, unit = ("psi", "rad") if result.turns else ("S", "m")
+    columns = {
+        "i": np.array(result.positions.labels),
+        "phase": kinds[result.phase],
+        "phi[deg]": degrees_of(result.positions.phi),
+        "k": result.part,
+        f"d{name}[{unit}]": result.motion[0],
+    }
+    derived = "" if result.turns else "[m]"
+    columns |= {f"{name}{order}{derived}": result.motion[order] for order in (1, 2, 3)}
+    timed = result.in_time
+    if timed is not None:
+        names = ("omega", "eps", "jerk") if result.turns else ("v", "a", "jerk")
+        powers = ("s", "s^2", "s^3")
+        columns |= {f"{each}[{unit}/{s}]": row for each, s, row in zip(names, powers, timed, strict=True)}
+    return columns

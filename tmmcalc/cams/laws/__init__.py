@@ -1,0 +1,1 @@
+"""Laws of motion of a follower: the catalogue, and laws of the user's own."""

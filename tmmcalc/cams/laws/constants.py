@@ -1,0 +1,93 @@
+"""What a law costs: the largest values of its derivatives, and where they stand (table 5.1).
+
+Cv = max s'    Ca = max|s''|    Cj = max|s'''|    k_M, s_M: where s'' is most negative, which springs ask for
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tmmcalc.cams.laws.law import Law, Values
+from tmmcalc.numerics.panels import Panels, panels
+from tmmcalc.records import record
+
+WIDEST = 1 / 8  # of a panel: a piece of a catalogue law is resolved to rounding on it
+LEVEL = 1e-12  # of the largest: values that count as equal
+SOFT = 1e-9  # of the largest: a smaller jump is rounding
+
+
+@record
+class LawConstants:
+    """Largest values of one law; k is the part of its phase."""
+
+    name: str
+    velocity: float  # Cv
+    velocity_at: float  # k
+    acceleration: float  # Ca
+    acceleration_at: float  # k of the largest s''
+    jerk: tuple[float, float]  # least and largest s'''
+    braking: float  # least s'', negative
+    braking_at: float  # k_M
+    braking_lift: float  # s_M = s(k_M)
+    power: float  # max s' s''
+    power_at: float  # k
+    shocks: tuple[tuple[float, float], ...]  # (k, jump of s'): rigid shocks
+    jolts: tuple[tuple[float, float], ...]  # (k, jump of s''): soft shocks
+
+    @property
+    def largest_jerk(self) -> float:
+        """Cj; without the shocks, at which it is infinite."""
+        return max(abs(self.jerk[0]), abs(self.jerk[1]))
+
+
+def constants(law: Law) -> LawConstants:
+    """The constants of a law, exact to rounding for pieces that are smooth.
+
+    >>> from tmmcalc.cams.laws.catalogue import LAWS
+    >>> found = constants(LAWS["shun"])
+    >>> round(found.acceleration, 6), round(found.braking_at, 6), round(found.braking_lift, 6)
+    (5.773503, 0.788675, 0.933013)
+    """
+    on = panels(0.0, 1.0, law.breaks, WIDEST)
+    first, second, third = _sampled(law, on)[1:]
+    velocity, velocity_at = _first(on, first)
+    rising, rising_at = _first(on, second)
+    braking, braking_at = _first(on, second, -1)
+    (jerk_low, _), (jerk_high, _) = on.extremes(third)
+    power, power_at = _first(on, first * second)
+    lift = float(law.at(np.array([braking_at]))[0, 0])
+    return LawConstants(
+        law.name,
+        velocity,
+        velocity_at,
+        max(rising, -braking),
+        rising_at,
+        (jerk_low, jerk_high),
+        braking,
+        braking_at,
+        lift,
+        power,
+        power_at,
+        _jumps(law, 0, velocity),
+        _jumps(law, 1, max(rising, -braking)),
+    )
+
+
+def _sampled(law: Law, on: Panels) -> Values:
+    middle = (on.edges[:-1] + on.edges[1:]) / 2
+    piece = np.repeat(law.piece(middle), on.order)
+    return law.at(on.x.ravel(), piece).reshape(-1, *on.x.shape)
+
+
+def _first(on: Panels, values: Values, sign: int = 1) -> tuple[float, float]:
+    """The largest (or with -1 the least) value and the first place that has it: a plateau counts from its begin."""
+    at, found = on.turning(values)
+    best = np.max(sign * found)
+    level = np.flatnonzero(sign * found >= best - LEVEL * np.max(np.abs(found)))
+    first = level[np.argmin(at[level])]
+    return float(found[first]), float(at[first])
+
+
+def _jumps(law: Law, row: int, size: float) -> tuple[tuple[float, float], ...]:
+    jumps = law.jumps[row]
+    return tuple((float(k), float(jump)) for k, jump in zip(law.breaks, jumps, strict=True) if abs(jump) > SOFT * size)

@@ -1,0 +1,8 @@
+"""Optimal design: the lowest mechanism that keeps every constraint, and the blocking contour in the plane of S0 and r2.
+
+``scene`` holds what does not depend on the sizes, ``margins`` the constraints as functions of S0, r2 and H2; ``guide``
+turns them into a range of guide lengths, by which ``steps`` searches whole steps, while ``slipping`` takes out what
+slips at any height; ``least`` finds the continuous optimum; ``contour`` gives the region over the ``plane`` of S0 and
+r2, its ``border`` and the single ``curves``; ``relax`` re-solves for looser limits, ``game`` for other laws, springs,
+materials and rollers; ``flat`` is the chart of a flat-faced follower; ``solve`` puts them together.
+"""

@@ -1,0 +1,84 @@
+"""The plane of S0 and r2 at one height H2: margins over it, the box that holds the region, roots along edges."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tmmcalc.cams.laws.law import Indices, Values
+from tmmcalc.cams.optimum.margins import margins
+from tmmcalc.cams.optimum.scene import Scene
+from tmmcalc.numerics.roots import bracketed
+
+COARSE = 9  # nodes a side that show where the region lies
+GROWTH = 0.6  # of its size by which the box grows where the region goes on
+ROUNDS = 14
+
+
+class Plane:
+    """The plane of S0 and r2 at one height."""
+
+    def __init__(self, scene: Scene, height: float) -> None:
+        self.scene, self.height = scene, height
+        room = height - scene.stroke - scene.guide.gap
+        self.outer = np.array([[1e-3 * room, room], [1e-3 * room, room]])
+
+    def held(self, x: Values, y: Values) -> Values:
+        """Margins (8, n)."""
+        return margins(self.scene, x, y, np.full(len(x), self.height))
+
+    def one(self, at: Values, row: Indices) -> Values:
+        """The margin of row (n,) at points (2, n)."""
+        found: Values = self.held(*at)[row, np.arange(len(row))]
+        return found
+
+    def grid(self, x: Values, y: Values) -> Values:
+        """Margins (8, nx, ny)."""
+        found = self.held(np.repeat(x, len(y)), np.tile(y, len(x)))
+        return found.reshape(len(found), len(x), len(y))
+
+    def limited(self, box: Values) -> Values:
+        """The part of a box (2, 2) that belongs to the plane."""
+        return np.clip(box, self.outer[:, :1], self.outer[:, 1:])
+
+    def box_of(self, seeds: Values) -> Values:
+        """A box (2, 2) that just holds the region around the seeds (2, n)."""
+        low, high = seeds.min(axis=1), seeds.max(axis=1)
+        size = np.maximum(high - low, 0.01 * self.outer[:, 1])
+        box = self.limited(np.stack((low - size / 2, high + size / 2), axis=1))
+        for _ in range(ROUNDS):
+            x, y = np.linspace(box[:, 0], box[:, 1], COARSE).T
+            good = np.all(self.grid(x, y) >= 0, axis=0)
+            ends = np.array([[good[0].any(), good[-1].any()], [good[:, 0].any(), good[:, -1].any()]])
+            grown = self.limited(box + GROWTH * np.diff(box, axis=1) * np.where(ends, [-1.0, 1.0], 0.0))
+            if np.array_equal(grown, box):
+                return self._tight(x, y, good, seeds)
+            box = grown
+        return box
+
+    def _tight(self, x: Values, y: Values, good: Values, seeds: Values) -> Values:
+        """The box of the good nodes and the seeds, a cell wider."""
+        rows, columns = np.flatnonzero(good.any(axis=1)), np.flatnonzero(good.any(axis=0))
+        sides = []
+        for nodes, which, own in ((x, rows, seeds[0]), (y, columns, seeds[1])):
+            cell = nodes[1] - nodes[0]
+            held = np.concatenate((nodes[which], own))
+            sides.append([held.min() - cell, held.max() + cell])
+        return self.limited(np.array(sides))
+
+    def roots(self, one: Values, way: Values, row: Indices | None, near: float = 0.0) -> Values:
+        """Points (2, n) between ``one``, which is inside, and ``one`` + ``way`` (2, n), which is outside.
+
+        ``row`` (n,) are the margins that are meant, None the least of all; ``near`` is the error as a part of the way.
+        """
+        rows = np.flatnonzero(np.any(way != 0, axis=0))
+
+        def margin(part: Values, which: Indices) -> Values:
+            own = rows[which]
+            at = one[:, own] + part * way[:, own]
+            found: Values = self.held(*at).min(axis=0) if row is None else self.one(at, row[own])
+            return np.maximum(found, -1.0)  # beyond a jam a margin says no more than its sign
+
+        part = np.zeros(one.shape[1])
+        part[rows] = bracketed(margin, np.zeros(len(rows)), np.ones(len(rows)), absolute=near)
+        found: Values = one + part * way
+        return found

@@ -1,0 +1,82 @@
+"""Why there are no sizes: which constraints exclude each other, and the sizes that come nearest."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+
+from tmmcalc.cams.optimum.checks import checks
+from tmmcalc.cams.optimum.guide import SINGLE, TALL, Range, ranges
+from tmmcalc.cams.optimum.margins import NAMES, judge
+from tmmcalc.cams.optimum.results import Check
+from tmmcalc.cams.optimum.scene import WHERE, Scene
+from tmmcalc.cams.task import Optimum
+from tmmcalc.errors import NoSolutionError
+
+NODES = 48  # of each side of the plane
+UNITS = {"m": ("mm", 1e3), "Pa": ("MPa", 1e-6)}
+REMEDIES = {
+    2: "roller_friction, roller_inertia",
+    3: "convex_radius",
+    4: "concave_radius, allow_concave",
+    5: "pin_pressure, roller_ratio",
+    6: "bending, deflection, span",
+    7: "bending, the stem's radius",
+    8: "guide_pressure, land, stem_radius",
+    9: "contact, width",
+}
+
+
+def refusal(scene: Scene, asked: Optimum) -> NoSolutionError:
+    """The error that tells what stands against each other."""
+    base = scene.stroke + scene.guide.gap
+    high = max(20 * scene.stroke, 0.2) if asked.heights is None else asked.heights[1] - base
+    side = high * np.arange(1, NODES + 1) / NODES
+    start, roller = np.repeat(side, NODES), np.tile(side, NODES)
+    inside = roller < np.hypot(start, scene.follower.offset)
+    start, roller = start[inside], roller[inside]
+    each = ranges(scene, start, roller)
+    top = np.full(len(start), TALL if asked.heights is None else asked.heights[1])
+    room = Range(np.zeros(len(start)), np.maximum(top - base - start - roller, 0.0))
+    at = np.minimum(top, base + start + roller + 10 * scene.stroke)
+    found = judge(scene, start, roller, at)
+    best = int(np.argmax(np.min(found.margin, axis=0)))
+    broken = [
+        c for c in checks(scene, found, best, float(start[best]), float(roller[best])) if c.judged and c.margin < 0
+    ]
+    keys = _conflict(each, room)
+    names = " and ".join(f"{key} ({NAMES[key]})" for key in keys)
+    what = "the constraints together leave"
+    if keys:
+        what = f"constraint {names} leaves" if len(keys) == 1 else f"constraints {names} leave"
+    within = "" if asked.heights is None else f" with H2 up to {1e3 * asked.heights[1]:g} mm"
+    said = "; ".join(_said(c) for c in broken)
+    nearest = f"S0 = {1e3 * start[best]:.4g}, r2 = {1e3 * roller[best]:.4g}, H2 = {1e3 * at[best]:.4g} mm"
+    return NoSolutionError(
+        f"{what} no S0 and r2{within}; nearest is {nearest}, with {said or 'no step point'}",
+        where=WHERE,
+        value=broken[0].value if broken else None,
+        limit=broken[0].limit if broken else None,
+        remedy="look at " + "; ".join(REMEDIES[key] for key in keys or [c.number for c in broken] or [8]),
+    )
+
+
+def _conflict(each: dict[int, Range], room: Range) -> tuple[int, ...]:
+    """The fewest constraints that leave no point together."""
+    for count in (1, 2, 3):
+        for keys in combinations(SINGLE, count):
+            left = room
+            for key in keys:
+                left = left.meet(each[key])
+            if not left.some.any():
+                return keys
+    return ()
+
+
+def _said(check: Check) -> str:
+    unit, factor = UNITS.get(check.unit, ("", 1.0))
+    limit = "none" if check.limit is None else f"{check.limit * factor:.4g}"
+    against = ">" if check.relation == "<=" else "<"
+    value = 0.0 if check.value is None else check.value * factor
+    return f"{check.number} {check.name}: {check.symbol} = {value:.4g} {against} {limit} {unit}".rstrip()

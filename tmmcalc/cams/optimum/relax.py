@@ -1,0 +1,84 @@
+"""What a looser limit would buy: the least H2 again, with the limit of one active constraint 1 % looser, or at the next
+preferred number (R20).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from math import floor, log10
+
+from tmmcalc.cams.optimum.least import QUICK, least_height
+from tmmcalc.cams.optimum.results import Choice, Relaxation
+from tmmcalc.cams.optimum.scene import Scene
+
+R20 = (1.0, 1.12, 1.25, 1.4, 1.6, 1.8, 2.0, 2.24, 2.5, 2.8, 3.15, 3.55, 4.0, 4.5, 5.0, 5.6, 6.3, 7.1, 8.0, 9.0, 10.0)
+PART = 0.01
+REGION = 0.05  # of S0: how far the optimum may go in a step
+
+
+def relaxations(scene: Scene, least: Choice) -> Iterator[Relaxation]:
+    """Every active constraint of the lowest mechanism, relaxed in both ways."""
+
+    def height(other: Scene) -> float:
+        return least_height(other, least.start, least.roller, least.height, REGION, QUICK).height
+
+    return bought(scene, least, height)
+
+
+def bought(scene: Scene, least: Choice, height: Callable[[Scene], float]) -> Iterator[Relaxation]:
+    """The same with the least H2 of a scene as a function."""
+    for number in least.active:
+        limit = _limit(scene, number)
+        if limit is None:
+            continue
+        key, before, way, unit = limit
+        for preferred in (False, True):
+            after = next_preferred(before, way) if preferred else before * (1 + way * PART)
+            found = height(relaxed(scene, key, after))
+            yield Relaxation(number, key, unit, before, after, preferred, found, least.height - found)
+
+
+def _limit(scene: Scene, number: int) -> tuple[str, float, int, str] | None:
+    """The limit behind a constraint: its key in the spec, its value, and which way is looser."""
+    need, limits = scene.requirements, scene.limits
+    by_stress: tuple[str, float | None, int, str] = ("bending", need.bending, 1, "Pa")
+    table: dict[int, tuple[str, float | None, int, str]] = {
+        2: ("roller_friction", need.roller_friction, 1, "-"),
+        3: ("convex_radius", limits.convex, -1, "m"),
+        4: ("concave_radius", limits.concave if limits.allow_concave else None, -1, "m"),
+        5: ("pin_pressure", need.pin_pressure, 1, "Pa")
+        if need.pin is None
+        else ("roller_ratio", need.roller_ratio, -1, "-"),
+        6: by_stress if need.deflection is None else ("deflection", need.deflection, 1, "m"),
+        7: by_stress,
+        8: ("guide_pressure", need.guide_pressure, 1, "Pa"),
+        9: ("contact", need.contact, 1, "Pa"),
+    }
+    key, value, way, unit = table.get(number, ("", None, 0, ""))
+    return None if not value else (key, value, way, unit)
+
+
+def relaxed(scene: Scene, key: str, value: float) -> Scene:
+    """The scene with another limit."""
+    limits, need = scene.limits, scene.requirements
+    if key == "convex_radius":
+        limits = replace(limits, convex=value)
+    elif key == "concave_radius":
+        limits = replace(limits, concave=value)
+    else:
+        need = replace(need, **{key: value})
+    return replace(scene, limits=limits, requirements=need)
+
+
+def next_preferred(value: float, way: int) -> float:
+    """The next number of the series R20 above (way 1) or below it.
+
+    >>> next_preferred(5e6, 1), next_preferred(0.075, -1)
+    (5600000.0, 0.071)
+    """
+    decade = 10.0 ** floor(log10(value) + 1e-12)
+    if way > 0:
+        return float(f"{next(n for n in R20 if n * decade > value * (1 + 1e-9)) * decade:.12g}")
+    below = [n for n in (0.9, *R20) if n * decade < value * (1 - 1e-9)]
+    return float(f"{below[-1] * decade:.12g}")

@@ -1,0 +1,168 @@
+"""What is wrong with a profile: refused where it cannot move the follower, else said with its place and size."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees, tau
+
+from tmmcalc.cams.pivot import told
+from tmmcalc.cams.profile.results import Crossing, Place, Profile, Reach, Wall
+from tmmcalc.cams.task import CamTask
+from tmmcalc.errors import NoSolutionError
+
+BASE_PART, BEND_PART = 0.4, 0.7  # the rule r2 <= min(0.4 R0, 0.7 rho_min)
+AT_LIMIT = 1e-9  # relative
+NAMES = {
+    "inner": "working profile",
+    "outer": "second wall",
+    "tool": "path of the tool",
+    "outer tool": "path of the tool",
+}
+
+
+def refuse(found: Profile, task: CamTask) -> None:
+    """Raise `NoSolutionError` for a cam that cannot work.
+
+    A wall that turns back or crosses itself lets the follower leave its law; a cam over the pivot cannot turn.
+    """
+    for wall in (found.working, found.outer):
+        if wall is None or wall.sound:
+            continue
+        raise NoSolutionError(
+            f"the {NAMES[wall.name]} {fault(wall)}",
+            where="cam profile",
+            value=found.sharpest.value if found.flat else found.follower.roller,
+            limit=_limit(found, wall),
+            remedy=_remedy(found, wall, task),
+        )
+    room = found.pivot
+    if room is not None and room.clearance <= 0:
+        raise NoSolutionError(
+            told(room),
+            where="cam profile",
+            value=room.radius,
+            limit=room.limit,
+            remedy="a larger centre_distance, a smaller start_angle, stroke or rocker_length",
+        )
+
+
+def fault(wall: Wall) -> str:
+    """What a wall does that it must not, at the worst place; the rest is counted."""
+    said = []
+    if wall.loops:
+        low, high = max(wall.loops, key=lambda each: each[1] - each[0])
+        rest = _rest(len(wall.loops))
+        said.append(f"is undercut: it runs backwards from phi = {_deg(low)} to {_deg(high)} deg{rest}")
+    if wall.crossings:
+        worst, rest = max(wall.crossings, key=_cut_off), _rest(len(wall.crossings))
+        said.append(f"crosses itself at phi = {_deg(worst.first)} and {_deg(worst.second)} deg{rest}")
+    return ", and ".join(said) or "touches itself"
+
+
+def _cut_off(crossing: Crossing) -> float:
+    """The angle that the follower loses to a crossing."""
+    between = crossing.second - crossing.first
+    return min(between, tau - between)
+
+
+def _rest(count: int) -> str:
+    """How many lesser places there are."""
+    return "" if count == 1 else f" and at {count - 1} lesser place{'s' if count > 2 else ''}"
+
+
+def _limit(found: Profile, wall: Wall) -> float:
+    limit = found.inner_reach if wall.name == "inner" else found.outer_reach
+    return 0.0 if limit is None else limit.distance
+
+
+def _remedy(found: Profile, wall: Wall, task: CamTask) -> str:
+    if found.flat:
+        need = found.follower.start - found.sharpest.value
+        with_margin = _mm(need + task.limits.convex)
+        return f"a start_distance above {_mm(need)}, or {with_margin} for radii of {_mm(task.limits.convex)}"
+    limit = found.inner_reach if wall.name == "inner" else found.outer_reach
+    assert limit is not None
+    return f"a roller_radius below {_mm(limit.distance)} ({_cause(limit)}), or a larger base circle"
+
+
+def _cause(limit: Reach) -> str:
+    places = " and ".join(f"{_deg(phi)} deg" for phi in limit.at)
+    return f"{'a point' if limit.cause == 'cusp' else 'a neck between'} phi = {places}"
+
+
+def remarks(found: Profile, task: CamTask) -> Iterator[str]:
+    """Graded remarks: a limit that is not kept is a warning, a rule of thumb a note."""
+    for wall in found.walls:
+        if not wall.sound and not wall.name.endswith("tool"):
+            yield f"warning: the {NAMES[wall.name]} {fault(wall)}"
+    if found.pivot is not None and found.pivot.clearance <= 0:
+        yield f"warning: {told(found.pivot)}"
+    yield from _flat_remarks(found, task) if found.flat else _roller_remarks(found, task)
+    yield from _concave_remarks(found, task)
+    yield from _tool_remarks(found)
+    shaft = task.limits.shaft
+    if found.nearest.value < shaft:
+        yield (
+            f"warning: the profile comes to {_mm(found.nearest.value)} of the axis at phi = {_deg(found.nearest.phi)} "
+            f"deg, the shaft has a radius of {_mm(shaft)}"
+        )
+
+
+def _flat_remarks(found: Profile, task: CamTask) -> Iterator[str]:
+    least, limit = found.sharpest, task.limits.convex
+    if 0 <= least.value < limit * (1 - AT_LIMIT):
+        yield (
+            f"warning: the profile has a radius of {_mm(least.value)} {_at(least)}, less than r_m = {_mm(limit)}: "
+            f"S0 has to be at least {_mm(found.follower.start + limit - least.value)}"
+        )
+
+
+def _roller_remarks(found: Profile, task: CamTask) -> Iterator[str]:
+    r2, limit, reach = found.follower.roller, task.limits.convex, found.inner_reach
+    least, bend = found.least_convex, 1 / found.sharpest.value
+    if reach is not None and found.working.sound and r2 >= reach.distance * (1 - AT_LIMIT):
+        yield f"warning: the roller is the largest that works, {_mm(reach.distance)} ({_cause(reach)})"
+    if found.working.sound and least < limit * (1 - AT_LIMIT):
+        yield (
+            f"warning: the profile has a radius of {_mm(least)} {_at(found.sharpest)}, less than r_m = {_mm(limit)}: "
+            f"the roller may have {_mm(max(bend - limit, 0.0))}"
+        )
+    for part, size, name in ((BASE_PART, found.follower.base, "R0"), (BEND_PART, bend, "rho_min")):
+        if r2 > part * size * (1 + AT_LIMIT):
+            yield f"note: the roller of {_mm(r2)} is above {part} {name} = {_mm(part * size)}, the usual rule"
+
+
+def _concave_remarks(found: Profile, task: CamTask) -> Iterator[str]:
+    least, place = found.least_concave, found.hollowest
+    if least is None or place is None:
+        return
+    if not task.limits.allow_concave:
+        yield f"warning: the profile is concave, with a radius of {_mm(least)} {_at(place)}, which is not allowed"
+    elif least < task.limits.concave * (1 - AT_LIMIT) and found.tool_radius is None:
+        yield (
+            f"warning: concave parts have a radius of {_mm(least)} {_at(place)}, less than "
+            f"r_i = {_mm(task.limits.concave)} of the tool"
+        )
+
+
+def _tool_remarks(found: Profile) -> Iterator[str]:
+    tool, most = found.tool, found.largest_tool
+    if tool is None or tool.sound or most is None or found.tool_radius is None:
+        return
+    yield (
+        f"warning: the tool of radius {_mm(found.tool_radius)} cuts into the profile: its path {fault(tool)}; "
+        f"the largest tool that works has {_mm(most)}"
+    )
+
+
+def _at(place: Place) -> str:
+    side = {-1: "just before ", 0: "at ", 1: "just after "}[place.side]
+    return f"{side}phi = {_deg(place.phi)} deg"
+
+
+def _deg(phi: float) -> str:
+    return f"{degrees(phi % tau if phi > tau else phi):.6g}"
+
+
+def _mm(length: float) -> str:
+    return f"{1e3 * length:.6g} mm"

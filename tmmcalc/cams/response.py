@@ -1,0 +1,138 @@
+"""A mass on a spring and damper whose other end the cam moves: the response along the turn, in closed form on panels.
+
+    z'' + 2 zeta w z' + w^2 z = -y''        z = x - y, in time; zeta < 1
+
+With lambda = -zeta w + i w_d, w_d = w sqrt(1 - zeta^2), the number q = z' - conj(lambda) z obeys q' = lambda q - y'':
+
+    q(t) = e^(lambda (t - t0)) (q(t0) - int e^(-lambda (s - t0)) y''(s) ds),   z = Im q/w_d,   z' = Re q - zeta w z
+
+The integral is that of an analytic function over a panel with no jump in it, so Gauss points give it to rounding. The
+cam may turn at a varying speed: dt = dphi/omega and y'' in time is y'' omega^2 + y' omega domega/dphi.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.cams.laws.law import Law, Values
+from tmmcalc.cams.program import Program
+from tmmcalc.cams.speed import Speed
+from tmmcalc.errors import SingularityError, UsageError
+from tmmcalc.numerics.panels import Panels, panels, rule
+from tmmcalc.records import record
+
+Complex = NDArray[np.complexfloating]
+SPAN = 2.0  # of |lambda| t on a panel
+MANY = 40_000  # panels of a turn
+RESONANT = 1e-9  # what a turn takes from a vibration: below it there is no steady state
+
+
+@record
+class Course:
+    """The steady vibration over a turn at the points (K, N) of panels, and q at their edges."""
+
+    panels: Panels
+    lift: Values  # y (K, N) [m or rad]
+    given: Values  # y'' in time (K, N)
+    stretch: Values  # z (K, N)
+    mass: Values  # x'' (K, N) of the mass
+    edges: Complex  # q (K + 1,)
+    time: Values  # of the edges (K + 1,) [s]
+
+
+def steady(program: Program, speed: Speed, frequency: float, damping: float) -> Course:
+    """The periodic response at the natural frequency w [rad/s] and damping zeta.
+
+    Raises `SingularityError` at resonance without damping, `UsageError` where w is too high to follow.
+    """
+    rate = _rate(frequency, damping)
+    on, lift, given, inverse = _forcing(program, speed, abs(rate))
+    _, time = on.primitive(inverse)
+    ratio, kicks, inner = _panels(on, given, inverse, rate)
+    total = np.exp(rate * time[-1])
+    if abs(1 - total) < RESONANT:
+        turns = frequency * time[-1] / (2 * np.pi)
+        raise SingularityError(
+            f"resonance: the natural frequency is {turns:.6g} times that of the cam and nothing damps it",
+            where="cam_elastic",
+            value=float(turns),
+            remedy="give [cam.elastic] damping, another stiffness or another speed",
+        )
+    edges = _chained(ratio, kicks, 0j)
+    edges = _chained(ratio, kicks, edges[-1] / (1 - total))
+    q = inner + edges[:-1, None] * np.exp(rate * _inside(on, inverse))
+    z = q.imag / rate.imag
+    mass = -2 * damping * frequency * (q.real + rate.real * z) - frequency**2 * z
+    return Course(on, lift, given, z, mass, edges, time)
+
+
+def _rate(frequency: float, damping: float) -> complex:
+    return complex(-damping * frequency, frequency * np.sqrt(1 - damping**2))
+
+
+def _forcing(program: Program, speed: Speed, rate: float) -> tuple[Panels, Values, Values, Values]:
+    """Panels on which |lambda| t is small, with y, y'' in time and dt/dphi (K, N)."""
+    slow = float(np.min(speed.omega))
+    widest = SPAN * slow / rate
+    end = float(program.starts[-1])
+    if end / widest > MANY:
+        raise UsageError(
+            f"the natural frequency is {rate / slow:.4g} times that of the cam: the follower is rigid at this speed",
+            where="cam_elastic",
+            value=rate / slow,
+            limit=MANY * SPAN / end,
+            remedy="leave [cam.elastic] out, or check its stiffness",
+        )
+    on = panels(0.0, end, [*program.panels.edges.tolist(), *speed.edges.tolist()], min(widest, np.pi / 12))
+    x, middle = on.x, (on.edges[:-1] + on.edges[1:]) / 2
+    piece = np.clip(np.searchsorted(program.edges, middle) - 1, 0, len(program.edges) - 2)
+    motion = program.at(x.ravel(), np.repeat(piece, on.order))
+    given = speed.acceleration(x.ravel(), motion)
+    inverse = 1 / speed.at(x.ravel())[0]
+    return on, motion[0].reshape(x.shape), given.reshape(x.shape), inverse.reshape(x.shape)
+
+
+def _inside(on: Panels, inverse: Values) -> Values:
+    """Time (K, N) since the lower edge of the panel."""
+    found: Values = inverse @ rule(on.order).primitive.T * on.width[:, None]
+    return found
+
+
+def _panels(on: Panels, given: Values, inverse: Values, rate: complex) -> tuple[Complex, Complex, Complex]:
+    """Factor and addition of q over every panel (K,), and q (K, N) at its points from rest at its lower edge."""
+    r, time = rule(on.order), _inside(on, inverse)
+    whole = inverse @ r.weights * on.width
+    kernel = np.exp(-rate * time) * given * inverse * on.width[:, None]
+    ratio = np.exp(rate * whole)
+    return ratio, -ratio * (kernel @ r.weights), -np.exp(rate * time) * (kernel @ r.primitive.T)
+
+
+def _chained(ratio: Complex, kicks: Complex, first: complex) -> Complex:
+    """q (K + 1,) at the edges from q at the first one."""
+    found, q = [first], first
+    for factor, kick in zip(ratio.tolist(), kicks.tolist(), strict=True):
+        q = factor * q + kick
+        found.append(q)
+    return np.array(found)
+
+
+def residual(law: Law, ratio: Values, damping: float = 0.0) -> Values:
+    """Amplitude (n,) of the vibration after a rise from rest, over the stroke.
+
+    ``ratio`` (n,) is the time of the phase over the natural period.
+
+    >>> from tmmcalc.cams.laws.catalogue import LAWS
+    >>> residual(LAWS["sine"], np.array([1.5])).round(12).tolist()
+    [0.169765272631]
+    """
+    frequency = 2 * np.pi * ratio
+    rate = frequency * complex(-damping, np.sqrt(1 - damping**2))
+    on = panels(0.0, 1.0, law.breaks.tolist(), SPAN / max(float(np.max(frequency)), 8.0))
+    middle = (on.edges[:-1] + on.edges[1:]) / 2
+    piece = np.clip(np.searchsorted(law.breaks, middle) - 1, 0, law.count - 1)
+    k = on.x.ravel()
+    given = law.at(k, np.repeat(piece, on.order))[2]
+    weights = (on.width[:, None] * rule(on.order).weights).ravel() * given
+    found: Values = np.abs(np.exp(rate[:, None] * (1 - k)) @ weights) / np.abs(rate.imag)
+    return found

@@ -1,0 +1,136 @@
+"""Margins of the roller: it does not slip, its pin is strong enough, the contact stress."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from tmmcalc.cams.forces.turn import crossings, divided, spans
+from tmmcalc.cams.strength.kernels import (
+    HERTZ,
+    cylinder,
+    pin_pressure,
+    pin_radius,
+    resisting,
+    slip,
+    unused,
+)
+from tmmcalc.cams.strength.results import OPEN, Margin, RollerUnit, Rolling
+from tmmcalc.cams.strength.shape import judged, stressed
+from tmmcalc.cams.strength.work import Case, contact_square, curved
+
+SLIP = "|C1 + C2 A/|R|| <= 1 (5.72)"
+CONTACT = "0.418 sqrt(E_n R/b (1/(rho - r2) + 1/r2)) (5.90)"
+TOO_THICK = "the pin does not fit into the roller"
+FLAT = "0.418 sqrt(E_n R/(b rho)) (5.90)"
+
+
+def roller_unit(case: Case) -> RollerUnit | None:
+    """Pin as given, or by the pressure on it; None without data (5.82 to 5.84)."""
+    needs = case.needs
+    if case.flat or not case.follower.roller:
+        return None
+    if needs.pin is None and needs.pin_pressure is None:
+        return None
+    pin = needs.pin
+    if pin is None:
+        pin = float(pin_radius(case.pressing.size, needs.pin_pressure or 1.0, needs.pin_ratio))
+    return RollerUnit(pin, needs.pin is not None, needs.roller_ratio * pin)
+
+
+def unit_margins(case: Case, unit: RollerUnit | None) -> Iterator[Margin]:
+    """Constraint 5: least roller, and the pressure on a pin that is given."""
+    name, formula = "roller unit", "r2 >= alpha0 r0, r0 = 0.5 sqrt(R/(alpha2 [sigma_0])) (5.83, 5.84)"
+    if unit is None:
+        why = _no_roller(case) or "give pin_pressure or pin in [cam.requirements]"
+        yield Margin(name, 5, OPEN, formula, why=why)
+        return
+    roller, at = case.follower.roller, case.pressing.place
+    yield judged(name, 5, formula, "r2*", "m", unit.least, roller, float(unused(unit.least, roller)), at)
+    limit = case.needs.pin_pressure
+    if unit.given and limit is not None:
+        value = float(pin_pressure(case.pressing.size, unit.pin, case.needs.pin_ratio))
+        formula = "R/(4 alpha2 r0^2) <= [sigma_0] (5.82)"
+        yield judged("pressure on the pin", 5, formula, "p", "Pa", value, limit, float(unused(value, limit)), at)
+
+
+def rolling_of(case: Case, unit: RollerUnit | None) -> Rolling | None:
+    """C1, C2 and where the roller slips; None without data."""
+    needs = case.needs
+    if unit is not None and not unit.fits(case.follower.roller):
+        return None
+    inertia = _inertia(case, unit)
+    if needs.rolling_arm is None or needs.roller_friction is None or inertia is None or not case.follower.roller:
+        return None
+    friction, roller = needs.roller_friction, case.follower.roller
+    pin = unit.pin if unit else 0.0
+    c1 = float(resisting(needs.rolling_arm, needs.pin_friction or 0.0, pin, friction, roller))
+    c2 = inertia * case.loads.speed**2 / (friction * roller**2)
+    return Rolling(c1, c2, inertia, _slipping(case, c1, c2))
+
+
+def _inertia(case: Case, unit: RollerUnit | None) -> float | None:
+    """Of the roller: given, or of a hollow cylinder."""
+    needs = case.needs
+    if needs.roller_inertia is not None:
+        return needs.roller_inertia
+    if needs.width is None or unit is None:
+        return None
+    return float(cylinder(needs.width, needs.roller_density, case.follower.roller, unit.pin))
+
+
+def _slipping(case: Case, c1: float, c2: float) -> tuple[tuple[float, float], ...]:
+    """Intervals where |C1 |R| + C2 A| > |R|, which is smooth and has a sense where R is 0."""
+    course = case.course
+    size, run = np.abs(course.state.contact), curved(case.follower, course.points.motion)[1]
+    excess = [course.shaped(side * (c1 * size + c2 * run) - size) for side in (1, -1)]
+    on = divided(course.on, np.concatenate([crossings(course.on, each) for each in excess]))
+    middle = (on.edges[:-1] + on.edges[1:]) / 2
+    over = np.maximum(*(course.on.at(each, middle) for each in excess))
+    return spans(on.edges, over > 1e-12 * np.max(size))
+
+
+def slip_margin(case: Case, unit: RollerUnit | None, rolling: Rolling | None) -> Margin:
+    """Constraint 2."""
+    why = _no_roller(case)
+    if unit is not None and not unit.fits(case.follower.roller):
+        why = TOO_THICK
+    if rolling is None or why:
+        why = why or (
+            "give rolling_arm, roller_friction, pin_friction and width or roller_inertia, and pin or pin_pressure in "
+            "[cam.requirements]"
+        )
+        return Margin("no slip", 2, OPEN, SLIP, why=why)
+    size = np.abs(case.course.state.contact)
+    if case.pressing.least <= 0 <= case.pressing.largest or not np.all(size > 0):
+        place = rolling.slipping[0][0] if rolling.slipping else None
+        return Margin("no slip", 2, "slip", SLIP, "D", phi=place, why="R passes 0: the roller slips there")
+    run = curved(case.follower, case.course.points.motion)[1]
+    friction = case.needs.roller_friction or 1.0
+    grown, _ = slip(size, run, rolling.resisting, rolling.inertia, case.loads.speed, friction, case.follower.roller)
+    found = case.over(grown)
+    return judged("no slip", 2, SLIP, "D", "", found.size, 1.0, 1 - found.size, found.place, "slip")
+
+
+def contact_margin(case: Case) -> Margin:
+    """Constraint 9, of a roller on either wall and of a flat face."""
+    needs, formula = case.needs, FLAT if case.flat else CONTACT
+    why = "a knife edge has no contact stress by Hertz" if not case.flat and not case.follower.roller else ""
+    if not why and needs.width is None:
+        why = "give width and contact in [cam.requirements]"
+    if not why and case.cusped:
+        why = "the profile has a cusp" if not case.flat else "the profile is not convex"
+    if why or needs.width is None:
+        return Margin("contact stress", 9, OPEN, formula, "sigma_H", "Pa", why=why)
+    now, kappa = case.course.state, curved(case.follower, case.course.points.motion)[0]
+    square = np.abs(now.contact) * kappa if case.flat else contact_square(now, kappa, case.follower.roller)
+    found = case.over(square)
+    value = HERTZ * float(np.sqrt(needs.modulus / needs.width * found.largest))
+    return stressed("contact stress", 9, formula, "sigma_H", value, needs.contact, found.largest_phi, "contact")
+
+
+def _no_roller(case: Case) -> str:
+    if case.flat:
+        return "a flat face has no roller"
+    return "" if case.follower.roller else "a knife edge has no roller"

@@ -1,0 +1,146 @@
+"""The stage of the requirements: every one a named margin, its extremes over the whole turn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees
+
+import numpy as np
+
+from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.forces.course import course_of
+from tmmcalc.cams.forces.kernels import Mask
+from tmmcalc.cams.forces.results import CamForces
+from tmmcalc.cams.forces.spring import solve_spring
+from tmmcalc.cams.forces.state import State, state
+from tmmcalc.cams.forces.turn import at_rows, loads_of
+from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.strength.carriers import bending_of, pressure_of, shaft_margins, shaft_of, stem_margins
+from tmmcalc.cams.strength.kernels import contact_stress, flat_stress, reduced_moment, shaft_by_strength, slip, whole
+from tmmcalc.cams.strength.results import OK, CamStrength, Margin, Rolling, ShaftFound
+from tmmcalc.cams.strength.roller import contact_margin, roller_unit, rolling_of, slip_margin, unit_margins
+from tmmcalc.cams.strength.shape import shape_margins
+from tmmcalc.cams.strength.work import Case, case_of, curved
+from tmmcalc.cams.task import CamTask
+
+FAULTS = {  # the gravest first
+    "undercut": "the profile is undercut, or nearly so",
+    "tool_interference": "the tool is too large",
+    "slip": "the roller slips",
+    "exceeded": "the limit is exceeded",
+}
+
+
+def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None = None) -> CamStrength:
+    """All requirements of a follower on its cam; ``forces`` are those of the same task, if they are known.
+
+    Raises what `solve_forces` raises.
+    """
+    loads = loads_of(task, "cam_strength")
+    spring = forces.spring if forces else solve_spring(task, loads)
+    case = case_of(task, follower, loads, course_of(task, follower, loads, spring))
+    unit, shaft = roller_unit(case), shaft_of(case)
+    rolling = rolling_of(case, unit)
+    margins = (
+        slip_margin(case, unit, rolling),
+        *shape_margins(case),
+        *unit_margins(case, unit),
+        *shaft_margins(case, shaft),
+        *stem_margins(case),
+        contact_margin(case),
+    )
+    rows = forces.positions if forces else task.positions
+    points = at_rows(task, loads, rows)
+    now = state(case.course.carried, points)
+    kappa, run = curved(follower, points.motion)
+    touching = np.abs(now.contact) > 0 if case.grooved else now.contact > 0
+    bend = case.bend
+    sharpest = 1 / bend.largest if bend.largest > 0 else None
+    return CamStrength(
+        follower=follower,
+        positions=rows,
+        ends=tuple(task.program.starts.tolist()),
+        touching=touching,
+        curvature=kappa,
+        run=None if case.flat else run,
+        slip=_slip(case, rolling, now, run),
+        stress=_stress(case, now, kappa, touching),
+        reduced=_reduced(case, now),
+        bending=bending_of(case, now, points.motion),
+        pressure=pressure_of(case, now),
+        convex=max(bend.least, 0.0) if case.flat else sharpest,
+        convex_phi=bend.least_phi if case.flat else bend.largest_phi,
+        concave=-1 / bend.least if bend.least < 0 and not case.flat else None,
+        concave_phi=bend.least_phi,
+        unit=unit,
+        rolling=rolling,
+        shaft=shaft,
+        margins=margins,
+        verdict=_verdict(margins),
+        notes=tuple(_notes(case, margins, shaft)),
+    )
+
+
+def _decisive(margins: tuple[Margin, ...]) -> Iterator[tuple[str, Margin]]:
+    """Margins that are not kept, in their order."""
+    for each in margins:
+        if not each.advice and each.verdict not in (OK, "not judged"):
+            yield each.verdict, each
+
+
+def _verdict(margins: tuple[Margin, ...]) -> str:
+    """The gravest of what is wrong."""
+    found = {verdict for verdict, _ in _decisive(margins)}
+    return next((verdict for verdict in FAULTS if verdict in found), OK)
+
+
+def _slip(case: Case, rolling: Rolling | None, now: State, run: Values) -> Values | None:
+    if rolling is None:
+        return None
+    friction = case.needs.roller_friction or 1.0
+    grown, works = slip(
+        now.contact, run, rolling.resisting, rolling.inertia, case.loads.speed, friction, case.follower.roller
+    )
+    return np.where(works, np.abs(grown), 0.0)
+
+
+def _stress(case: Case, now: State, kappa: Values, touching: Mask) -> Values | None:
+    """sigma_H at the rows; None without its data or with a cusp."""
+    width, modulus = case.needs.width, case.needs.modulus
+    if width is None or case.cusped or not (case.flat or case.follower.roller):
+        return None
+    if case.flat:
+        found, _ = flat_stress(now.contact, 1 / kappa, width, modulus)
+    else:
+        found, _ = contact_stress(now.contact, kappa, case.follower.roller, width, modulus)
+    return np.where(touching, found, 0.0)
+
+
+def _reduced(case: Case, now: State) -> Values | None:
+    span = case.needs.span
+    return None if span is None else reduced_moment(now.contact, now.torque, span, case.needs.torsion)
+
+
+def _notes(case: Case, margins: tuple[Margin, ...], shaft: ShaftFound | None) -> Iterator[str]:
+    for verdict, each in _decisive(margins):
+        where = "" if each.phi is None else f" at phi = {degrees(each.phi):.6g} deg"
+        more = f" ({each.why})" if each.why else ""
+        yield f"warning: {each.name}: {FAULTS[verdict]}{where}{more}"
+    for each in margins:
+        if each.advice and each.verdict != OK:
+            yield f"note: {each.name}: {each.formula} asks for at most {1e3 * (each.limit or 0.0):.6g} mm"
+    if not case.touches:
+        yield "warning: nothing presses the follower on the cam in a part of the turn, so slip and stress have gaps"
+    yield from _shaft_notes(case, shaft)
+
+
+def _shaft_notes(case: Case, shaft: ShaftFound | None) -> Iterator[str]:
+    """What friction adds to the torque, where that asks for a thicker shaft."""
+    if shaft is None or shaft.moment_rubbed is None or case.needs.bending is None:
+        return
+    radius = float(whole(shaft_by_strength(shaft.moment_rubbed, case.needs.bending)))
+    if radius > shaft.radius:
+        yield (
+            f"note: with the torque that friction adds M_E reaches {shaft.moment_rubbed:.6g} N*m, which asks for "
+            f"a shaft radius of {1e3 * radius:.6g} mm"
+        )

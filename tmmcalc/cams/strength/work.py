@@ -1,0 +1,135 @@
+"""What the requirements are judged by, over the turn: curvature, squares of stress and moment, slip, each exact.
+
+Squares are taken where a root would not be smooth: sigma_H^2 and M_E^2 go smoothly through R = 0.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.forces.course import Course
+from tmmcalc.cams.forces.state import State, state
+from tmmcalc.cams.forces.turn import at_angles, steady
+from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.strength.kernels import flat_radius, rolling
+from tmmcalc.cams.task import CamTask, Loads, Requirements
+from tmmcalc.numerics.panels import Panels, resolved
+from tmmcalc.records import record
+
+TOLERANCE = 1e-11  # of the panels
+
+
+@record
+class Extremes:
+    """Least and largest of a quantity over the turn."""
+
+    least: float
+    least_phi: float
+    largest: float
+    largest_phi: float
+
+    @property
+    def size(self) -> float:
+        """Largest magnitude."""
+        return max(-self.least, self.largest)
+
+    @property
+    def place(self) -> float:
+        """Where it stands."""
+        return self.largest_phi if self.largest >= -self.least else self.least_phi
+
+
+def curved(follower: Follower, motion: Values) -> tuple[Values, Values]:
+    """kappa [1/m] and A [m]; under a flat face 1/rho of the profile, 0 where it has no radius, and no A."""
+    if follower.kind != "flat":
+        return rolling(follower, motion)
+    radius = flat_radius(motion, follower.start)
+    none = radius == 0
+    return np.where(none, 0.0, 1 / np.where(none, 1.0, radius)), np.zeros_like(radius)
+
+
+def extremes(on: Panels, values: Values) -> Extremes:
+    """Extremes of values (K, N) with both one-sided limits."""
+    (least, least_at), (largest, largest_at) = on.extremes(steady(values))
+    return Extremes(least + 0.0, least_at, largest + 0.0, largest_at)
+
+
+def bent(follower: Follower, course: Course) -> Extremes:
+    """kappa of the pitch curve over the turn; under a flat face its radius rho."""
+    motion = course.points.motion
+    values = flat_radius(motion, follower.start) if follower.kind == "flat" else rolling(follower, motion)[0]
+    return extremes(course.on, course.shaped(values))
+
+
+def contact_square(now: State, kappa: Values, roller: float) -> Values:
+    """|R|/(r2 (1 -+ kappa r2)) of the wall that presses: what sigma_H^2 grows with."""
+    pressed: Values = np.abs(now.contact) / (roller * (1 - np.sign(now.contact) * kappa * roller))
+    return pressed
+
+
+@record
+class Case:
+    """A cam to judge: what is asked, and its forces and curvature over the turn."""
+
+    task: CamTask
+    loads: Loads
+    follower: Follower
+    course: Course
+    bend: Extremes  # kappa [1/m] of the pitch curve; of a flat face rho [m]
+    pressing: Extremes  # R [N]
+    touches: bool  # a force presses the follower on the cam all over the turn, or walls hold it
+
+    @property
+    def needs(self) -> Requirements:
+        """Data of the requirements."""
+        return self.task.requirements
+
+    @property
+    def flat(self) -> bool:
+        """No roller, but a face."""
+        return self.follower.kind == "flat"
+
+    @property
+    def cusped(self) -> bool:
+        """The roller is too large for the profile, or the profile under a face is not convex."""
+        if self.flat:
+            return self.bend.least <= 0
+        inner = self.bend.largest * self.follower.roller >= 1
+        return inner or (self.grooved and -self.bend.least * self.follower.roller >= 1)
+
+    @property
+    def grooved(self) -> bool:
+        """Closed by two walls."""
+        return self.task.asked.closure == "groove"
+
+    def over(self, values: Values) -> Extremes:
+        """Extremes of values (K N,) over the turn."""
+        return extremes(self.course.on, self.course.shaped(values))
+
+
+def case_of(task: CamTask, follower: Follower, loads: Loads, first: Course) -> Case:
+    """Forces and curvature over the turn on panels that resolve the stress of the contact as well."""
+    course = _refined(task, loads, first)
+    now = course.state
+    pressing = extremes(course.on, course.shaped(now.contact))
+    touches = task.asked.closure == "groove" or pressing.least > 0
+    return Case(task, loads, follower, course, bent(follower, course), pressing, touches)
+
+
+def _refined(task: CamTask, loads: Loads, course: Course) -> Course:
+    of, roller = course.carried, course.carried.follower.roller
+
+    def rows(phi: Values) -> Values:
+        at = at_angles(task, loads, phi)
+        kappa, run = curved(of.follower, at.motion)
+        now = state(of, at)
+        gap = 1 - np.sign(now.contact) * kappa * roller
+        return np.stack((now.contact / np.where(gap > 0, gap, 1.0), run))
+
+    scale = np.max(np.abs(rows(course.on.x.ravel())), axis=1) + 1e-300
+    on, _, _ = resolved(rows, course.on, TOLERANCE, scale)
+    if on.count == course.on.count:
+        return course
+    points = at_angles(task, loads, on.x.ravel())
+    return Course(of, on, points, state(of, points))

@@ -1,0 +1,88 @@
+"""What all syntheses of roller followers end with: the roller is chosen, the angles are judged, sizes are named."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import ceil
+
+from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.pivot import pivot_room, told
+from tmmcalc.cams.pressure import Reached, reached, remarks
+from tmmcalc.cams.synthesis import roller
+from tmmcalc.cams.synthesis.results import Design, Region, Size, Synthesis
+from tmmcalc.cams.task import CamTask
+from tmmcalc.errors import SingularityError
+
+GIVEN, ANGLE = "given", "pressure angle"
+LEAST, TEXTBOOK = "least base circle", "textbook"
+WHOLE = 5e-3  # [m] sizes below it are not rounded to millimetres
+NEAR = 1e-9
+
+
+def finished(
+    task: CamTask,
+    bare: Follower,
+    sizes: tuple[Size, ...],
+    governs: str,
+    designs: tuple[Design, ...],
+    rounded: Design | None,
+    region: Region | None,
+) -> Synthesis:
+    """Choose the roller, judge the angles."""
+    choice = roller.choose(task, bare)
+    follower = replace(bare, roller=choice.radius)
+    rise, back = reached(task, follower)
+    how = f"{choice.governs}, {'rounded down' if choice.radius >= roller.STEP else 'as it is'}"
+    sizes = (*sizes, size_of("r2", choice.radius, task.asked.roller is not None, how))
+    room = pivot_room(task, follower)
+    swept = () if room is None or room.clearance > 0 else (f"warning: {told(room)}",)
+    notes = (
+        *task.remarks,
+        *swept,
+        *remarks("rise", rise),
+        *remarks("return", back),
+        *roller.remarks(task, follower, choice),
+    )
+    residual = abs(max(_excesses(rise, back))) if governs == ANGLE else 0.0
+    return Synthesis(
+        bare.kind,
+        follower,
+        sizes,
+        governs,
+        designs,
+        rounded,
+        rise,
+        back,
+        region,
+        None,
+        choice,
+        residual,
+        notes,
+        room,
+    )
+
+
+def judged(task: CamTask, name: str, follower: Follower) -> list[Design]:
+    """A follower with the angles that it reaches; nothing if it comes to the cam's axis."""
+    try:
+        rise, back = reached(task, follower)
+    except SingularityError:
+        return []
+    ends = [(on.least.value, on.largest.value) for on in (rise, back)]
+    excess = max(_excesses(rise, back))
+    sizes = (follower.base, follower.start, follower.offset, follower.centres, follower.rocker)
+    return [Design(name, *sizes, ends[0], ends[1], excess)]
+
+
+def _excesses(rise: Reached, back: Reached) -> list[float]:
+    return [on.excess for on in (rise, back) if on.limit is not None]
+
+
+def size_of(symbol: str, value: float, given: bool, how: str) -> Size:
+    """A size with the rule that found it, unless it was given."""
+    return Size(symbol, float(value), given, GIVEN if given else how)
+
+
+def up(size: float) -> float:
+    """The next whole millimetre above."""
+    return ceil(size * 1e3 * (1 - NEAR)) / 1e3

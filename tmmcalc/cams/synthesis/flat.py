@@ -1,0 +1,54 @@
+"""Flat-faced follower: S0 by the convexity of the profile, the reach of the face.
+
+rho = S0 + F, F = dS + S'', may nowhere be less than r_m (5.95 to 5.97); at a jump of S'' both limits count. The contact
+stands at -S' from the follower's axis, so the face reaches max S' on one side and max(-S') on the other.
+"""
+
+from __future__ import annotations
+
+from tmmcalc.cams.pressure import Extreme, halved
+from tmmcalc.cams.synthesis.results import Convexity
+from tmmcalc.cams.task import CamTask
+
+
+def find(task: CamTask) -> tuple[float, str, Convexity]:
+    """S0 [m], what decides it, and what convexity asks; a given S0 is kept."""
+    program, asked, limits = task.program, task.asked, task.limits
+    dense = halved(program.panels)
+    y, y1, y2, _ = program.at(dense.x.ravel()).reshape(4, *dense.x.shape)
+    least = Extreme(*dense.extremes(y + y2)[0])
+    back, rise = (value for value, _ in dense.extremes(y1))
+    needed = limits.convex - least.value
+    given = asked.start if asked.start is not None else asked.base
+    start, governs = (needed, "convexity") if needed >= limits.shaft else (limits.shaft, "shaft")
+    if given is not None:
+        start, governs = given, "given"
+    sides = rise + asked.margin, -back + asked.margin
+    left, right = sides if asked.sense > 0 else sides[::-1]
+    return (
+        start,
+        governs,
+        Convexity(least, limits.convex, needed, start + least.value, left, right, asked.margin),
+    )
+
+
+def remarks(found: Convexity, start: float, shaft: float) -> list[str]:
+    """Warnings of a given S0."""
+    notes = []
+    if found.radius <= 0:
+        notes.append(
+            f"warning: rho falls to {1e3 * found.radius:.6g} mm at phi = {_deg(found.least.phi)}: the profile has a "
+            f"cusp or a loop that the face cannot follow; S0 of at least {1e3 * found.needed:.6g} mm is needed"
+        )
+    elif start < found.needed * (1 - 1e-12):
+        notes.append(
+            f"warning: rho falls to {1e3 * found.radius:.6g} mm at phi = {_deg(found.least.phi)}, below the limit of "
+            f"{1e3 * found.limit:.6g} mm; S0 of at least {1e3 * found.needed:.6g} mm is needed"
+        )
+    if start < shaft * (1 - 1e-12):
+        notes.append(f"warning: S0 = {1e3 * start:.6g} mm does not clear the shaft of {1e3 * shaft:.6g} mm")
+    return notes
+
+
+def _deg(phi: float) -> str:
+    return f"{phi * 57.29577951308232:.6g} deg"

@@ -1,0 +1,111 @@
+"""The roller: how large it may be, and which rule bounds it.
+
+0.4 R0, 0.7 rho2       the rule of practice; rho2 is the least radius of the convex parts of the pitch curve
+rho2 - r_m             the profile keeps a radius that can be made (5.39); equal to rho2 it has a cusp
+R0 - r1                the roller clears the shaft
+rho1                   the outer wall of a groove has no cusp in the concave parts
+"""
+
+from __future__ import annotations
+
+from math import floor
+
+import numpy as np
+
+from tmmcalc.cams.follower import Follower, contact_path, curvature
+from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.pressure import Extreme, halved
+from tmmcalc.cams.synthesis.results import RollerChoice, RollerRule
+from tmmcalc.cams.task import CamTask
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.numerics.panels import resolved
+
+OF_BASE, OF_CONVEX = 0.4, 0.7
+STEP = 1e-3  # [m] rollers come in whole millimetres
+NEAR = 1e-9
+
+
+def bends(task: CamTask, follower: Follower) -> tuple[Extreme, Extreme]:
+    """Least and largest curvature [1/m] of the pitch curve, both limits at jumps counted."""
+    program = task.program
+
+    def kappa(phi: Values) -> Values:
+        return curvature(contact_path(follower, phi, program.at(phi)))[None]
+
+    dense, values, _ = resolved(kappa, halved(program.panels))
+    low, high = dense.extremes(values[0])
+    return Extreme(*low), Extreme(*high)
+
+
+def choose(task: CamTask, follower: Follower) -> RollerChoice:
+    """The roller of the follower, given or by the rules, rounded down to a whole millimetre where it has one.
+
+    Raises `NoSolutionError` if no roller fits.
+    """
+    low, high = bends(task, follower)
+    convex = Extreme(1 / high.value, high.phi)  # a closed curve is convex somewhere
+    concave = Extreme(-1 / low.value, low.phi) if low.value * follower.base < -NEAR else None
+    limits, asked = task.limits, task.asked
+    rules = [
+        RollerRule("0.4 R0", OF_BASE * follower.base),
+        RollerRule("0.7 rho2", OF_CONVEX * convex.value),
+        RollerRule("rho2 - r_m", convex.value - limits.convex),
+    ]
+    if limits.shaft > 0:
+        rules.append(RollerRule("R0 - r1", follower.base - limits.shaft))
+    if asked.closure == "groove" and concave is not None:
+        rules.append(RollerRule("rho1 of the outer wall", concave.value))
+    least = min(rules, key=lambda rule: rule.value)
+    if asked.roller is not None:
+        return RollerChoice(asked.roller, least.name, tuple(rules), convex, concave)
+    if least.value <= 0:
+        raise NoSolutionError(
+            f"no roller fits: {least.name} = {1e3 * least.value:.6g} mm",
+            where="cam_synthesis",
+            value=least.value,
+            limit=0.0,
+            remedy="a larger base_radius or start_distance, a smaller convex_radius or shaft_radius",
+        )
+    return RollerChoice(rounded(least.value), least.name, tuple(rules), convex, concave)
+
+
+def rounded(radius: float) -> float:
+    """Down to a whole millimetre; below one as it is.
+
+    >>> rounded(0.0187), rounded(0.0004)
+    (0.018, 0.0004)
+    """
+    whole = floor(radius / STEP * (1 + NEAR))
+    return whole / 1e3 if whole else radius
+
+
+def remarks(task: CamTask, follower: Follower, found: RollerChoice) -> list[str]:
+    """Warnings of a roller that is too large or too small for its pitch curve."""
+    notes, limits, r2 = [], task.limits, found.radius
+    phi = np.degrees(found.convex.phi)
+    if r2 >= found.convex.value * (1 - NEAR):
+        notes.append(
+            f"warning: the roller of {1e3 * r2:.6g} mm undercuts the profile: rho2 = {1e3 * found.convex.value:.6g} mm "
+            f"at phi = {phi:.6g} deg"
+        )
+    elif r2 > (found.convex.value - limits.convex) * (1 + NEAR):
+        notes.append(
+            f"warning: the roller of {1e3 * r2:.6g} mm leaves the profile a radius of "
+            f"{1e3 * (found.convex.value - r2):.6g} mm at phi = {phi:.6g} deg, below {1e3 * limits.convex:.6g} mm"
+        )
+    if follower.base - r2 < limits.shaft * (1 - NEAR):
+        notes.append(
+            f"warning: R0 - r2 = {1e3 * (follower.base - r2):.6g} mm does not clear the shaft of "
+            f"{1e3 * limits.shaft:.6g} mm"
+        )
+    if found.concave is None:
+        return notes
+    phi = np.degrees(found.concave.phi)
+    if not limits.allow_concave:
+        notes.append(f"warning: the profile is concave at phi = {phi:.6g} deg, which is not allowed")
+    elif found.concave.value + r2 < limits.concave * (1 - NEAR):
+        notes.append(
+            f"note: the concave part at phi = {phi:.6g} deg has a radius of {1e3 * (found.concave.value + r2):.6g} mm: "
+            f"a tool of {1e3 * limits.concave:.6g} mm does not reach into it"
+        )
+    return notes

@@ -1,0 +1,150 @@
+"""What is checked of the cutter of a ring: whether it has a tip, whether it cuts deep enough, what it cuts away."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from tmmcalc.gears.involute.internal.cutter import cutter_margins, largest_tip, tip_lead
+from tmmcalc.gears.involute.internal.pair import InternalPair
+from tmmcalc.gears.involute.internal.ring import Cutter, cutting
+from tmmcalc.gears.involute.quality.verdicts import NOISE, Check, Verdict
+from tmmcalc.gears.involute.wheel import Wheel
+from tmmcalc.gears.meshing.refusal import millimetres
+from tmmcalc.gears.meshing.task import PairTask
+
+NAMES = ("cutter tip", "cutter depth", "cutter interference", "cutter feed")
+SHORT = 0.1  # [module] by which a shallow root may shorten the pinion without a word of warning
+FEWEST = 3  # teeth of a cutter that is proposed
+
+
+def cutter_checks(task: PairTask, pair: InternalPair) -> tuple[Check, ...]:
+    """The checks of the cutter that made the ring, none without one; lengths in modules, texts in millimetres."""
+    cutter = pair.ring.cutter
+    if cutter is None:
+        return ()
+    tip = _tip(task, pair, cutter)
+    if tip.verdict == "fail":
+        return (tip,)
+    return tip, *_depth(task, pair, cutter), *_interference(task, pair, cutter)
+
+
+def blamed(checks: Sequence[Check]) -> tuple[Check, ...]:
+    """The checks with a cutter that is too shallow as a failure, if others fail that are not of the cutter.
+
+    The short teeth that it leaves the pinion are the cause of those; that these end within the base circle is not told.
+    """
+    failed = {check.name for check in checks if check.verdict == "fail"}
+    if not failed - {*NAMES} and "cutter tip" not in failed:
+        return tuple(checks)
+    shallow = any(check.name == "cutter depth" and check.verdict == "warn" for check in checks)
+    if not shallow and "cutter tip" not in failed:
+        return tuple(checks)
+    kept = [check for check in checks if (check.name, check.wheel) != ("tip circle", 1)]
+    return tuple(replace(check, verdict="fail") if check.name == "cutter depth" else check for check in kept)
+
+
+def cut_short(pair: InternalPair, module: float) -> str:
+    """What the root that its cutter leaves the ring takes from the teeth of the pinion, in words."""
+    cut = float(pair.pinion.plain_tip) - pair.tips[0]
+    if pair.ring.cutter is None or cut <= NOISE:
+        return ""
+    return (
+        f"the teeth of the pinion are {millimetres(cut * module)} shorter than the rack's, to keep the clearance at "
+        "the root that the cutter leaves the ring"
+    )
+
+
+def cutter_remedy(task: PairTask, pair: InternalPair, broken: Sequence[str]) -> str:
+    """What to change of the cutter, by the names of its checks that fail; empty if none does."""
+    cutter, m = pair.ring.cutter, task.module
+    if cutter is None:
+        return ""
+    told = []
+    tool = _tool(pair, cutter)
+    if "cutter tip" in broken:
+        largest = largest_tip(tool, cutter.rounding)
+        least = 2 * m * _wanted(pair, cutter)
+        if largest is not None and 2 * m * largest >= least:
+            told.append(f"a tip diameter of the cutter from {millimetres(least)} to {millimetres(2 * m * largest)}")
+        else:
+            told.append("a smaller rounding or shift of the cutter")
+    if "cutter depth" in broken:
+        told.append(f"a tip diameter of the cutter of at least {millimetres(2 * m * _wanted(pair, cutter))}")
+    if "cutter interference" in broken:
+        told.append(_fewer(pair, cutter, 0) or "another ring: no cutter with fewer teeth does better")
+    return "; ".join(told)
+
+
+def _tool(pair: InternalPair, cutter: Cutter) -> Wheel:
+    return Wheel(cutter.teeth, cutter.shift, pair.ring.helix, pair.ring.rack)
+
+
+def _wanted(pair: InternalPair, cutter: Cutter) -> float:
+    """Radius of the cutter's tip that leaves the pinion its whole teeth."""
+    _, distance, _ = cutting(pair.ring, cutter)
+    return pair.distance + float(pair.pinion.plain_tip) + pair.pinion.rack.clearance - distance
+
+
+def _tip(task: PairTask, pair: InternalPair, cutter: Cutter) -> Check:
+    """The land of the cutter's tip, which is not negative."""
+    tool, tip, m = _tool(pair, cutter), cutting(pair.ring, cutter)[2], task.module
+    diameter, lead = millimetres(2 * m * tip), tip_lead(tool, tip, cutter.rounding)
+    if lead is None:
+        margin = tip - cutter.rounding - tool.base
+        less = f" less its rounding of {millimetres(m * cutter.rounding)}" if cutter.rounding else ""
+        text = (
+            f"the tip circle of the cutter, {diameter} in diameter{less}, lies within its base circle, "
+            f"{millimetres(2 * m * tool.base)} (margin {millimetres(m * margin)})"
+        )
+        return Check("cutter tip", 2, tip, tool.base + cutter.rounding, margin, "fail", text)
+    land = 2 * lead * tip
+    if land >= -NOISE:
+        return Check("cutter tip", 2, land, 0.0, land, "ok", "")
+    lack = f"narrower than its rounding of {millimetres(m * cutter.rounding)}" if cutter.rounding else "pointed"
+    text = f"the tip of the cutter, {diameter} in diameter, is {lack} (margin {millimetres(m * land)})"
+    return Check("cutter tip", 2, land, 0.0, land, "fail", text)
+
+
+def _depth(task: PairTask, pair: InternalPair, cutter: Cutter) -> Iterator[Check]:
+    """The cutter's tip that leaves the pinion its whole teeth, unless these are as asked for."""
+    if task.tips[0] is not None:
+        return
+    m, tip, wanted = task.module, cutting(pair.ring, cutter)[2], _wanted(pair, cutter)
+    if tip >= wanted - SHORT:
+        yield Check("cutter depth", 2, tip, wanted - SHORT, tip - wanted + SHORT, "ok", "")
+        return
+    text = (
+        f"the cutter, {millimetres(2 * m * tip)} in diameter, leaves the ring a root circle of only "
+        f"{millimetres(2 * m * pair.ring.root)}, which cuts the teeth of gear 1 short by "
+        f"{millimetres(m * (wanted - tip))}, to a tip diameter of {millimetres(2 * m * pair.tips[0])}; whole "
+        f"teeth need a cutter of {millimetres(2 * m * wanted)} (margin {millimetres(m * (tip - wanted))})"
+    )
+    yield Check("cutter depth", 2, tip, wanted - SHORT, tip - wanted + SHORT, "warn", text)
+
+
+def _interference(task: PairTask, pair: InternalPair, cutter: Cutter) -> Iterator[Check]:
+    """Whether the cutter cuts away the tips of the ring: as it generates, and as it is fed in radially."""
+    margins = cutter_margins(pair.ring, cutter, pair.tips[1])
+    if margins is None:
+        return
+    cuts = "cuts the tips of gear 2 away", "trims the tips of gear 2 when it is fed in radially"
+    verdicts: tuple[Verdict, Verdict] = ("fail", "warn")
+    for place, (name, verdict, what) in enumerate(zip(NAMES[2:], verdicts, cuts, strict=True)):
+        margin = margins[place]
+        if margin >= -NOISE:
+            yield Check(name, 2, margin, 0.0, margin, "ok", "")
+            continue
+        told = _fewer(pair, cutter, place)
+        text = f"the cutter of {cutter.teeth} teeth {what} (margin {millimetres(task.module * margin)})"
+        yield Check(name, 2, margin, 0.0, margin, verdict, text + (f": it takes {told}" if told else ""))
+
+
+def _fewer(pair: InternalPair, cutter: Cutter, place: int) -> str:
+    """The most teeth of a cutter, with the rack's tip circle, that keeps a margin; empty if there is none."""
+    for teeth in range(cutter.teeth - 1, FEWEST - 1, -1):
+        other = replace(cutter, teeth=teeth, tip=None)
+        margins = cutter_margins(pair.ring, other, pair.tips[1])
+        if margins is not None and margins[place] >= 0:
+            return f"a cutter of at most {teeth} teeth"
+    return ""

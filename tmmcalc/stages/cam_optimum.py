@@ -1,0 +1,38 @@
+"""Stage ``cam_optimum``: the lowest mechanism within all constraints, and the blocking contour."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from tmmcalc.cams.optimum.results import CamOptimum
+from tmmcalc.cams.task import CamTask
+from tmmcalc.pipeline.stage import Record
+from tmmcalc.stages.camparts import cam_of
+from tmmcalc.stages.conversion import from_record, to_record
+
+if TYPE_CHECKING:
+    from tmmcalc.spec import Spec
+
+
+def inputs(spec: Spec) -> CamTask:
+    """The loads, the requirements, the search."""
+    return cam_of(spec, "asked", "limits", "loads", "guide", "requirements", "optimum")
+
+
+def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> CamOptimum:
+    """Contour, least height, active constraints, what relaxing them would buy."""
+    from tmmcalc.cams.optimum.solve import solve_optimum
+
+    return solve_optimum(given, upstream["cam_synthesis"].follower)
+
+
+def dump(result: CamOptimum) -> Record:
+    """Arrays by the names of the fields."""
+    return to_record(result)
+
+
+def load(record: Record) -> CamOptimum:
+    """Build the result from its record."""
+    result: CamOptimum = from_record(CamOptimum, record)
+    return result
