@@ -9,6 +9,7 @@ from typing import Literal
 
 from tmmcalc.cams.follower import Closure, FollowerKind
 from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.overshoot import Backward, backward
 from tmmcalc.cams.program import Positions, Program, of_step, of_steps
 from tmmcalc.cams.speed import Speed
 from tmmcalc.records import record
@@ -174,3 +175,8 @@ class CamTask:
     def motion(self) -> Values:
         """y and its derivatives (4, n) at the rows."""
         return self.program.at(self.positions.phi, self.positions.piece)
+
+    @cached_property
+    def backward(self) -> tuple[Backward, ...]:
+        """The parts of rise and return in which the follower turns back."""
+        return backward(self.program)

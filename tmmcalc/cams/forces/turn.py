@@ -10,7 +10,6 @@ import numpy as np
 
 from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.overshoot import backward
 from tmmcalc.cams.program import TURN, Positions
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.errors import UsageError
@@ -66,7 +65,7 @@ def _points(task: CamTask, loads: Loads, phi: Values, piece: Indices, motion: Va
     program, force = task.program, loads.force
     phase = program.places[0][piece]
     sense = np.array([SENSES[each.kind] for each in program.phases])[phase]
-    for part in backward(program):
+    for part in task.backward:
         sense[(phi > part.begin) & (phi < part.end)] *= -1
     if force.phi is not None and force.values is not None:
         own = np.interp(phi, force.phi, force.values, period=TURN)
@@ -87,7 +86,7 @@ def smooth_panels(task: CamTask, loads: Loads) -> Panels:
     program, none = task.program, np.empty(0)
     corners = none if loads.force.phi is None else np.mod(loads.force.phi, TURN)
     speeds = none if task.turning is None else task.turning.edges
-    turned = [angle for part in backward(program) for angle in (part.begin, part.end)]
+    turned = [angle for part in task.backward for angle in (part.begin, part.end)]
     return panels(0.0, float(program.starts[-1]), np.concatenate((program.edges, corners, speeds, turned)), WIDEST)
 
 
