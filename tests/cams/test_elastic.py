@@ -136,7 +136,7 @@ def test_resonance_and_missing_data_are_refused() -> None:
 
 def test_result_round_trip_document_and_picture(tmp_path: Path) -> None:
     from tmmcalc.report.cams.elastic import elastic_document
-    from tmmcalc.report.pictures.cams import draw_cam_elastic
+    from tmmcalc.report.pictures.cams import draw_cam
     from tmmcalc.report.plaintext import lines
 
     task = replace(roller_task(), elastic=Elastic(4e6, 0.03))
@@ -149,7 +149,7 @@ def test_result_round_trip_document_and_picture(tmp_path: Path) -> None:
     assert rise.relative == pytest.approx(float(residual(LAWS["cosine"], np.array([rise.ratio]), 0.03)[0]), rel=1e-10)
     assert result.train == pytest.approx(result.mass * result.peak_response)
     assert "natural frequency" in "\n".join(lines(elastic_document(result, "cam")))
-    draw_cam_elastic(task, result, tmp_path / "a.png")
+    draw_cam("cam_elastic", task, result, tmp_path / "a.png")
     assert (tmp_path / "a.png").stat().st_size > 20_000
 
 

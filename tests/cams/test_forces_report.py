@@ -131,15 +131,15 @@ def test_jamming_ends_with_its_code(tmp_path):
 @pytest.mark.parametrize(("task", "follower"), list(cams()), ids=["groove", "flat", "rocker"])
 def test_pictures(task, follower, tmp_path):
     pytest.importorskip("matplotlib")
-    from tmmcalc.report.pictures.cams import draw_cam_forces, draw_cam_strength
+    from tmmcalc.report.pictures.cams import draw_cam
 
-    for name, draw, result in (
-        ("forces", draw_cam_forces, solve_forces(task, follower)),
-        ("strength", draw_cam_strength, solve_strength(task, follower)),
+    for name, result in (
+        ("cam_forces", solve_forces(task, follower)),
+        ("cam_strength", solve_strength(task, follower)),
     ):
         file = tmp_path / f"{name}.svg"
-        draw(task, result, file)
+        draw_cam(name, task, result, file)
         first = file.read_bytes()
         assert first.startswith(b"<?xml")
-        draw(task, result, file)
+        draw_cam(name, task, result, file)
         assert file.read_bytes() == first

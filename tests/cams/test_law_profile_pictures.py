@@ -14,7 +14,7 @@ from tmmcalc.errors import UsageError
 
 pytest.importorskip("matplotlib")
 
-from tmmcalc.report.pictures.cams import draw_cam_law, draw_cam_profile
+from tmmcalc.report.pictures.cams import draw_cam
 from tmmcalc.report.pictures.cams.law import law_figure
 from tmmcalc.report.pictures.cams.profile import profile_figure
 
@@ -50,7 +50,7 @@ def test_profiles(name, tmp_path: Path):
     assert "low dwell" in said
     files = tmp_path / "a.svg", tmp_path / "b.svg"
     for file in files:
-        draw_cam_profile(task, result, file)
+        draw_cam("cam_profile", task, result, file)
     assert files[0].read_bytes() == files[1].read_bytes()
 
 
@@ -62,10 +62,10 @@ def test_laws(program, kind, tmp_path: Path):
     assert ("b, c" in said.replace("b, c", "", 1)) == (program is STEM)  # no high dwell: one point in both diagrams
     assert "572.96 rpm" in said
     file = tmp_path / "law.png"
-    draw_cam_law(task, result, file)
+    draw_cam("cam_law", task, result, file)
     assert file.read_bytes().startswith(b"\x89PNG")
     with pytest.raises(UsageError, match="no picture format"):
-        draw_cam_law(task, result, tmp_path / "law.gif")
+        draw_cam("cam_law", task, result, tmp_path / "law.gif")
 
 
 def test_a_jump_at_the_begin_of_the_turn_is_drawn_over_the_frame():

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
+from tests.cams.turns import turn
 from tmmcalc.cams.laws.catalogue import LAWS, TITLES, law_of
 from tmmcalc.cams.laws.constants import constants
 from tmmcalc.errors import UsageError
@@ -148,17 +149,20 @@ def test_symmetric_about_the_middle(name):
 
 
 def test_which_laws_have_soft_shocks():
-    soft = {name for name, law in LAWS.items() if constants(law).jolts}
+    programs = {name: turn(name) for name in LAWS}
+    soft = {name for name, program in programs.items() if np.any(program.jumps[2])}
     assert soft == {"cosine", "linear", "const"}
-    assert not any(constants(law).shocks for law in LAWS.values())
-    jolts = constants(LAWS["const"]).jolts
-    np.testing.assert_allclose(jolts, [(0.0, 4.0), (0.5, -8.0), (1.0, 4.0)])
+    assert not any(np.any(program.jumps[1]) for program in programs.values())
+    jumps = programs["const"].jumps[2] * np.radians(60) ** 2 / 0.02
+    np.testing.assert_allclose(jumps[:3], [4.0, -8.0, 4.0])
 
 
 def test_continuity_inside_the_laws_in_pieces():
     for name in ("parab2", "modified_trapezoid", "modified_sine"):
-        jumps = LAWS[name].jumps
-        np.testing.assert_allclose(jumps[:2], 0, atol=1e-12)
+        law, every = LAWS[name], np.arange(LAWS[name].count)
+        before, after = law.at(law.breaks[1:], every), law.at(law.breaks[:-1], every)
+        np.testing.assert_allclose(before[:3, :-1], after[:3, 1:], atol=1e-12)
+        np.testing.assert_allclose([before[1:3, -1], after[1:3, 0]], 0, atol=1e-12)
 
 
 def test_the_accelerating_branch_in_the_middle_of_const_and_both_limits():

@@ -178,7 +178,7 @@ def same(a: Any, b: Any) -> bool:
 @pytest.mark.parametrize("kind", ["translating", "flat"])
 def test_round_trip_documents_and_pictures(kind: str, tmp_path: Path) -> None:
     from tmmcalc.report.cams.optimum import optimum_document, optimum_summary
-    from tmmcalc.report.pictures.cams import draw_cam_optimum
+    from tmmcalc.report.pictures.cams import draw_cam
     from tmmcalc.report.plaintext import lines
     from tmmcalc.report.render import _json
 
@@ -190,7 +190,7 @@ def test_round_trip_documents_and_pictures(kind: str, tmp_path: Path) -> None:
     assert "pressure in the guide" in text
     assert "H2 = " in "\n".join(lines(optimum_summary(result, "cam")))
     assert '"H2_least[m]"' in _json(optimum_document(result, "cam", everything=True))
-    draw_cam_optimum(task, result, tmp_path / "a.png")
+    draw_cam("cam_optimum", task, result, tmp_path / "a.png")
     assert (tmp_path / "a.png").stat().st_size > 20_000
 
 

@@ -149,10 +149,10 @@ def _cam(stage: str) -> Callable[[Order], None]:
     """What draws a stage of the cam."""
 
     def draw(order: Order) -> None:
-        from tmmcalc.report.pictures import cams
+        from tmmcalc.report.pictures.cams import draw_cam
         from tmmcalc.spec.cams import to_cam
 
-        getattr(cams, f"draw_{stage}")(to_cam(order.spec), order.results[stage], order.file)
+        draw_cam(stage, to_cam(order.spec), order.results[stage], order.file)
 
     return draw
 

@@ -14,7 +14,7 @@ from tests.cams.turns import task_of, turn
 from tmmcalc.cams.pressure import solve_pressure
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits
-from tmmcalc.report.pictures.cams import draw_cam_pressure, draw_cam_synthesis
+from tmmcalc.report.pictures.cams import draw_cam
 from tmmcalc.report.pictures.cams.pressure import pressure_figure
 from tmmcalc.report.pictures.cams.synthesis import synthesis_figure
 from tmmcalc.report.pictures.cams.zone import LIMIT, ZONE
@@ -35,9 +35,9 @@ def test_files(name, tmp_path):
     found = solve_synthesis(task)
     for file in (tmp_path / "synthesis.svg", tmp_path / "pressure.svg"):
         if file.stem == "synthesis":
-            draw_cam_synthesis(task, found, file)
+            draw_cam("cam_synthesis", task, found, file)
         else:
-            draw_cam_pressure(task, solve_pressure(task, found.follower), file)
+            draw_cam("cam_pressure", task, solve_pressure(task, found.follower), file)
         assert file.stat().st_size > 10_000
 
 

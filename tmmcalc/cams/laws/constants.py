@@ -13,7 +13,6 @@ from tmmcalc.records import record
 
 WIDEST = 1 / 8  # of a panel: a piece of a catalogue law is resolved to rounding on it
 LEVEL = 1e-12  # of the largest: values that count as equal
-SOFT = 1e-9  # of the largest: a smaller jump is rounding
 
 
 @record
@@ -31,8 +30,6 @@ class LawConstants:
     braking_lift: float  # s_M = s(k_M)
     power: float  # max s' s''
     power_at: float  # k
-    shocks: tuple[tuple[float, float], ...]  # (k, jump of s'): rigid shocks
-    jolts: tuple[tuple[float, float], ...]  # (k, jump of s''): soft shocks
 
     @property
     def largest_jerk(self) -> float:
@@ -68,8 +65,6 @@ def constants(law: Law) -> LawConstants:
         lift,
         power,
         power_at,
-        _jumps(law, 0, velocity),
-        _jumps(law, 1, max(rising, -braking)),
     )
 
 
@@ -86,8 +81,3 @@ def _first(on: Panels, values: Values, sign: int = 1) -> tuple[float, float]:
     level = np.flatnonzero(sign * found >= best - LEVEL * np.max(np.abs(found)))
     first = level[np.argmin(at[level])]
     return float(found[first]), float(at[first])
-
-
-def _jumps(law: Law, row: int, size: float) -> tuple[tuple[float, float], ...]:
-    jumps = law.jumps[row]
-    return tuple((float(k), float(jump)) for k, jump in zip(law.breaks, jumps, strict=True) if abs(jump) > SOFT * size)

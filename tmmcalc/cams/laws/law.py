@@ -77,15 +77,6 @@ class Law:
             found.append(c[:, 1:] * np.arange(1, c.shape[1]) if c.shape[1] > 1 else np.zeros((self.count, 1)))
         return tuple(found)
 
-    @property
-    def jumps(self) -> Values:
-        """What s', s'', s''' jump by at every break, (3, P + 1); outside the phase the follower dwells."""
-        inner = np.arange(self.count)
-        after = self.at(self.breaks[:-1], inner)[1:]
-        before = self.at(self.breaks[1:], inner)[1:]
-        zero = np.zeros((3, 1))
-        return np.concatenate((after, zero), axis=1) - np.concatenate((zero, before), axis=1)
-
 
 def polynomial(name: str, *pieces: tuple[float, Sequence[float]]) -> Law:
     """A law of polynomials: each piece by its start and the coefficients of the powers of k - start, ascending.

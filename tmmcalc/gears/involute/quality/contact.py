@@ -29,11 +29,6 @@ class Contact:
         """eps_gamma = eps_alpha + eps_beta of the whole flanks (4.69)."""
         return self.transverse + self.overlap
 
-    @property
-    def total_shortened(self) -> Number:
-        """eps_gamma with the involutes that there are."""
-        return self.shortened + self.overlap
-
 
 def overlap_ratio(helix: float, face_width: float) -> float:
     """eps_beta of a face width in normal modules (4.68).

@@ -80,26 +80,6 @@ def whole_segment(pair: Pair) -> tuple[float, float]:
     return float(pair.starts[0]), float(pair.length - pair.starts[1])
 
 
-def active_points(pair: Pair, count: int = 41, segment: tuple[float, float] | None = None) -> Values:
-    """rho1 of ``count`` equal steps from A2 to A1 with the pitch point among them, (count,) or (count + 1,)."""
-    low, high = segment if segment is not None else whole_segment(pair)
-    points = np.linspace(low, high, count)
-    pitch = float(pair.operating[0] * np.sin(pair.angle))
-    near = int(np.argmin(np.abs(points - pitch)))
-    if not low < pitch < high:
-        return points
-    if abs(points[near] - pitch) < 1e-9 * (high - low):
-        points[near] = pitch
-        return points
-    return np.sort(np.append(points, pitch))
-
-
-def whole_points(pair: Pair, step: float = 0.4, first: float = 0.1) -> Values:
-    """rho1 in equal steps over the whole line N1N2, ends left out, as the textbook's program 1.15 lists them."""
-    g = float(pair.length)
-    return np.arange(first, g * (1 - 1e-9), step)
-
-
 def sliding_extremes(pair: Pair, segment: tuple[float, float] | None = None) -> SlidingExtremes:
     """The largest sliding and pressure; theta falls and rises all along the line, so it is extreme at the ends.
 
