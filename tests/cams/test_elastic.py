@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+import tmmcalc
 from tests.cams.optimum_scene import roller_task
 from tmmcalc.cams.elastic import ElasticResult, solve_elastic
 from tmmcalc.cams.follower import Follower
@@ -17,7 +18,7 @@ from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.program import Phase, Program
 from tmmcalc.cams.response import residual, steady
 from tmmcalc.cams.speed import Speed, constant_speed
-from tmmcalc.cams.task import Elastic
+from tmmcalc.cams.task import Elastic, Spring
 from tmmcalc.errors import SingularityError, UsageError
 from tmmcalc.numerics.panels import panels
 from tmmcalc.stages.conversion import from_record, to_record
@@ -144,7 +145,7 @@ def test_result_round_trip_document_and_picture(tmp_path: Path) -> None:
     back = from_record(ElasticResult, to_record(result))
     assert np.array_equal(back.load, result.load)
     assert back.phases == result.phases
-    assert back.lost == result.lost
+    assert back.contact == result.contact
     rise = result.phases[0]
     assert rise.relative == pytest.approx(float(residual(LAWS["cosine"], np.array([rise.ratio]), 0.03)[0]), rel=1e-10)
     assert result.train == pytest.approx(result.mass * result.peak_response)
@@ -156,10 +157,72 @@ def test_result_round_trip_document_and_picture(tmp_path: Path) -> None:
 def test_loss_of_contact_by_vibration() -> None:
     """The places where the load passes zero; a rigid train keeps the contact."""
     result = solve_elastic(replace(roller_task(), elastic=Elastic(4e6, 0.03)), ROLLER)
-    assert result.lost
-    assert np.max(result.rigid) < 0 < result.closest
+    assert result.contact.lost
+    assert np.max(result.rigid) < 0 < result.contact.largest
     inside = np.zeros(len(result.phi), bool)
-    for begin, end in result.lost:
+    for begin, end in result.contact.lost:
         inside |= (result.phi > begin) & (result.phi < end)
     assert np.all(result.load[inside] > -1e-9)
     assert np.all(result.load[~inside] < 1e-9)
+
+
+def test_a_groove_is_changed_from_wall_to_wall() -> None:
+    """Two walls hold the roller: no contact is lost; where the load changes its sign the other wall presses."""
+    from tmmcalc.report.cams.elastic import elastic_document
+    from tmmcalc.report.pictures.cams.elastic import elastic_figure
+    from tmmcalc.report.plaintext import lines
+
+    given = roller_task(spring=Spring("none"))
+    task = replace(given, asked=replace(given.asked, closure="groove"), elastic=Elastic(2e6, 0.03))
+    result = solve_elastic(task, ROLLER)
+    change = np.flatnonzero(np.diff(np.sign(result.load)))
+    scanned = [float(x) for k in change for x in (result.phi[k], result.phi[k + 1])]
+    assert len(result.contact.reversals) == len(change) > 20
+    for phi, low, high in zip(result.contact.reversals, scanned[::2], scanned[1::2], strict=True):
+        assert low <= phi <= high
+    assert result.contact.lost == ()
+    said = "\n".join(lines(elastic_document(result, "cam")))
+    assert "two walls hold the roller" in said
+    assert "leaves the cam" not in said
+    assert "lost" not in said
+    (note,) = result.notes
+    assert f"{len(change)} times a turn" in note
+    heading = elastic_figure(task, result).subfigs[0].get_suptitle()
+    assert "the outer wall of the groove presses" in heading
+
+
+def test_vibration_asks_for_no_loads() -> None:
+    """Stiffness, mass and speed are enough; what presses on the cam is then not known, and not judged."""
+    motion = """[cam]
+follower = "translating"
+stroke = "20 mm"
+rise = "80 deg"
+return_angle = "90 deg"
+law = "cosine"
+speed = "100 rad/s"
+start_distance = "50 mm"
+roller_radius = "8 mm"
+"""
+    elastic = '[cam.elastic]\nstiffness = "200 N/mm"\ndamping = 0.05\n'
+    alone = tmmcalc.solve_cam_elastic(tmmcalc.parse_spec(f'{motion}{elastic}mass = "0.2 kg"\n'))
+    loaded = tmmcalc.solve_cam_elastic(tmmcalc.parse_spec(f'{motion}{elastic}[cam.loads]\nmass = "0.2 kg"\n'))
+    assert alone.phases == loaded.phases
+    assert np.array_equal(alone.response, loaded.response)
+    assert (alone.contact.judged, alone.contact.lost) == (False, ())
+    assert loaded.contact.judged
+    assert any("contact is not judged" in note for note in alone.notes)
+    with pytest.raises(UsageError, match="is rigid"):
+        tmmcalc.solve_cam_elastic(tmmcalc.parse_spec(motion))
+
+
+@pytest.mark.parametrize("stiffness", [2e4, 2e5, 2e8])
+def test_the_curves_reach_their_peaks_and_both_ends(stiffness: float) -> None:
+    """Straight lines between the points that are shown miss a peak by little; jumps show both limits."""
+    result = solve_elastic(replace(roller_task(), elastic=Elastic(stiffness, 0.05)), ROLLER)
+    assert (result.phi[0], result.phi[-1]) == (0.0, pytest.approx(2 * np.pi, rel=1e-15))
+    for curve, peak in ((result.response, result.peak_response), (result.given, result.peak_given)):
+        assert np.max(np.abs(curve)) == pytest.approx(peak, rel=8e-3)
+    period = 2 * np.pi / result.multiple
+    assert np.max(np.diff(result.phi)) < period / 12
+    end = result.phi == result.phi[np.argmin(np.abs(result.phi - np.pi / 3))]
+    assert result.given[end].tolist() == pytest.approx([-1e4 * 0.02 * np.pi**2 / 2 / (np.pi / 3) ** 2, 0.0], rel=1e-9)

@@ -1,8 +1,10 @@
 """The pictures of law and profile: every follower is drawn, equal bytes each time, texts that a reader looks for."""
 
-from math import radians
+from itertools import combinations
+from math import degrees, radians
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.cams.turns import task_of, turn
@@ -66,6 +68,92 @@ def test_laws(program, kind, tmp_path: Path):
     assert file.read_bytes().startswith(b"\x89PNG")
     with pytest.raises(UsageError, match="no picture format"):
         draw_cam("cam_law", task, result, tmp_path / "law.gif")
+
+
+def boxes(figure, names):
+    """Extents [dots] of the texts that begin with one of the names."""
+    from matplotlib.text import Text
+
+    found = [each for each in figure.findobj(Text) if each.get_text().startswith(names)]
+    return {each.get_text(): each.get_window_extent() for each in found}
+
+
+def apart(every):
+    return not any(a.overlaps(b) for a, b in combinations(every, 2))
+
+
+FACE = turn("const", rise=60, high=0, back=60)
+SHORT = turn("cosine", rise=5, high=0, back=5)
+NAMED = {**SCENES, "face": (FACE, Follower("flat", 0.08), {}), "short": (SHORT, Follower("translating", 0.5), {})}
+
+
+@pytest.mark.parametrize("name", NAMED)
+def test_phases_are_named_clear_of_each_other_and_of_the_walls(name):
+    program, follower, asked = NAMED[name]
+    task = task_of(program, follower.kind, **asked)
+    result = solve_profile(task, follower)
+    figure = profile_figure(task, result)
+    found = boxes(figure, ("rise ", "high dwell ", "return ", "low dwell "))
+    assert sorted(found) == sorted(f"{phase.kind} {degrees(phase.angle):.6g}°" for phase in program.phases)
+    assert apart(found.values())
+    axes = figure.axes[0]
+    for wall in (result.working, result.outer):
+        if wall is not None:
+            on_paper = axes.transData.transform(np.column_stack((wall.points.real, wall.points.imag)))
+            assert not any(box.count_contains(on_paper) for box in found.values())
+
+
+@pytest.mark.parametrize("name", NAMED)
+def test_positions_are_numbered_as_in_the_tables_and_can_be_read(name):
+    from matplotlib.text import Text
+
+    program, follower, asked = NAMED[name]
+    task = task_of(program, follower.kind, **asked)
+    result = solve_profile(task, follower)
+    figure = profile_figure(task, result)
+    assert "at i of the tables" in texts(figure)
+    written = [
+        each for each in figure.axes[0].findobj(Text) if each.get_text().isdigit() and each.get_fontsize() == 6.5
+    ]
+    assert len(written) >= 3
+    assert apart([each.get_window_extent() for each in written])
+    curve = result.working.points if result.flat else result.pitch
+    for each in written:
+        row = result.positions.labels.index(each.get_text())
+        place = figure.axes[0].transData.transform([curve[row].real, curve[row].imag])
+        middle = figure.axes[0].transData.transform(each.get_position())
+        assert np.hypot(*(place - middle)) < 6.5 * figure.dpi / 25.4
+
+
+def test_only_the_line_of_the_cusp_has_its_look():
+    """It bounds the pitch curve: the working profile may cross it, and must not be taken for it."""
+    follower = Follower("translating", 0.055, 0.01, 0.02)
+    task = task_of(STEM)
+    axes = profile_figure(task, solve_profile(task, follower)).axes[1]
+    (cusp,) = [line for line in axes.lines if {*line.get_ydata()} == {1e-3 / follower.roller}]
+    assert {line.get_color() for line in axes.lines if line is not cusp}.isdisjoint({cusp.get_color()})
+    assert "cusp of the pitch curve" in " ".join(each.get_text() for each in axes.get_legend().get_texts())
+
+
+def test_short_phases_are_named_beside_each_other():
+    task = task_of(turn("cosine", rise=5, high=5, back=5))
+    figure = law_figure(task, solve_law(task))
+    found = boxes(figure, ("rise\n", "high dwell\n", "return\n", "low dwell\n"))
+    assert len(found) == 4
+    assert apart(found.values())
+    frame = figure.axes[0].get_window_extent()
+    assert all(box.x0 > frame.x0 - 1 and box.x1 < frame.x1 for box in found.values())
+
+
+def test_a_rocker_has_one_unit_for_its_angle_in_the_portrait():
+    task = task_of(ROCKER, "oscillating")
+    figure = law_figure(task, solve_law(task))
+    portrait = figure.axes[-1]
+    assert max(np.max(line.get_xdata()) for line in portrait.lines if len(line.get_xdata()) > 9) == pytest.approx(
+        radians(20)
+    )
+    assert portrait.get_xlabel().endswith(", rad")
+    assert [axes.get_ylabel().rpartition("$")[2] for axes in figure.axes] == [", °", "", ", 1/rad", ", 1/rad²", ""]
 
 
 def test_a_jump_at_the_begin_of_the_turn_is_drawn_over_the_frame():

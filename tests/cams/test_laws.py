@@ -11,6 +11,7 @@ from scipy.integrate import quad
 from tests.cams.turns import turn
 from tmmcalc.cams.laws.catalogue import LAWS, TITLES, law_of
 from tmmcalc.cams.laws.constants import constants
+from tmmcalc.cams.laws.own import of_coefficients
 from tmmcalc.errors import UsageError
 
 CASES = {c["id"]: c for c in json.loads((Path(__file__).parents[1] / "cases/cams.json").read_text())}
@@ -65,6 +66,20 @@ def test_constants_s04(name):
     wanted = [expected[key] for key in ("Cv", "Ca", "k_M", "s_M", "jerk_min", "jerk_max")]
     np.testing.assert_allclose(told, wanted, rtol=1e-6, atol=1e-9)
     assert LAWS[name].at(np.array([0.0]))[3, 0] == pytest.approx(expected["jerk_at_0"], rel=1e-6, abs=1e-12)
+
+
+@pytest.mark.parametrize(("lead", "place"), [([0, 0, 0, 4, -3], 1.0), ([0, 0, 6, -8, 3], 0.0)])
+def test_the_largest_acceleration_stands_where_it_is_told(lead, place):
+    """s = 4k^3 - 3k^4 has s'' = 24k - 36k^2: 4 at 1/3, -12 at 1; s = 6k^2 - 8k^3 + 3k^4 is the same from its end."""
+    found = constants(of_coefficients(lead))
+    assert found.acceleration == pytest.approx(12, rel=1e-12)
+    assert found.acceleration_at == pytest.approx(place, abs=1e-12)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_of_equal_accelerations_the_rising_one_counts(name):
+    found = constants(LAWS[name])
+    assert LAWS[name].at(np.array([found.acceleration_at]))[2, 0] == pytest.approx(found.acceleration, rel=1e-9)
 
 
 # max(s's'') and its k as in the digest of table 5.1

@@ -13,6 +13,7 @@ from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.optimum.game import MOST, with_law
 from tmmcalc.cams.optimum.least import least_height
 from tmmcalc.cams.optimum.margins import NUMBERS, judge, margins
+from tmmcalc.cams.optimum.peaks import ended, largest
 from tmmcalc.cams.optimum.scene import scene_of
 from tmmcalc.cams.optimum.slipping import may_roll
 from tmmcalc.cams.optimum.solve import solve_optimum
@@ -60,6 +61,14 @@ def test_margins_agree_with_the_strength_stage() -> None:
     names = {2: "no slip", 3: "no undercut", 5: "roller unit", 6: "clearance of the shaft", 9: "contact stress"}
     for number, name in names.items():
         assert found.margin[NUMBERS.index(number), 0] == pytest.approx(strength[name].margin, abs=1e-9)
+
+
+@pytest.mark.parametrize("place", [0.999, 1.001])
+def test_a_largest_value_beside_the_common_edge_of_two_panels(place: float) -> None:
+    """The edge, a node of both, is the largest node; the function rises beyond it, or before it."""
+    t = ended().points
+    values = -((np.stack((t, 1 + t))[None] - place) ** 2)
+    assert float(largest(values)[0]) == pytest.approx(0, abs=1e-15)
 
 
 @pytest.mark.parametrize(("friction", "key"), [(0.1, ""), (0.0, "_f0")])
@@ -111,6 +120,22 @@ def test_continuous_optimum_against_differential_evolution(friction: float, phas
     )  # fmt: skip
     assert least.height <= other.fun + 1e-10
     assert least.height == pytest.approx(other.fun, rel=2e-4)
+
+
+def test_where_two_constraints_bind_the_height_is_stationary() -> None:
+    """The slope of H2 is a sum of those of both, with factors that are positive; found in a few steps."""
+    scene = scene_of(roller_task(), ROLLER)
+    least = least_height(scene, 0.056, 0.007, 0.107)
+    binding = np.flatnonzero(np.abs(least.margin) < 1e-13)
+    assert [NUMBERS[row] for row in binding] == [8, 9]
+    at, near = np.array([[least.start], [least.roller], [least.height]]), 1e-6
+    shift = near * np.concatenate((np.eye(3), -np.eye(3)), axis=1)
+    held = margins(scene, *(at + shift))[binding]
+    slope = (held[:, :3] - held[:, 3:]) / (2 * near)
+    factors, rest, *_ = np.linalg.lstsq(slope.T, np.array([0.0, 0.0, 1.0]), rcond=None)
+    assert np.all(factors > 0)
+    assert rest[0] < 1e-14
+    assert least.steps < 12
 
 
 def test_an_active_limit_relaxed_lowers_the_mechanism() -> None:
@@ -242,7 +267,7 @@ def test_flat_contact_stress_asks_for_more_height() -> None:
         from tmmcalc.cams.optimum import flat
 
         scene = scene_of(tight, Follower("flat", 0.05))
-        found = flat.ranges(scene, np.array([start]))
+        found = flat.lengths(scene)(np.array([start]))
         assert start + scene.stroke + found.least[0] > least.height - 1e-7
 
 

@@ -64,6 +64,23 @@ def test_the_radius_of_the_pivot_counts():
         solve_profile(replace(task(), loads=Loads(10.0, pivot_radius=0.012)), follower)
 
 
+def test_the_disc_of_a_groove_may_reach_beyond_the_pivot():
+    """The rocker is beside it; what counts is the second wall, and it is told where the pivot has to be."""
+    follower = follower_at(30, 0.005)  # top of the pitch curve at l0
+    found = solve_profile(task(closure="groove"), follower)
+    drawn = np.abs(Rim(follower, PROGRAM).at(np.linspace(0, 2 * pi, 7200)).offset(-follower.roller))
+    assert found.pivot.radius == pytest.approx(drawn.max(), rel=1e-9)
+    assert found.pivot.clearance == pytest.approx(-0.005, rel=1e-9)
+    (note,) = [each for each in found.remarks if "pivot" in each]
+    assert note.startswith("note: the second wall reaches beyond the rocker's pivot: it reaches 105 mm")
+    assert "beside the disc" in note
+    told = next(f.text for f in profile_document(found, "").facts if f.label == "rocker's pivot")
+    assert "beside the disc, which reaches 5 mm beyond its centre" in told
+    near = solve_profile(task(closure="groove"), follower_at(15, 0.003))
+    assert not any("pivot" in each for each in near.remarks)
+    assert near.pivot.clearance > 0
+
+
 def test_others_have_no_pivot():
     assert pivot_room(task_of(turn()), Follower("translating", 0.05)) is None
 
@@ -73,12 +90,6 @@ def test_given_sizes_are_warned_of():
     assert any("sweeps over the rocker's pivot" in note for note in found.notes)
     assert "rocker's pivot" in {fact.label for fact in synthesis_document(found, "").facts}
     assert not any("sweeps over" in n for n in solve_synthesis(task(start=radians(30), roller=0.01, **SIZES)).notes)
-
-
-def test_a_found_size_that_sweeps_over_the_pivot_is_told():
-    found = solve_synthesis(task(rocker=0.1, roller=0.002))
-    assert found.pivot.clearance < 0
-    assert any("sweeps over the rocker's pivot" in note for note in found.notes)
 
 
 def test_highest_is_the_top_of_the_law():

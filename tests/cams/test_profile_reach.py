@@ -1,5 +1,6 @@
 """Largest roller, cusps and crossings against dense pairs of points, other formulas, and the curves themselves."""
 
+from dataclasses import replace
 from math import degrees, radians
 
 import numpy as np
@@ -9,6 +10,8 @@ from tests.cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.profile.offsets import Rim
+from tmmcalc.cams.synthesis.solve import solve_synthesis
+from tmmcalc.cams.task import AngleLimits
 from tmmcalc.errors import NoSolutionError, UsageError
 
 ROCKER = {"kind": "oscillating", "centres": 0.1, "rocker": 0.09}
@@ -182,3 +185,13 @@ def test_the_usual_rule_is_a_note_and_limits_are_warnings():
     warnings = [remark for remark in found.remarks if remark.startswith("warning")]
     assert any("0.4 R0 = 18 mm" in note for note in notes)
     assert any("r_i = 75 mm" in warning and f"{degrees(found.hollowest.phi):.6g}" in warning for warning in warnings)
+
+
+@pytest.mark.parametrize(("shaft", "warned"), [(0.04, 0), (0.04 * (1 + 1e-6), 1)])
+def test_a_cam_that_the_shaft_has_sized_clears_it(shaft, warned):
+    """The synthesis sets R0 = r1 + r2 there, so that R0 - r2 is the shaft but for its last digit."""
+    task = task_of(turn("sine", rise=90, back=90, stroke=0.01), limits=AngleLimits(radians(30), None, shaft=0.04))
+    task = replace(task, asked=replace(task.asked, roller=0.005))
+    follower = solve_synthesis(task).follower
+    task = replace(task, limits=replace(task.limits, shaft=shaft))
+    assert sum("the shaft has" in each for each in solve_profile(task, follower).remarks) == warned

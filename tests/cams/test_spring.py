@@ -8,12 +8,17 @@ import numpy as np
 import pytest
 
 from tests.cams.turns import overshooting, task_of
+from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.forces.notes import force_notes
+from tmmcalc.cams.forces.results import Reserve
+from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.forces.spring import lifting, solve_spring
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.law import polynomial
 from tmmcalc.cams.program import Phase, Program
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Force, Loads, Spring
 from tmmcalc.errors import NoSolutionError
+from tmmcalc.report.cams.forces import forces_summary
 
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases/cams.json").read_text())}
 
@@ -113,6 +118,42 @@ def test_a_return_that_lifts_lower_down_is_held_as_well():
     assert spring.lifting == pytest.approx(rise, rel=1e-12)
     assert spring.stiffness == pytest.approx((1.2 * back - 0.2 * rise) / 0.01, rel=1e-10)
     assert spring.reached == pytest.approx(1.2, rel=1e-9)
+
+
+def notes_of(given, spring):
+    return list(force_notes(given, spring, (), (), Reserve(1.0, 0.0, 0.0, 0.0, None)))
+
+
+def test_the_phase_that_asks_for_the_stiffness_is_told():
+    """P_M = 180 N at 20 mm on the rise gives 9 N/mm, with which 145.9 N at 10 mm on the return lift off."""
+    asked = task(("cosine", "const"), Spring("safety", safety=1.25))
+    spring = found(asked)
+    back = 0.2 * 1e4 * 0.02 * 4 / SIXTY**2
+    assert spring.lifting == pytest.approx(180.0, rel=1e-12)
+    assert (spring.phase, spring.governing.phase) == ("rise", "return")
+    assert spring.governing.rule == pytest.approx(9000.0, rel=1e-12)
+    assert spring.governing.force == pytest.approx(back, rel=1e-12)
+    assert spring.governing.lift == pytest.approx(0.01, rel=1e-12)
+    assert spring.stiffness == pytest.approx((1.25 * back - 45) / 0.01, rel=1e-12)
+    (note,) = (note for note in notes_of(asked, spring) if "lifts lower down" in note)
+    assert "the return asks for the stiffness" in note
+    assert "c = 9 N/mm (5.57)" in note
+    facts = {fact.label: fact for fact in forces_summary(solve_forces(asked, Follower("translating", 0.06)), "").facts}
+    assert facts["stiffness"].values["c_rule[N/m]"] == pytest.approx(9000.0)
+    for alike in (task(["cosine"], Spring("safety")), task(("cosine", "const"), Spring("safety", exact=True))):
+        assert found(alike).governing is None
+
+
+def test_a_stiffness_that_there_is_not_refuses_nothing_else():
+    """A hanging follower: 0.25 P_M is less than the weight takes at the lowest position, but the contact is kept."""
+    asked = task(["cosine"], Spring("safety"), gravity=9.81, speed=19.77)
+    spring = found(asked)
+    top = 0.2 * (9.81 + 19.77**2 * 0.02 * pi**2 / 2 / SIXTY**2)
+    assert spring.exact is None
+    assert (spring.stiffness, spring.preload) == pytest.approx((top / 0.02, 0.25 * top), rel=1e-12)
+    assert spring.reached == pytest.approx(0.25 * top / (0.2 * 9.81), rel=1e-9)
+    assert any("exact = true finds a larger one" in note for note in notes_of(asked, spring))
+    assert found(task(["cosine"], Spring("safety", exact=True), gravity=9.81, speed=19.77)).reached > 1.25 * (1 - 1e-9)
 
 
 def test_weight_that_presses_spares_stiffness():

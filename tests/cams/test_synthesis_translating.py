@@ -12,11 +12,13 @@ from tests.cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower, contact_path, curvature
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.pressure import reached
+from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.synthesis.results import Synthesis, region_columns
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.synthesis.translating import least_start, lines_of, lowest, nearest
 from tmmcalc.cams.task import AngleLimits
 from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.numerics.panels import Panels
 from tmmcalc.stages.conversion import from_record, to_record
 
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases" / "cams.json").read_text())}
@@ -48,6 +50,14 @@ def test_worked_cases(name):
     assert np.degrees([*book.rise, *book.back]) == pytest.approx(angles, abs=1e-4)
     central = solve_synthesis(replace(task, asked=replace(task.asked, offset=0.0)))
     assert central.follower.start == pytest.approx(expected["exact_S0_for_e0_mm"] / 1e3, **near)
+
+
+def test_the_lines_of_a_phase_take_one_pass_over_it(monkeypatch):
+    """The search for extremes is what the least base circle costs: two for the four lines keep it in its time."""
+    passes, seek = [], Panels._turnings
+    monkeypatch.setattr(Panels, "_turnings", lambda *given: passes.append(1) or seek(*given))
+    assert len(lines_of(task_of(UNEQUAL, limits=BOTH))) == 4
+    assert len(passes) == 2
 
 
 def dense_half_planes(task, count=4001):
@@ -238,3 +248,62 @@ def test_record_and_columns():
     columns = region_columns(found)
     assert columns["e[m]"] == pytest.approx(-found.region.x)
     assert list(columns) == ["e[m]", "S0[m]", "phi[deg]", "side"]
+
+
+GROOVE = turn("cosine", "poly4567", rise=30, high=0, back=140, stroke=0.03)
+
+
+@pytest.mark.parametrize("convex", [0.0025, 0.001])
+def test_the_second_wall_of_a_groove_keeps_its_radius(convex):
+    """The pitch curve is hollow with rho1 = r2 + r_m where that decides, found here by samples of its curvature."""
+    limits = AngleLimits(radians(54), radians(45), convex=convex)
+    task = task_of(GROOVE, limits=limits, closure="groove", roller=0.02)
+    found = solve_synthesis(task)
+    assert found.governs == "second wall"
+    phi = np.linspace(0, 2 * np.pi, 40_001)
+    hollowest = -1 / np.min(curvature(contact_path(found.follower, phi, GROOVE.at(phi))))
+    assert hollowest == pytest.approx(0.02 + convex, rel=1e-6)
+    assert not any("second wall" in note for note in found.notes)
+    profile = solve_profile(task, found.follower)
+    assert profile.outer.sound
+    assert (
+        solve_synthesis(replace(task, asked=replace(task.asked, closure="force"))).follower.base < found.follower.base
+    )
+
+
+@pytest.mark.parametrize(("less", "what"), [(-0.001, "undercuts the"), (0.001, "leaves the"), (0.003, None)])
+def test_a_given_groove_is_warned_of_its_second_wall(less, what):
+    limits, start = AngleLimits(radians(54), radians(45)), 0.08
+    phi = np.linspace(0, 2 * np.pi, 40_001)
+    pitch = contact_path(Follower("translating", start), phi, GROOVE.at(phi))
+    roller = float(-1 / np.min(curvature(pitch))) - less
+    task = task_of(GROOVE, limits=limits, closure="groove", roller=roller, start=start, offset=0.0)
+    said = [note for note in solve_synthesis(task).notes if "second wall" in note]
+    assert len(said) == (what is not None)
+    assert all(f"{what} second wall" in note for note in said)
+    held = replace(task, asked=replace(task.asked, closure="force"))
+    assert not any("second wall" in note for note in solve_synthesis(held).notes)
+
+
+def test_an_offset_that_is_rounding_is_nothing():
+    """Rise and return alike on both sides of the axis: every design has e = 0, and so has the region's corner."""
+    found = solve_synthesis(task_of(turn("sine"), limits=BOTH, offset=None))
+    assert {design.offset for design in found.designs} == {0.0}
+    assert found.follower.offset == 0.0
+    assert 0.0 in found.region.x
+    assert np.all((found.region.x == 0) | (np.abs(found.region.x) > 1e-6))
+
+
+@pytest.mark.parametrize(
+    ("theta", "shaft", "roller"), [(33, 0.0382, 0.0085), (40, 0.0, 0.0397), (33, 0.02, 0.0085), (50, 0.0482, 0.0085)]
+)
+def test_whole_millimetres_keep_shaft_and_radius(theta, shaft, roller):
+    limits = AngleLimits(radians(theta), None, shaft=shaft)
+    task = task_of(turn("sine", stroke=0.03), limits=limits, offset=None, roller=roller)
+    whole = solve_synthesis(task).rounded
+    assert 1e3 * whole.start == pytest.approx(round(1e3 * whole.start), abs=1e-9)
+    assert whole.excess <= 0
+    assert whole.base >= shaft + roller if shaft else True
+    phi = np.linspace(0, 2 * np.pi, 40_001)
+    follower = Follower("translating", whole.start, whole.offset)
+    assert 1 / np.max(curvature(contact_path(follower, phi, task.program.at(phi)))) >= roller + limits.convex

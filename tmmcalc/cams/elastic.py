@@ -16,10 +16,12 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.kernels import resultant
 from tmmcalc.cams.forces.spring import solve_spring
-from tmmcalc.cams.forces.turn import at_angles, crossings, loads_of, spans
+from tmmcalc.cams.forces.turn import at_angles, loads_of
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.law import Law, Values
+from tmmcalc.cams.program import SAME
 from tmmcalc.cams.response import Course, residual, steady
+from tmmcalc.cams.separation import Contact, contact_notes, contact_of
 from tmmcalc.cams.speed import constant_speed
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.errors import UsageError
@@ -28,7 +30,7 @@ from tmmcalc.records import record
 
 RATIOS = np.arange(1, 241) / 20  # of the spectra: phase time over natural period
 COMPARED = ("sine", "cosine", "const", "shun", "modified_trapezoid", "modified_sine")
-SHOWN = 6  # points of the curves to a panel
+SHOWN, MANY = 9, 500  # points of the curves to a panel, where there are many panels; else all points
 
 
 @record
@@ -76,8 +78,7 @@ class ElasticResult:
     peak_phi: float  # [rad] where it stands
     train: float  # largest |k z + c z'| [N or N*m]
     largest: float  # of z [m or rad], in size
-    closest: float  # the largest load: positive, where the follower leaves the cam
-    lost: tuple[tuple[float, float], ...]  # from phi to phi [rad]: it leaves the cam by vibration
+    contact: Contact
     ratios: Values  # (m,)
     spectra: tuple[Spectrum, ...]
     notes: tuple[str, ...]
@@ -101,10 +102,10 @@ def solve_elastic(task: CamTask, follower: Follower) -> ElasticResult:
     (low, low_at), (high, high_at) = on.extremes(course.mass)
     peak, place = (high, high_at) if high >= -low else (-low, low_at)
     load, rigid = _loads(task, loads, course, mass)
-    closest = on.extremes(load)[1][0]
-    zero = crossings(on, load) if closest > 0 else np.empty(0)
-    lost = _lost(on, load, zero)
-    pick = (slice(None), np.linspace(0, on.order - 1, SHOWN).round().astype(int))
+    contact = contact_of(task, loads, on, load, rigid)
+    phi, (lift, stretch, given, response, shown, stiff) = _curves(
+        task, on, np.stack((course.lift, course.stretch, course.given, course.mass, load, rigid))
+    )
     laws = [phase.law for phase in task.program.phases if phase.law is not None]
     return ElasticResult(
         turns=follower.kind == "oscillating",
@@ -114,24 +115,23 @@ def solve_elastic(task: CamTask, follower: Follower) -> ElasticResult:
         frequency=frequency,
         multiple=frequency * float(course.time[-1]) / (2 * pi),
         stroke=task.program.stroke,
-        phi=on.x[pick].ravel(),
-        lift=course.lift[pick].ravel(),
-        stretch=course.stretch[pick].ravel(),
-        given=course.given[pick].ravel(),
-        response=course.mass[pick].ravel(),
-        load=load[pick].ravel(),
-        rigid=rigid[pick].ravel(),
+        phi=phi,
+        lift=lift,
+        stretch=stretch,
+        given=given,
+        response=response,
+        load=shown,
+        rigid=stiff,
         phases=tuple(_phases(task, course, frequency, train.damping)),
         peak_given=max(map(abs, (each[0] for each in on.extremes(course.given)))),
         peak_response=peak,
         peak_phi=place,
         train=mass * peak,
         largest=max(abs(each[0]) for each in on.extremes(course.stretch)),
-        closest=closest,
-        lost=lost,
+        contact=contact,
         ratios=RATIOS,
         spectra=tuple(_spectra(laws, train.damping)),
-        notes=tuple(_notes(lost, rigid, loads, task)),
+        notes=tuple(contact_notes(contact)),
     )
 
 
@@ -144,10 +144,15 @@ def _loads(task: CamTask, loads: Loads, course: Course, mass: float) -> tuple[Va
     return still - mass * course.mass, still - mass * course.given
 
 
-def _lost(on: Panels, load: Values, zero: Values) -> tuple[tuple[float, float], ...]:
-    edges = np.sort(np.concatenate((on.edges, zero)))
-    middle = (edges[:-1] + edges[1:]) / 2
-    return spans(edges, on.at(load, middle) > 0)
+def _curves(task: CamTask, on: Panels, values: Values) -> tuple[Values, Values]:
+    """Angles (n,) and values (Q, n) of curves (Q, K, N): points and edges, with both limits where the motion jumps."""
+    few = np.arange(on.order) if on.count <= MANY else np.linspace(0, on.order - 1, SHOWN).round().astype(int)
+    low, high = on.ends(values)
+    rows = np.concatenate((low[..., None], values[..., few], high[..., None]), axis=-1)
+    phi = np.concatenate((on.edges[:-1, None], on.x[:, few], on.edges[1:, None]), axis=1)
+    kept = np.ones(phi.shape, bool)
+    kept[:, -1] = np.min(np.abs(on.edges[1:, None] - task.program.edges), axis=1) < SAME
+    return phi[kept], rows[:, kept]
 
 
 def _phases(task: CamTask, course: Course, frequency: float, damping: float) -> Iterator[PhaseVibration]:
@@ -179,13 +184,6 @@ def _spectra(own: list[Law], damping: float) -> Iterator[Spectrum]:
         piece = np.repeat(np.arange(law.count), 200)
         peak = float(np.max(np.abs(law.at(k, piece)[2])))
         yield Spectrum(law.name, found, found * (2 * pi * RATIOS) ** 2 / peak)
-
-
-def _notes(lost: tuple[tuple[float, float], ...], rigid: Values, loads: Loads, task: CamTask) -> Iterator[str]:
-    if lost and task.asked.closure == "force":
-        where = ", ".join(f"{np.degrees(a):.5g} to {np.degrees(b):.5g} deg" for a, b in lost)
-        also = "as a rigid one does" if float(np.max(rigid)) > 0 else "which a rigid one would not"
-        yield f"warning: the follower leaves the cam for phi from {where}, {also}"
 
 
 def elastic_columns(result: ElasticResult) -> dict[str, Values]:

@@ -70,6 +70,11 @@ class LawResult:
     remarks: tuple[str, ...]
 
     @property
+    def labels(self) -> tuple[str, ...]:
+        """Labels of the rows."""
+        return self.positions.labels
+
+    @property
     def in_time(self) -> Values | None:
         """Velocity, acceleration, jerk (3, n) [m or rad, s]; None without a speed."""
         if self.speed is None:

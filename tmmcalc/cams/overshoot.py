@@ -55,7 +55,7 @@ def overshoot_remarks(program: Program, turns: bool) -> Iterator[str]:
     def shown(amount: float) -> str:
         return f"{degrees(amount):.6g} deg" if turns else f"{1e3 * amount:.6g} mm"
 
-    (least, low), (largest, high) = program.panels.extremes(program.sampled[0])
+    (least, low), (largest, high) = program.span
     if largest - program.stroke > LEVEL * program.stroke:
         yield (
             f"warning: overshoot: the follower rises {shown(largest - program.stroke)} above the stroke at phi = "

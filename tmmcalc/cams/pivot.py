@@ -1,8 +1,10 @@
 """Whether a cam passes the pivot of its rocker: it turns about O, the pivot A stands at l0 and has a radius.
 
-    r_max = |OC|_max - r2 < l0 - r_A,     |OC|^2 = l0^2 + l2^2 - 2 l0 l2 cos psi
+    r_max = |OC|_max - r2 <= l0 - r_A,     |OC|^2 = l0^2 + l2^2 - 2 l0 l2 cos psi
 
-|OC| grows with psi: the largest radius of the working profile is that of the highest rocker.
+|OC| grows with psi: the largest radius of the working profile is that of the highest rocker. The second wall of a
+groove reaches |OC|_max + r2; its roller goes into the disc from the side, so that the rocker is beside the disc, and
+where the groove reaches beyond its pivot the pivot has to be there as well.
 """
 
 from __future__ import annotations
@@ -16,20 +18,37 @@ from tmmcalc.cams.program import SAME, Program
 from tmmcalc.cams.task import CamTask
 from tmmcalc.records import record
 
+NEAR = 1e-12  # of l0: so little beyond the pivot is rounding
+
 
 @record
 class PivotRoom:
     """What is left between the turning cam and the pivot of its rocker."""
 
-    radius: float  # r_max [m] of the working profile
+    radius: float  # r_max [m] of the working profile, of a groove that of its second wall
     phi: float  # [rad] where
     limit: float  # l0 - r_A [m]
     pivot: float  # r_A [m]; 0: not known
+    beside: bool = False  # a groove: the rocker is beside its disc, which may reach beyond the pivot
 
     @property
     def clearance(self) -> float:
         """Between cam and pivot [m]; negative: the cam sweeps over it."""
         return self.limit - self.radius
+
+    @property
+    def swept(self) -> bool:
+        """Whether the cam sweeps over the pivot by more than rounding."""
+        return not self.beside and self._reached
+
+    @property
+    def passed(self) -> bool:
+        """Whether the disc of a groove reaches beyond the pivot, which then is beside it."""
+        return self.beside and self._reached
+
+    @property
+    def _reached(self) -> bool:
+        return self.clearance < -NEAR * (self.limit + self.pivot)
 
 
 def highest(program: Program) -> tuple[float, float]:
@@ -55,13 +74,18 @@ def pivot_room(task: CamTask, follower: Follower) -> PivotRoom | None:
     psi = follower.start + y
     top = hypot(follower.centres - follower.rocker * cos(psi), follower.rocker * sin(psi))
     pivot = 0.0 if task.loads is None else task.loads.pivot_radius
-    return PivotRoom(top - follower.roller, phi, follower.centres - pivot, pivot)
+    groove = task.asked.closure == "groove"
+    reach = top + follower.roller if groove else top - follower.roller
+    return PivotRoom(reach, phi, follower.centres - pivot, pivot, groove)
 
 
 def told(room: PivotRoom) -> str:
-    """What is wrong where the cam sweeps over the pivot."""
-    beside = f" less its radius of {1e3 * room.pivot:.6g} mm" if room.pivot else ""
+    """What is wrong where the cam sweeps over the pivot, or what its disc asks of it."""
+    less = f" less its radius of {1e3 * room.pivot:.6g} mm" if room.pivot else ""
+    what = "second wall reaches beyond" if room.passed else "cam sweeps over"
+    asks = ": the pivot has to be beside the disc, in the plane of the rocker" if room.passed else ""
     return (
-        f"the cam sweeps over the rocker's pivot: it reaches {1e3 * room.radius:.6g} mm from its axis at "
-        f"phi = {degrees(room.phi):.6g} deg, the pivot stands {1e3 * (room.limit + room.pivot):.6g} mm from it{beside}"
+        f"the {what} the rocker's pivot: it reaches {1e3 * room.radius:.6g} mm from its axis at "
+        f"phi = {degrees(room.phi):.6g} deg, the pivot stands {1e3 * (room.limit + room.pivot):.6g} mm from it"
+        f"{less}{asks}"
     )

@@ -107,7 +107,7 @@ def check_reach(program: Program, follower: Follower) -> None:
     What counts is the true range of y, which a law of one's own may leave 0 to h for. Raises `SingularityError`: there
     the pressure angle is 90 deg or undefined.
     """
-    (y, phi), (y_high, phi_high) = program.panels.extremes(program.sampled[0])
+    (y, phi), (y_high, phi_high) = program.span
     low, high = float(follower.start) + y, float(follower.start) + y_high
     if follower.kind != "oscillating":
         if low > 0:

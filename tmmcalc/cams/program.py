@@ -16,7 +16,7 @@ from typing import Literal
 import numpy as np
 
 from tmmcalc.cams.laws.law import ORDERS, Indices, Law, Values
-from tmmcalc.numerics.panels import Panels, panels
+from tmmcalc.numerics.panels import Extreme, Panels, panels
 from tmmcalc.records import record
 
 PhaseKind = Literal["rise", "high dwell", "return", "low dwell"]
@@ -57,15 +57,20 @@ class Program:
         return max(max(phase.start, phase.end) for phase in self.phases)
 
     @cached_property
+    def span(self) -> tuple[Extreme, Extreme]:
+        """Least and largest y of the turn, each with its angle: a law of one's own may leave 0 to h."""
+        return self.panels.extremes(self.sampled[0])
+
+    @property
     def lowest(self) -> float:
         """Least y of the turn; below 0 where a law undershoots."""
-        (least, _), _ = self.panels.extremes(self.sampled[0])
+        least = self.span[0][0]
         return least if least < -SAME * self.stroke else 0.0
 
-    @cached_property
+    @property
     def highest(self) -> float:
         """Largest y of the turn; above the stroke where a law overshoots."""
-        _, (largest, _) = self.panels.extremes(self.sampled[0])
+        largest = self.span[1][0]
         return largest if largest > self.stroke * (1 + SAME) else self.stroke
 
     @cached_property

@@ -19,7 +19,8 @@ from tmmcalc.cams.laws.law import Law, Values
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.speed import Speed
 from tmmcalc.errors import SingularityError, UsageError
-from tmmcalc.numerics.panels import Panels, panels, rule
+from tmmcalc.numerics.gauss import rule
+from tmmcalc.numerics.panels import Panels, panels
 from tmmcalc.records import record
 
 Complex = NDArray[np.complexfloating]

@@ -12,73 +12,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
-from functools import cache
 from itertools import pairwise
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.numerics.gauss import ORDER, legendre, rule
 from tmmcalc.numerics.roots import bracketed
 from tmmcalc.records import record
 
 Values = NDArray[np.floating[Any]]
+Extreme = tuple[float, float]  # value and place
 
-ORDER = 16  # points of a panel
 WIDEST = np.pi / 6  # of a first panel, in the variable's unit
 NARROWEST = 2.0**-24  # of the whole range: a panel is not halved below it
 PASSES = 40
 NEWTON = 4  # steps to an extreme
-
-
-class Rule(NamedTuple):
-    """Gauss-Legendre rule of n points on [0, 1] and the matrices that act on values at its points."""
-
-    points: Values  # (n,)
-    weights: Values  # (n,)
-    primitive: Values  # (n, n) integral from 0 to each point
-    slope: Values  # (n, n) derivative at each point
-    barycentric: Values  # (n,)
-    coefficients: Values  # (n, n) values -> Legendre coefficients
-    ends: Values  # (2, n) interpolation at 0 and 1
-
-
-@cache
-def rule(n: int = ORDER) -> Rule:
-    """The rule of n points.
-
-    >>> rule(2).points.round(6).tolist()
-    [0.211325, 0.788675]
-    """
-    k = np.arange(1, n)
-    beta = k / np.sqrt(4.0 * k * k - 1)
-    t = np.linalg.eigvalsh(np.diag(beta, 1) + np.diag(beta, -1))
-    for _ in range(2):  # the eigenvalues carry a few roundings; Newton on P_n removes them
-        p = legendre(t, n)
-        t = t - p[n] * (t * t - 1) / (n * (t * p[n] - p[n - 1]))
-    t = (t - t[::-1]) / 2
-    p = legendre(t, n)
-    degree = np.arange(n)
-    # near the ends 1 - t^2 has lost digits, so weights from the closed formulas would be good to 1e-14 only
-    coefficients = np.linalg.inv(p[:n].T)
-    weights = coefficients[0] + coefficients[0, ::-1]
-    upper = np.vstack((p[1] + 1, (p[2 : n + 1] - p[: n - 1]) / (2 * degree[1:] + 1)[:, None]))
-    gap = t[:, None] - t + np.eye(n)
-    barycentric = 1 / np.prod(2 * gap, axis=1)
-    slope = barycentric / barycentric[:, None] / gap
-    np.fill_diagonal(slope, 0.0)
-    np.fill_diagonal(slope, -slope.sum(axis=1))
-    ends = np.vstack(((-1.0) ** degree, np.ones(n))) @ coefficients
-    return Rule((t + 1) / 2, weights / 2, upper.T @ coefficients / 2, 2 * slope, barycentric, coefficients, ends)
-
-
-def legendre(t: Values, n: int) -> Values:
-    """Legendre polynomials of degree 0 to n at t, (n + 1, m)."""
-    p = np.empty((n + 1, len(t)))
-    p[0], p[1] = 1.0, t
-    for k in range(1, n):
-        p[k + 1] = ((2 * k + 1) * t * p[k] - k * p[k - 1]) / (k + 1)
-    return p
 
 
 @record
@@ -141,9 +91,9 @@ class Panels:
         """Numbers (m,) of the panels that hold ``x`` (m,)."""
         return np.clip(np.searchsorted(self.edges, x, side=side) - 1, 0, self.count - 1)
 
-    def _inside(self, rows: Values, k: NDArray[np.intp], x: Values) -> Values:
-        """Interpolate row k (m,) of ``rows`` (K, ..., N) at x (m,): (m, ...)."""
-        r = rule(self.order)
+    def _inside(self, rows: Values, row: NDArray[np.intp], x: Values) -> Values:
+        """Interpolate row (m,) of ``rows`` (F K, ..., N), function by function, at x (m,): (m, ...)."""
+        r, k = rule(self.order), row % self.count
         t = (x - self.edges[k]) / self.width[k]
         gap = t[:, None] - r.points
         hit = gap == 0
@@ -151,44 +101,64 @@ class Panels:
         exact = hit.any(axis=1)
         part[exact] = hit[exact]
         part /= part.sum(axis=1)[:, None]
-        return np.einsum("m...n,mn->m...", rows[k], part)
+        return np.einsum("m...n,mn->m...", rows[row], part)
 
     def turning(self, values: Values) -> tuple[Values, Values]:
         """Places (m,) and values (m,) of all local extremes of one function (K, N), the limits at edges included."""
-        slopes = self.slope(values)
-        ends = self.ends(slopes)
-        row = np.concatenate((ends[0][:, None], slopes, ends[1][:, None]), axis=1)
-        t = np.concatenate((self.edges[:-1, None], self.x, self.edges[1:, None]), axis=1)
-        k, i = np.nonzero(np.signbit(row[:, 1:]) != np.signbit(row[:, :-1]))
-        at = self._level(slopes, k, t[k, i], t[k, i + 1], row[k, i], row[k, i + 1])
-        inner = self._inside(values, k, at)
-        low, high = self.ends(values)
-        return np.concatenate((at, self.edges[:-1], self.edges[1:])), np.concatenate((inner, low, high))
+        at, found, _ = self._turnings(values[None])
+        return at, found
 
-    def _level(self, slopes: Values, k: NDArray[np.intp], low: Values, high: Values, a: Values, b: Values) -> Values:
-        """Roots (m,) of rows k of ``slopes`` (K, N) between ``low`` and ``high``, where the values are a and b.
+    def _turnings(self, values: Values) -> tuple[Values, Values, NDArray[np.intp]]:
+        """Places, values and numbers of the functions (m,) of all local extremes of functions (F, K, N)."""
+        slopes = self.slope(values)
+        ends, limits = self.ends(slopes), self.ends(values)
+        sloped = np.concatenate((ends[0][..., None], slopes, ends[1][..., None]), axis=-1).reshape(-1, self.order + 2)
+        t = np.concatenate((self.edges[:-1, None], self.x, self.edges[1:, None]), axis=1)
+        row, i = np.nonzero(np.signbit(sloped[:, 1:]) != np.signbit(sloped[:, :-1]))
+        k = row % self.count
+        at = self._level(slopes, row, t[k, i], t[k, i + 1], sloped[row, i], sloped[row, i + 1])
+        inner = self._inside(values.reshape(-1, self.order), row, at)
+        edges, every = (self.edges[:-1], self.edges[1:]), np.arange(len(values))
+        return (
+            np.concatenate((at, *(np.tile(side, len(values)) for side in edges))),
+            np.concatenate((inner, *(limit.ravel() for limit in limits))),
+            np.concatenate((row // self.count, *2 * [np.repeat(every, self.count)])),
+        )
+
+    def _level(self, slopes: Values, row: NDArray[np.intp], low: Values, high: Values, a: Values, b: Values) -> Values:
+        """Roots (m,) of rows of ``slopes`` (F, K, N) between ``low`` and ``high``, where the values are a and b.
 
         Newton from the chord ends in four steps nearly everywhere; the rest is bracketed.
         """
-        if not len(k):
+        if not len(row):
             return np.empty(0)
-        both = np.stack((slopes, self.slope(slopes)), axis=1)
+        both = np.stack((slopes, self.slope(slopes)), axis=-2).reshape(-1, 2, self.order)
         x = low + (high - low) * (a / np.where(a == b, 1.0, a - b))
         with np.errstate(divide="ignore", invalid="ignore"):
             for _ in range(NEWTON):
-                value = self._inside(both, k, x)
+                value = self._inside(both, row, x)
                 step = np.where(value[:, 0] == 0, 0.0, value[:, 0] / value[:, 1])
                 x = np.minimum(np.maximum(x - step, low), high)
-        left = np.flatnonzero(np.abs(step) > 1e-12 * (high - low))
+                left = np.flatnonzero(np.abs(step) > 1e-12 * (high - low))
+                if not left.size:
+                    break
         if left.size:
-            x[left] = bracketed(lambda s, which: self._inside(slopes, k[left][which], s), low[left], high[left])
+            x[left] = bracketed(lambda s, which: self._inside(both[:, 0], row[left][which], s), low[left], high[left])
         return x
 
-    def extremes(self, values: Values) -> tuple[tuple[float, float], tuple[float, float]]:
+    def extremes(self, values: Values) -> tuple[Extreme, Extreme]:
         """Smallest and largest value of one function (K, N), each as (value, place)."""
-        at, value = self.turning(values)
-        low, high = int(np.argmin(value)), int(np.argmax(value))
-        return (float(value[low]), float(at[low])), (float(value[high]), float(at[high]))
+        return self.extremes_of(values[None])[0]
+
+    def extremes_of(self, values: Values) -> list[tuple[Extreme, Extreme]]:
+        """Smallest and largest value of every function (F, K, N), each as (value, place): of several in one pass."""
+        at, value, which = self._turnings(values)
+        found = []
+        for number in range(len(values)):
+            own = np.flatnonzero(which == number)
+            low, high = own[np.argmin(value[own])], own[np.argmax(value[own])]
+            found.append(((float(value[low]), float(at[low])), (float(value[high]), float(at[high]))))
+        return found
 
     def tail(self, values: Values) -> Values:
         """Size (..., K) of the last coefficients: what the polynomial of a panel leaves out, with a margin."""
@@ -218,7 +188,7 @@ def panels(low: float, high: float, breaks: Iterable[float] = (), widest: float 
 
 def _parts(low: float, high: float, widest: float) -> Values:
     """Lower edges of the equal panels of one piece."""
-    count = math.ceil((high - low) / widest - 1e-9)
+    count = max(1, math.ceil((high - low) / widest - 1e-9))
     return low + (high - low) / count * np.arange(count)
 
 

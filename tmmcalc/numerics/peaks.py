@@ -6,7 +6,8 @@ from functools import cache
 
 import numpy as np
 
-from tmmcalc.numerics.panels import Panels, Values, rule
+from tmmcalc.numerics.gauss import rule
+from tmmcalc.numerics.panels import Panels, Values
 
 TERMS = 7  # of the Taylor polynomial: what is left out is less than 1e-10 between two points
 NEWTON = 3

@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.numerics.panels import ORDER, Values, legendre, rule
+from tmmcalc.numerics.gauss import ORDER, legendre, rule
+from tmmcalc.numerics.panels import Values
 
 
 class Radau(NamedTuple):

@@ -47,17 +47,24 @@ def force_notes(
 
 
 def _spring_notes(task: CamTask, spring: SpringFound) -> Iterator[str]:
+    def shown(stiffness: float) -> str:
+        return f"{stiffness:.7g} N*m/rad" if task.asked.kind == "oscillating" else f"{1e-3 * stiffness:.7g} N/mm"
+
     if spring.method == "safety" and spring.lifting is None:
         yield "note: nothing lifts the follower off, so the spring is none"
+    if spring.governing is not None:
+        yield (
+            f"note: the {spring.governing.phase} asks for the stiffness, for it lifts lower down: the textbook's rule, "
+            f"by the largest force alone, gives c = {shown(spring.governing.rule)} (5.57), which falls short there"
+        )
     if spring.reached is not None and spring.asked is not None and spring.reached < spring.asked * (1 - 1e-9):
         grade = "warning" if spring.reached < 1 else "note"
-        stiffness = ""
+        cure = "no c keeps it with this preload; exact = true finds a larger one"
         if spring.exact is not None:
-            unit, factor = ("N*m/rad", 1.0) if task.asked.kind == "oscillating" else ("N/mm", 1e-3)
-            stiffness = f"; c = {factor * spring.exact:.7g} {unit} would keep it (exact = true)"
+            cure = f"c = {shown(spring.exact)} would keep it (exact = true)"
         yield (
             f"{grade}: the spring reaches {spring.reached:.6g} of the asked K1 = {spring.asked:.6g} at phi = "
-            f"{degrees(spring.reached_phi or 0.0):.6g} deg{stiffness}"
+            f"{degrees(spring.reached_phi or 0.0):.6g} deg; {cure}"
         )
     wire = spring.wire
     if wire is not None and not INDEX[0] <= wire.index <= INDEX[1]:

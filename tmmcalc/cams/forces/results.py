@@ -20,6 +20,17 @@ class Wire:
 
 
 @record
+class Governing:
+    """The phase that asks for the stiffness, where that is not the phase of the largest lifting force."""
+
+    phase: str  # "rise" or "return"
+    force: float  # largest force that lifts off in it
+    lift: float  # dS [m or rad] there
+    phi: float  # [rad]
+    rule: float  # c by the largest lifting force alone (5.57)
+
+
+@record
 class SpringFound:
     """The return spring; forces and stiffness of RK are moments [N*m] and [N*m/rad]."""
 
@@ -32,7 +43,8 @@ class SpringFound:
     phi: float | None  # [rad] where it stands, or where the tangent touches
     lift: float | None  # dS_M [m or rad] there
     phase: str  # "rise" or "return"; "" if nothing lifts off
-    exact: float | None  # least stiffness that keeps K1 all over the turn with this preload
+    governing: Governing | None  # of the method safety, where a smaller P_M asks for the stiffer spring
+    exact: float | None  # least stiffness that keeps K1 all over the turn with this preload; None: there is none
     reached: float | None  # least |Q_spring|/P where P > 0
     reached_phi: float | None  # [rad]
     wire: Wire | None
@@ -127,6 +139,11 @@ class CamForces:
     work: CamWork
     verdict: str  # "ok" or "loss_of_contact"
     notes: tuple[str, ...]
+
+    @property
+    def labels(self) -> tuple[str, ...]:
+        """Labels of the rows."""
+        return self.positions.labels
 
     def extreme(self, name: str) -> ForceExtreme:
         """The extremes of a quantity by its name."""

@@ -3,6 +3,7 @@
 P is the force of inertia and weight that lifts the follower off, Q = Q0 + c dS that of the spring, K1 the safety:
 
     safety    Q0 = (K1 - 1) P_M,  Q0 + c dS_M = K1 P_M at the largest P of rise and return        (5.54 to 5.57)
+              and no less than K1 P at the largest P of the other phase, which may stand lower down
               exact: the same Q0 and the least c with Q >= K1 P all over the turn
     preload   c = max (P + F_min)/(f1 + dS),  Q0 = c f1: the tangent from the point -f1 to the curve of P + F_min
 
@@ -19,7 +20,7 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.cams.forces.results import SpringFound, Wire
+from tmmcalc.cams.forces.results import Governing, SpringFound, Wire
 from tmmcalc.cams.forces.turn import at_angles, smooth_panels, steady, weight
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure import on_phase
@@ -74,15 +75,15 @@ def solve_spring(task: CamTask, loads: Loads) -> SpringFound:
     asked, lifted = loads.spring, lifting(task, loads)
     tops = peaks_of(task, lifted)
     top = max(tops, key=lambda each: each.force) if tops else None
-    place = top
+    place, governing = top, None
     if asked.method == "preload":
         stiffness, preload, place = _by_tangent(task, asked, lifted)
     elif asked.method == "safety":
-        stiffness, preload = _by_safety(asked, lifted, tops)
+        stiffness, preload, governing = _by_safety(asked, lifted, tops)
     else:
         stiffness, preload = (asked.stiffness, asked.preload) if asked.method == "given" else (0.0, 0.0)
     safety = asked.safety if asked.method == "safety" and top else None
-    exact = least_stiffness(lifted, safety, preload) if safety is not None and preload > 0 else None
+    exact = _least(lifted, safety * lifted.force - preload, 0.0) if safety is not None else None
     reached = _reached(lifted, stiffness, preload) if top else None
     highest = preload + stiffness * task.program.highest
     return SpringFound(
@@ -95,7 +96,8 @@ def solve_spring(task: CamTask, loads: Loads) -> SpringFound:
         phi=place.phi if place else None,
         lift=place.lift if place else None,
         phase=place.phase if place else "",
-        exact=exact,
+        governing=governing,
+        exact=exact[0] if exact else None,
         reached=reached[0] if reached else None,
         reached_phi=reached[1] if reached else None,
         wire=_wire(task, asked, stiffness, preload, highest),
@@ -117,18 +119,23 @@ def peaks_of(task: CamTask, lifted: Lifting) -> list[Peak]:
     return found
 
 
-def _by_safety(asked: Spring, lifted: Lifting, tops: list[Peak]) -> tuple[float, float]:
+def _by_safety(asked: Spring, lifted: Lifting, tops: list[Peak]) -> tuple[float, float, Governing | None]:
     """c and Q0 for the larger P_M; where the other phase lifts lower down, stiff enough for it as well."""
     if not tops:
-        return 0.0, 0.0
-    safety = asked.safety
-    preload = (safety - 1) * max(top.force for top in tops)
+        return 0.0, 0.0, None
+    safety, top = asked.safety, max(tops, key=lambda each: each.force)
+    preload = (safety - 1) * top.force
     if asked.exact:
         preload = max(preload, safety * _at_rest(lifted))
-        return least_stiffness(lifted, safety, preload), preload
-    if any(top.lift <= 0 for top in tops):
+        return _found(lifted, safety * lifted.force - preload)[0], preload, None
+    if any(each.lift <= 0 for each in tops):
         raise _no_spring("the largest lifting force stands at the lowest position")
-    return max((safety * top.force - preload) / top.lift for top in tops), preload
+    rule = top.force / top.lift
+    worst = max(tops, key=lambda each: (safety * each.force - preload) / each.lift)
+    stiffness = (safety * worst.force - preload) / worst.lift
+    if stiffness <= rule * (1 + LEVEL):
+        return rule, preload, None
+    return stiffness, preload, Governing(worst.phase, worst.force, worst.lift, worst.phi, rule)
 
 
 def _at_rest(lifted: Lifting) -> float:
@@ -138,16 +145,19 @@ def _at_rest(lifted: Lifting) -> float:
     return float(max(np.max(force, initial=0.0) for force in low))
 
 
-def least_stiffness(lifted: Lifting, safety: float, preload: float, deflection: float = 0.0) -> float:
-    """The least c with preload + c (deflection + dS) >= K1 P all over the turn; 0 if the preload does it alone.
+def _found(lifted: Lifting, needed: Values, deflection: float = 0.0) -> tuple[float, float]:
+    """What `_least` finds; raises `NoSolutionError` where nothing does."""
+    found = _least(lifted, needed, deflection)
+    if found is None:
+        raise _no_spring("a force lifts the follower off its lowest position, where the preload is too small")
+    return found
 
-    Raises `NoSolutionError` if the preload is too small where there is no lift.
+
+def _least(lifted: Lifting, needed: Values, deflection: float) -> tuple[float, float] | None:
+    """The least c with c (deflection + dS) >= needed over the turn, and its place, by Newton on G from below.
+
+    0 where nothing is needed; None where something is that has no arm.
     """
-    return _least(lifted, safety * lifted.force - preload, deflection)[0]
-
-
-def _least(lifted: Lifting, needed: Values, deflection: float) -> tuple[float, float]:
-    """max needed/(deflection + dS) where needed > 0, and its place; by Newton on G from below."""
     on, arm = lifted.on, lifted.lift + deflection
     level = LEVEL * float(np.max(np.abs(needed)))
     c, place = 0.0, 0.0
@@ -156,10 +166,9 @@ def _least(lifted: Lifting, needed: Values, deflection: float) -> tuple[float, f
         if excess <= level:
             return c, place
         length = float(on.at(arm, np.array([at]))[0])
-        step = excess / length if length > LEVEL * float(np.max(arm)) else np.inf
-        if not np.isfinite(step):
-            raise _no_spring("a force lifts the follower off its lowest position, where the preload is too small")
-        place = at
+        if length <= LEVEL * float(np.max(arm)) or not np.isfinite(excess / length):
+            return None
+        step, place = excess / length, at
         if step <= LEVEL * c:
             return c + step, place
         c += step
@@ -176,7 +185,7 @@ def _no_spring(why: str) -> NoSolutionError:
 
 def _by_tangent(task: CamTask, asked: Spring, lifted: Lifting) -> tuple[float, float, Peak | None]:
     deflection = DEFLECTION * task.program.stroke if asked.deflection is None else asked.deflection
-    c, at = _least(lifted, lifted.force + asked.least, deflection)
+    c, at = _found(lifted, lifted.force + asked.least, deflection)
     if c == 0:
         return 0.0, 0.0, None
     force = _before_and_after(lifted.on, lifted.force, at)

@@ -13,7 +13,8 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.program import TURN, Positions
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.errors import UsageError
-from tmmcalc.numerics.panels import Panels, panels, rule
+from tmmcalc.numerics.gauss import rule
+from tmmcalc.numerics.panels import Panels, panels
 from tmmcalc.numerics.roots import bracketed
 from tmmcalc.records import record
 

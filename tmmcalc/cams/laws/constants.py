@@ -23,7 +23,7 @@ class LawConstants:
     velocity: float  # Cv
     velocity_at: float  # k
     acceleration: float  # Ca
-    acceleration_at: float  # k of the largest s''
+    acceleration_at: float  # k of it; where rising and braking are alike, of the rising
     jerk: tuple[float, float]  # least and largest s'''
     braking: float  # least s'', negative
     braking_at: float  # k_M
@@ -58,7 +58,7 @@ def constants(law: Law) -> LawConstants:
         velocity,
         velocity_at,
         max(rising, -braking),
-        rising_at,
+        rising_at if rising >= -braking * (1 - LEVEL) else braking_at,
         (jerk_low, jerk_high),
         braking,
         braking_at,

@@ -16,12 +16,13 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.curves import between
 from tmmcalc.cams.optimum.march import crossed
 from tmmcalc.cams.optimum.margins import NUMBERS
-from tmmcalc.cams.optimum.plane import Plane
+from tmmcalc.cams.optimum.plane import Plane, guessed, tamed
 from tmmcalc.records import record
 
 NEAREST = 1e-6  # of a cell, to the outside of a root: there the constraint that binds is seen
 NEWTON = 12
 CROSSING = 4  # Newton's steps to a point between two of the border
+LAST = 1e-6  # margin from which one step leads to a corner
 MET = 1e-11  # margin at a corner
 EDGE = 0  # number of a border of the plane itself
 
@@ -60,7 +61,8 @@ def outlines_of(plane: Plane, x: Values, y: Values, least: Values) -> Iterator[O
         return
     one = np.stack((x[on.inside[:, 0]], y[on.inside[:, 1]]))
     way = np.stack((x[on.outside[:, 0]], y[on.outside[:, 1]])) - one
-    points = plane.roots(one, way, None)
+    known = guessed(tamed(wide)[None], on.inside, on.outside, np.zeros(len(on.inside), int))
+    points, _ = plane.roots(one, way, known)
     binds = np.array(NUMBERS)[np.argmin(plane.held(*(points + NEAREST * way)), axis=0)]
     binds = np.where(np.any(way != 0, axis=0), binds, EDGE)
     cell = np.array([[x[2] - x[1]], [y[2] - y[1]]])
@@ -82,8 +84,8 @@ def _halves(
         return {}
     one, other = np.array(pairs).T
     row = np.searchsorted(NUMBERS, binds[one])
-    at, good = between(plane, points[:, one] / cell, points[:, other] / cell, row, cell, CROSSING, MET)
-    good &= plane.held(*at).min(axis=0) > -MET
+    at, held, good = between(plane, points[:, one] / cell, points[:, other] / cell, row, cell, CROSSING, MET)
+    good &= held.min(axis=0) > -MET
     return {pairs[k]: complex(at[0, k], at[1, k]) for k in np.flatnonzero(good).tolist()}
 
 
@@ -164,9 +166,9 @@ def _met(
             (value[0] * slope[1, 1] - value[1] * slope[1, 0], value[1] * slope[0, 0] - value[0] * slope[0, 1])
         )
         step = np.clip(step / turn, -size[:, None], size[:, None])
-        if np.all(np.abs(step) <= 1e-15 * np.abs(at)):
-            break
         at = np.maximum(at - step, near[:, None])
+        if np.all(np.abs(value) < LAST):
+            break
     held = plane.held(*at)
     met = np.all(np.abs(held[rows, every]) < MET, axis=0)
     met &= np.all(np.abs(at - guess) < 3 * size[:, None], axis=0)

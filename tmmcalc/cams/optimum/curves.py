@@ -1,8 +1,8 @@
 """The single curves of the blocking contour, for the picture: where each constraint alone is just met.
 
-Their points are roots along the edges of a grid, from the margins at its nodes by a few steps of false position; where
-that does not do, because a margin is steep there or jumps, by bracketing. Where a curve bends sharply, points between
-them are put in. A margin that jumps (where the follower jams, or the shaft grows by a mm) has no curve.
+Their points are roots along the edges of a grid, the first guess from the margins at its nodes. Where a curve bends
+sharply, points between them are put in. A margin that jumps (where the follower jams, or the shaft grows by a mm) has
+no curve.
 """
 
 from __future__ import annotations
@@ -15,16 +15,16 @@ from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.march import crossed
 from tmmcalc.cams.optimum.margins import NUMBERS
-from tmmcalc.cams.optimum.plane import Plane
+from tmmcalc.cams.optimum.plane import Plane, guessed, tamed
 from tmmcalc.records import record
 
-STEPS = 6  # of false position
 MET = 5e-3  # margin on a curve
-STEEPEST = 10.0  # beyond a jam a margin says no more than its sign: it counts as so many of that inside
-FINEST = 2e-5  # of a cell: bracket of a margin that is steep or jumps
+FINEST = 1e-6  # of a cell: bracket of a margin that is steep or jumps
 BEND = 0.25  # angle [rad] between two chords, in cells, from which points are put in
 ROUNDS = 3  # of putting in
 CROSSING = 2  # steps to a point between two
+DONE = 1e-11  # margin from which no further step is made
+NEAR = 1e-4  # of a chord: first step of the secant
 AWAY = 0.5  # of a chord: no point between lies farther from it
 
 
@@ -69,25 +69,8 @@ def _points(
     inside, outside = edges
     one = np.stack((nodes[0][inside[:, 0]], nodes[1][inside[:, 1]]))
     way = np.stack((nodes[0][outside[:, 0]], nodes[1][outside[:, 1]])) - one
-    above, below = held[row, inside[:, 0], inside[:, 1]], held[row, outside[:, 0], outside[:, 1]]
-    points, sound = one.copy(), np.zeros(len(row), bool)
-    left, low, high = np.arange(len(row)), np.zeros(len(row)), np.ones(len(row))
-    for _ in range(STEPS):
-        below = np.maximum(below, -STEEPEST * np.maximum(above, MET))
-        part = low + (high - low) * above / (above - below)
-        points[:, left] = one[:, left] + part * way[:, left]
-        value = plane.one(points[:, left], row[left])
-        sound[left] = np.abs(value) < MET
-        keep, good = np.flatnonzero(np.abs(value) >= MET), value >= 0
-        # the end that stays has its value halved (Illinois), so that both ends move
-        low, above = np.where(good, part, low)[keep], np.where(good, value, above / 2)[keep]
-        high, below = np.where(good, high, part)[keep], np.where(good, below / 2, value)[keep]
-        left = left[keep]
-        if not left.size:
-            return points, sound
-    points[:, left] = plane.roots(one[:, left], way[:, left], row[left], FINEST)
-    sound[left] = np.abs(plane.one(points[:, left], row[left])) < MET
-    return points, sound
+    points, size = plane.roots(one, way, guessed(tamed(held), inside, outside, row), row, FINEST, MET)
+    return points, size <= MET
 
 
 def _refined(plane: Plane, pieces: list[tuple[int, Values]], cell: Values) -> list[tuple[int, Values]]:
@@ -98,7 +81,7 @@ def _refined(plane: Plane, pieces: list[tuple[int, Values]], cell: Values) -> li
     one = np.concatenate([at[:, rows] for (_, at), rows in zip(pieces, chosen, strict=True)], axis=1)
     other = np.concatenate([at[:, rows + 1] for (_, at), rows in zip(pieces, chosen, strict=True)], axis=1)
     row = np.concatenate([np.full(len(rows), key) for (key, _), rows in zip(pieces, chosen, strict=True)])
-    middle, good = between(plane, one / cell, other / cell, row, cell, CROSSING, MET)
+    middle, _, good = between(plane, one / cell, other / cell, row, cell, CROSSING, MET)
     done, first = [], 0
     for (key, at), rows in zip(pieces, chosen, strict=True):
         own = np.arange(first, first + len(rows))[good[first : first + len(rows)]]
@@ -118,19 +101,25 @@ def _bent(at: Values) -> Indices:
 
 def between(
     plane: Plane, one: Values, other: Values, row: Indices, cell: Values, steps: int, met: float
-) -> tuple[Values, Mask]:
+) -> tuple[Values, Values, Mask]:
     """Points (2, n) where margin ``row`` (n,) is 0 across the middle of chords in cells (2, n), and which are met.
 
-    By Newton's method on the line across the chord.
+    By the secant method on the line across the chord; also the margins (8, n) there.
     """
     middle, chord = (one + other) / 2, other - one
-    across, part, every = np.stack((-chord[1], chord[0])), np.zeros(len(row)), np.arange(len(row))
+    across, every = np.stack((-chord[1], chord[0])), np.arange(len(row))
+    part, before = np.zeros(len(row)), np.full(len(row), -NEAR)
+    at = middle * cell
+    held = plane.held(*np.concatenate(((middle - NEAR * across) * cell, at), axis=1))
+    value, last = held[:, len(row) :][row, every], held[:, : len(row)][row, every]
     for _ in range(steps):
-        ends = np.stack((part, part + 1e-4))
-        at = (middle[:, None] + ends * across[:, None]) * cell[:, None]
-        held = plane.held(*at.reshape(2, -1)).reshape(-1, 2, len(row))[row, :, every].T
-        slope = (held[1] - held[0]) / 1e-4
-        part = np.clip(part - held[0] / np.where(slope == 0, np.inf, slope), -AWAY, AWAY)
-    points = (middle + part * across) * cell
-    good: Mask = np.abs(plane.one(points, row)) < met
-    return points, good
+        if np.all(np.abs(value) < DONE):
+            break
+        slope = (value - last) / np.where(part == before, np.inf, part - before)
+        before, last = part, value
+        part = np.clip(part - value / np.where(slope == 0, np.inf, slope), -AWAY, AWAY)
+        at = (middle + part * across) * cell
+        held = plane.held(*at)
+        value = held[row, every]
+    good: Mask = np.abs(value) < met
+    return at, held, good

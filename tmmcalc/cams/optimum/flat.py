@@ -8,7 +8,7 @@ may ask for more of S0 or of l.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from math import pi
 
 import numpy as np
@@ -18,7 +18,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.checks import closure
 from tmmcalc.cams.optimum.guide import TALL, Held, Range, masked, solved
 from tmmcalc.cams.optimum.margins import NAMES, SLACK
-from tmmcalc.cams.optimum.peaks import largest, located
+from tmmcalc.cams.optimum.peaks import crest, largest, peak
 from tmmcalc.cams.optimum.relax import bought
 from tmmcalc.cams.optimum.results import Check, Choice, FlatChart, Relaxation
 from tmmcalc.cams.optimum.scene import WHERE, Scene
@@ -41,7 +41,7 @@ from tmmcalc.cams.strength.kernels import (
 from tmmcalc.errors import NoSolutionError, UsageError
 
 STRETCH = (20.0, 0.2)  # S0 is looked for so many strokes above the least, or so far [m]
-NODES, ROUNDS = 41, 12  # of the search for the lowest S0 of any size
+FIRST, NODES, ROUNDS = 41, 13, 17  # of the search for the lowest S0 of any size: it ends at rounding
 
 
 def chart(scene: Scene) -> FlatChart:
@@ -57,48 +57,57 @@ def chart(scene: Scene) -> FlatChart:
     slide = scene.motion[1]
     convexity = -(scene.motion[0] + scene.motion[2])
     length = -scene.load * np.abs(slide) / limit + 2 * scene.friction * slide
-    value, panel, place = located(np.stack((convexity, length)).reshape(2, scene.panels, -1))
-    ends = scene.phi.reshape(scene.panels, -1)[panel]
+    on = crest(np.stack((convexity, length)).reshape(2, scene.panels, -1))
+    value, place = peak(on)
+    ends = scene.phi.reshape(scene.panels, -1)[on.panel]
     phi = (ends[:, 0] + place * (ends[:, -1] - ends[:, 0])).tolist()
     start = max(scene.limits.convex + float(value[0]), 0.0)
     height = start + scene.stroke + guide.gap + float(value[1])
     return FlatChart(start, -float(value[0]), phi[0], float(value[1]), phi[1], height, scene.stroke, guide.gap)
 
 
-def ranges(scene: Scene, start: Values) -> Range:
-    """Lengths of the guide that constraints 6 to 9 leave at S0 (B,)."""
+def lengths(scene: Scene) -> Callable[[Values], Range]:
+    """Lengths of the guide that constraints 6 to 9 leave, as a function of S0 (B,)."""
     need, guide = scene.requirements, scene.guide
     force, slide = -scene.load, scene.motion[1]
-    lever = np.broadcast_to(2 * scene.friction * slide, (len(start), len(slide)))
+    lever, couple = 2 * scene.friction * slide, force * np.abs(slide)
 
     def held(limit: Values) -> Range:
         """R <= limit."""
-        return solved(lever, np.broadcast_to(1 - force / np.maximum(limit, 1 / TALL), lever.shape), scene.panels)
+        return solved(lever, 1 - force / np.maximum(limit, 1 / TALL), scene.panels)
 
-    radius = flat_radius(scene.motion, start[:, None])
-    found = held(np.full((1, 1), TALL)).meet(_shafted(scene, start, held))
+    every = held(np.full((1, 1), TALL))
     if need.guide_pressure is not None and guide.stem is not None and guide.land is not None:
-        limit = need.guide_pressure * 2 * guide.land * guide.stem
-        found = found.meet(solved(lever + force * np.abs(slide) / limit, np.ones_like(lever), scene.panels))
+        pressed = couple / (need.guide_pressure * 2 * guide.land * guide.stem)
+        every = every.meet(solved(lever + pressed, np.ones((1, len(slide))), scene.panels))
     if need.bending is not None and guide.stem is not None:
         limit = need.bending * pi * guide.stem**3 / 4
-        found = found.meet(solved(lever, np.broadcast_to(1 - force * np.abs(slide) / limit, lever.shape), scene.panels))
-    if need.contact is not None and need.width is not None:
-        found = found.meet(held((need.contact / HERTZ) ** 2 * need.width / need.modulus * np.maximum(radius, 0.0)))
-    return found
+        every = every.meet(solved(lever, 1 - couple[None] / limit, scene.panels))
+
+    def at(start: Values) -> Range:
+        found = every.meet(_shafted(scene, start, held))
+        if need.contact is None or need.width is None:
+            return found
+        radius = np.maximum(flat_radius(scene.motion, start[:, None]), 0.0)
+        return found.meet(held((need.contact / HERTZ) ** 2 * need.width / need.modulus * radius))
+
+    return at
 
 
 def _shafted(scene: Scene, start: Values, held: Held) -> Range:
-    """Constraint 6, S0 >= r1* in whole mm."""
+    """Constraint 6, S0 >= r1* in whole mm: once for every whole mm."""
     need = scene.requirements
-    radius = (WHOLE * np.floor(start / WHOLE + ROUNDING))[:, None]
-    found = masked(start >= scene.limits.shaft * (1 - SLACK))
+    size = np.floor(start / WHOLE + ROUNDING).astype(int)
+    least = int(size.min())
+    seen = np.flatnonzero(np.bincount(size - least))
+    radius, limit = WHOLE * (least + seen[:, None]), np.full((1, 1), TALL)
     if need.span is not None and need.deflection is not None:
-        found = found.meet(held(radius**4 * 12 * pi * need.young * need.deflection / need.span**3))
+        limit = radius**4 * 12 * pi * need.young * need.deflection / need.span**3
     if need.span is not None and need.bending is not None:
         square = (pi * need.bending * radius**3 / 4) ** 2 - need.torsion * scene.torque**2
-        found = found.meet(held(4 / need.span * np.sqrt(np.maximum(square, 0.0))))
-    return found
+        limit = np.minimum(limit, 4 / need.span * np.sqrt(np.maximum(square, 0.0)))
+    on = held(np.broadcast_to(limit, (len(seen), limit.shape[1])))
+    return on.of(np.searchsorted(seen, size - least)).meet(masked(start >= scene.limits.shaft * (1 - SLACK)))
 
 
 def lowest(scene: Scene) -> tuple[float, float]:
@@ -109,16 +118,16 @@ def lowest(scene: Scene) -> tuple[float, float]:
     seen = chart(scene)
     base = scene.stroke + scene.guide.gap
     low, high = seen.least_start, seen.least_start + max(STRETCH[0] * scene.stroke, STRETCH[1])
-    start = low
+    side, start, top = low + (high - low) * np.linspace(0, 1, FIRST) ** 2, low, TALL
+    ranges = lengths(scene)
     for _ in range(ROUNDS):
-        side = low + (high - low) * np.linspace(0, 1, NODES) ** 2
-        found = ranges(scene, side)
+        found = ranges(side)
         height = np.where(found.some, side + base + found.least, TALL)
         best = int(np.argmin(height))
         if height[best] >= TALL:
             raise _none(scene, high)
         start, top = float(side[best]), float(height[best])
-        low, high = float(side[max(best - 1, 0)]), float(side[min(best + 1, NODES - 1)])
+        side = np.linspace(side[max(best - 1, 0)], side[min(best + 1, len(side) - 1)], NODES)
     return start, top
 
 
@@ -133,7 +142,7 @@ def steps(scene: Scene, step: float, height_step: float) -> tuple[float, Values,
     base = scene.stroke + scene.guide.gap
     far = seen.least_start + max(STRETCH[0] * scene.stroke, STRETCH[1])
     side = step * np.arange(max(int(np.ceil(seen.least_start / step - ROUNDING)), 1), int(far / step) + 1)
-    found = ranges(scene, side)
+    found = lengths(scene)(side)
     first = np.ceil((side + base + found.least) / height_step - ROUNDING)
     last = np.floor((side + base + found.most) / height_step + ROUNDING)
     for level in np.sort(np.unique(first[found.some & (first <= last)])).tolist():
@@ -224,4 +233,4 @@ def _check(
 
 def relaxations(scene: Scene, least: Choice) -> Iterator[Relaxation]:
     """Every active constraint of the lowest mechanism, relaxed."""
-    return bought(scene, least, lambda other: lowest(other)[1])
+    return bought(scene, least, lambda others: [lowest(each)[1] for each in others])

@@ -5,7 +5,7 @@ A change is one of these in place of what the task asks for. The game tries ever
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from functools import partial, reduce
 from itertools import product
@@ -17,11 +17,12 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.catalogue import law_of
 from tmmcalc.cams.optimum import flat
-from tmmcalc.cams.optimum.least import QUICK, REGION, least_height
+from tmmcalc.cams.optimum.least import QUICK, REGION, least_heights
 from tmmcalc.cams.optimum.margins import NUMBERS, judge
 from tmmcalc.cams.optimum.results import ACTIVE, Choice, Option
 from tmmcalc.cams.optimum.scene import WHERE, Phases, Scene, scene_of
 from tmmcalc.cams.optimum.steps import search
+from tmmcalc.cams.optimum.torque import torques
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.task import CamTask, Optimum
 from tmmcalc.errors import NoSolutionError, UsageError
@@ -118,10 +119,25 @@ def options(
         return
     sizes = (chosen.start, chosen.roller, chosen.height)
     yield _option((), task, scene, sizes, least.height, least.active)
+    yield from _others(task, scene.follower, asked, phases)
+
+
+def options_without(task: CamTask, follower: Follower, why: str, asked: Optimum, phases: Phases) -> list[Option]:
+    """The same where what is asked is refused, which is the first of them."""
+    return [_refused((), task, None, why), *_others(task, follower, asked, phases)]
+
+
+def changed(task: CamTask, what: Iterable[Change]) -> CamTask:
+    """The task with changes."""
+    return reduce(lambda made, change: change.made(made), what, task)
+
+
+def _others(task: CamTask, follower: Follower, asked: Optimum, phases: Phases) -> Iterator[Option]:
+    found = variants(task, asked)
     for k, what in enumerate(found):
         words = tuple(change.words for change in what)
         tell(k / len(found), f"design game, {k + 1} of {len(found)}: {', '.join(words)}")
-        yield _variant(words, reduce(lambda made, change: change.made(made), what, task), scene.follower, asked, phases)
+        yield _variant(words, changed(task, what), follower, asked, phases)
 
 
 def _variant(words: tuple[str, ...], task: CamTask, follower: Follower, asked: Optimum, phases: Phases) -> Option:
@@ -141,7 +157,7 @@ def _variant(words: tuple[str, ...], task: CamTask, follower: Follower, asked: O
     if found is None:
         return _refused(words, task, scene, "no sizes keep all constraints")
     start, roller = float(found.start[found.best]), float(found.roller[found.best])
-    lowest = least_height(scene, start, roller, found.height, REGION, QUICK)
+    (lowest,) = least_heights([scene], (start, roller, found.height), REGION, QUICK)
     active = tuple(n for n, margin in zip(NUMBERS, lowest.margin.tolist(), strict=True) if margin < ACTIVE)
     return _option(words, task, scene, (start, roller, found.height), lowest.height, active)
 
@@ -163,6 +179,7 @@ def _option(
     else:
         values = judge(scene, *(np.array([size]) for size in sizes))
         stress, contact = float(values.stress[0]), float(values.contact[0])
+    torque, driving = torques(scene, start, roller, height)
     return Option(
         changes=words,
         **_kept(task),
@@ -173,7 +190,8 @@ def _option(
         active=active,
         stress=stress,
         contact=contact,
-        torque=float(np.max(scene.torque)),
+        torque=torque,
+        driving=driving,
         stiffness=scene.spring.stiffness,
         preload=scene.spring.preload,
         refused="",
@@ -192,6 +210,7 @@ def _refused(words: tuple[str, ...], task: CamTask, scene: Scene | None, why: st
         stress=0.0,
         contact=0.0,
         torque=0.0,
+        driving=0.0,
         stiffness=0.0 if scene is None else scene.spring.stiffness,
         preload=0.0 if scene is None else scene.spring.preload,
         refused=why,

@@ -1,8 +1,8 @@
 """Which lengths l of the guide the constraints leave at given S0 and r2, in closed form.
 
-With y = 1/l and P = -P_c every force is a quotient of linear functions of y,
+With y = 1/l and what `extremes` calls S, T, v and P, every force is a quotient of linear functions of y,
 
-    R = P/(cos(theta) - sense f |sin(theta)| (1 + 2 q y)),   N1 = R sin(theta) (1 + q y),   M_T = R sin(theta) q
+    R = P v/(S - sense f |T| (1 + 2 q y)),   |N1| = R |T| (1 + q y)/v,   |M_T| = R |T| q/v
 
 so a limit for it is a linear inequality a y <= b at every angle of the cam: the least and the largest y are extremes
 of quotients. What limits R itself (pin, shaft, contact) needs no y. Constraint 2 alone is not of this kind where the
@@ -17,15 +17,17 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Mask, inclination, protrusion
-from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.optimum.margins import BLOCK, SLACK
+from tmmcalc.cams.forces.kernels import Mask, protrusion
+from tmmcalc.cams.laws.law import Indices, Values
+from tmmcalc.cams.optimum.extremes import blocks, pitch
+from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.peaks import largest
 from tmmcalc.cams.optimum.scene import Scene
-from tmmcalc.cams.strength.kernels import HERTZ, ROUNDING, WHOLE, concave_margin, convex_margin, rolling
+from tmmcalc.cams.strength.kernels import HERTZ, ROUNDING, WHOLE, concave_margin, convex_margin
 from tmmcalc.records import record
 
 TALL = 1e9  # a guide as long as you please [m]
+NEVER = 1e-200  # [N] a limit that nothing keeps
 SINGLE = (3, 4, 5, 6, 7, 8, 9)  # constraints that are bounded here
 
 
@@ -42,6 +44,10 @@ class Range:
         none = least > most
         return Range(np.where(none, TALL, least), np.where(none, 0.0, most))
 
+    def of(self, rows: Indices) -> Range:
+        """Those of some rows, which may repeat."""
+        return Range(self.least[rows], self.most[rows])
+
     @property
     def some(self) -> Mask:
         """Where there is any length (B,)."""
@@ -54,7 +60,7 @@ Held = Callable[[Values], Range]  # the range in which R keeps a limit
 
 def ranges(scene: Scene, start: Values, roller: Values) -> dict[int, Range]:
     """The range of every constraint of SINGLE by its number, at S0 and r2 (B,)."""
-    parts = [_ranges(scene, start[i : i + BLOCK], roller[i : i + BLOCK]) for i in range(0, max(len(start), 1), BLOCK)]
+    parts = [_ranges(scene, start[part], roller[part]) for part in blocks(scene, len(start))]
     return {
         k: Range(np.concatenate([p[k].least for p in parts]), np.concatenate([p[k].most for p in parts]))
         for k in SINGLE
@@ -62,20 +68,21 @@ def ranges(scene: Scene, start: Values, roller: Values) -> dict[int, Range]:
 
 
 def _ranges(scene: Scene, start: Values, roller: Values) -> dict[int, Range]:
-    need, limits, guide, f = scene.requirements, scene.limits, scene.guide, scene.friction
-    r2 = roller[:, None]
-    sine, cosine = inclination(scene.follower, scene.motion, start[:, None])
-    s, q, force = np.abs(sine), protrusion(scene.motion, scene.stroke, r2, guide.gap), -scene.load
-    drag = scene.sense * f * s
-    lever, useful = 2 * drag * q, cosine - drag
-    bend, _ = rolling(scene.follower, scene.motion, start[:, None])
+    need, limits, guide, rows, r2 = scene.requirements, scene.limits, scene.guide, scene.rows, roller[:, None]
+    slow, bend = pitch(scene, start)
     least, most = np.min(bend, axis=1), np.max(bend, axis=1)
     convex = convex_margin(most, roller, limits.convex)
     concave = concave_margin(least, roller, limits.concave) if limits.allow_concave else least
+    per = 1 / protrusion(scene.motion, scene.stroke, r2, guide.gap)
+    useful, force, lever = (
+        (start[:, None] + (scene.motion[0] - rows.drag)) * per,
+        rows.force / slow * per,
+        2 * rows.drag,
+    )
 
     def held(limit: Values) -> Range:
         """R <= limit."""
-        return solved(lever, useful - force / np.maximum(limit, 1e-300))
+        return solved(lever, useful - force / np.maximum(limit, NEVER))
 
     every = held(np.full((1, 1), TALL))
     found = {3: masked(convex >= -SLACK), 4: masked(concave >= -SLACK), **dict.fromkeys(SINGLE[2:], every)}
@@ -88,10 +95,11 @@ def _ranges(scene: Scene, start: Values, roller: Values) -> dict[int, Range]:
     found[6] = _shafted(scene, start, roller, every, held)
     if need.bending is not None and guide.stem is not None:
         limit = need.bending * pi * guide.stem**3 / 4
-        found[7] = every.meet(solved(lever, useful - force * s * q / limit))
+        found[7] = every.meet(solved(lever, useful - rows.couple / limit))
     if need.guide_pressure is not None and guide.stem is not None and guide.land is not None:
         limit = need.guide_pressure * 2 * guide.land * guide.stem
-        found[8] = every.meet(solved(lever + force * s * q / limit, useful - force * s / limit))
+        pressed = rows.couple / limit
+        found[8] = every.meet(solved(lever + pressed, useful - pressed * per))
     if need.contact is not None and need.width is not None:
         gap = r2 * (1 - bend * r2)
         found[9] = held((need.contact / HERTZ) ** 2 * need.width / need.modulus * gap)
@@ -119,20 +127,20 @@ def masked(works: Mask) -> Range:
 
 
 def solved(a: Values, b: Values, panels: int = 0) -> Range:
-    """The lengths 1/y with a y <= b (B, M) at all nodes and y > 0.
+    """The lengths 1/y with a y <= b, a (M,) and b (B, M), at all nodes and y > 0.
 
     With the number of ``panels`` the least length is that of all angles, not of the nodes alone.
     """
-    up, down = a > 0, a < 0
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        quotient = b / a
-    high = np.min(np.where(up, quotient, TALL), axis=1, initial=TALL)
-    low = np.max(np.where(down, quotient, 1 / TALL), axis=1, initial=1 / TALL)
-    none = np.any(~up & ~down & (b < -SLACK), axis=1) | (high <= 0) | (high < low)
+    level = a == 0
+    ratio = b / np.where(level, 1.0, a)
+    high = np.min(np.maximum(ratio, np.where(a > 0, -np.inf, TALL)), axis=1, initial=TALL)
+    low = np.max(np.minimum(ratio, np.where(a < 0, np.inf, 1 / TALL)), axis=1, initial=1 / TALL)
+    none = np.any(b[:, np.flatnonzero(level)] < -SLACK, axis=1) | (high <= 0) | (high < low)
     least = 1 / np.where(none, 1.0, high)
     if panels:
-        left = np.where(down, 1.0, b).reshape(len(b), panels, -1)
-        none |= largest(-left) > SLACK
-        pull = np.where(down, 0.0, a).reshape(left.shape) / np.where(left > 0, left, 1.0)
-        least = np.maximum(least, largest(pull))
+        left = np.where(a < 0, 1.0, b).reshape(len(b), panels, -1)
+        pull = np.maximum(a, 0.0).reshape(panels, -1) / np.where(left > 0, left, 1.0)
+        short, longest = largest(np.concatenate((-left, pull))).reshape(2, -1)
+        none |= short > SLACK
+        least = np.maximum(least, longest)
     return Range(np.where(none, TALL, least), np.where(none, 0.0, 1 / low))

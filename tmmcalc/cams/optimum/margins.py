@@ -11,13 +11,10 @@ judged. Every largest value is that over all examined phases, to rounding.
 
 from __future__ import annotations
 
-from dataclasses import fields
-
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import guided
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.optimum.peaks import largest
+from tmmcalc.cams.optimum.extremes import Extremes, extremes
 from tmmcalc.cams.optimum.scene import Scene
 from tmmcalc.cams.strength.kernels import (
     BAD,
@@ -28,14 +25,11 @@ from tmmcalc.cams.strength.kernels import (
     guide_pressure,
     pin_pressure,
     pin_radius,
-    reduced_moment,
     resisting,
-    rolling,
     shaft_by_stiffness,
     shaft_by_strength,
     shafted,
     slip,
-    stem_moment,
     stem_stress,
     whole,
 )
@@ -54,7 +48,6 @@ NAMES = {
     8: "pressure in the guide",
     9: "contact stress",
 }
-BLOCK = 64  # points at once: their values stay in the cache
 SLACK = 1e-12  # a margin this little below 0 is rounding
 
 
@@ -82,91 +75,35 @@ def margins(scene: Scene, start: Values, roller: Values, top: Values) -> Values:
 
 def judge(scene: Scene, start: Values, roller: Values, top: Values) -> Judged:
     """Margins and values at S0, r2, H2 (B,) [m]."""
-    parts = [
-        _block(scene, start[i : i + BLOCK], roller[i : i + BLOCK], top[i : i + BLOCK])
-        for i in range(0, max(len(start), 1), BLOCK)
-    ]
-    if len(parts) == 1:
-        return parts[0]
-    names = [each.name for each in fields(Judged)]
-    return Judged(*(np.concatenate([getattr(part, name) for part in parts], axis=-1) for name in names))
-
-
-def _block(scene: Scene, start: Values, roller: Values, top: Values) -> Judged:
-    """The same of few enough points."""
-    need, limits, wide = scene.requirements, scene.limits, roller[:, None]
-    on = guided(
-        scene.follower,
-        scene.motion,
-        scene.load,
-        scene.sense,
-        stroke=scene.stroke,
-        friction=scene.friction,
-        gap=scene.guide.gap,
-        start=start[:, None],
-        roller=wide,
-        top=top[:, None],
-    )
-    bend, run = rolling(scene.follower, scene.motion, start[:, None])
-    functions = {
-        "contact": on.contact,
-        "most": bend,
-        "least": -bend,
-        "edge": np.abs(on.lower),
-        "moment": stem_moment(scene.follower, scene.motion, on.contact, on.sine, on.protrusion),
-    }
-    if need.span is not None and need.bending is not None:
-        functions["reduced"] = reduced_moment(on.contact, scene.torque, need.span, need.torsion)
-    cusps = np.zeros(len(start), bool)
-    if need.width is not None:
-        functions["stress"], smooth = contact_stress(on.contact, bend, wide, need.width, need.modulus)
-        cusps = ~np.all(smooth, axis=1)
-    peak = _peaks(scene, functions)
-    none, works = np.zeros(len(start)), np.all(on.works, axis=1)
-    pin = _pin(need, peak["contact"])
-    grown = _slip(scene, on.contact, run, roller, pin)
-    shaft = _shaft(scene, peak)
+    on = extremes(scene, start, roller, top)
+    need, limits, guide = scene.requirements, scene.limits, scene.guide
+    none, works, (bent, most) = np.zeros(len(start)), on.works, on.curvature
+    pin = _pin(need, on.contact)
+    grown = _slip(scene, on.growth, roller, pin)
+    shaft = _shaft(scene, on)
     least = none if pin is None else need.roller_ratio * pin
-    stem = none if scene.guide.stem is None else stem_stress(peak["moment"], scene.guide.stem)
-    pressure = none
-    if scene.guide.stem is not None and scene.guide.land is not None:
-        pressure = guide_pressure(peak["edge"], scene.guide.land, scene.guide.stem)
-    stress = peak.get("stress", none)
+    stem = none if guide.stem is None else stem_stress(on.moment, guide.stem)
+    pressure: Values = none
+    if guide.stem is not None and guide.land is not None:
+        pressure = guide_pressure(on.edge, guide.land, guide.stem)
+    stress: Values = none
+    if need.width is not None:
+        stress, _ = contact_stress(on.pressed, none, roller, need.width, need.modulus)
     flattest = np.hypot(start, scene.follower.offset)
-    concave = concave_margin(-peak["least"], roller, limits.concave) if limits.allow_concave else -peak["least"] * start
     margin = np.stack(
         (
             np.where(works, 1 - grown, BAD),
-            convex_margin(peak["most"], roller, limits.convex),
-            concave,
-            np.where(works, _pinned(need, peak["contact"], least, roller), BAD),
+            convex_margin(most, roller, limits.convex),
+            concave_margin(bent, roller, limits.concave) if limits.allow_concave else bent * start,
+            np.where(works, _pinned(need, on.contact, least, roller), BAD),
             np.where(works, shafted(flattest, roller, shaft[2]), BAD),
             np.where(works, _left(stem, need.bending), BAD),
             np.where(works, _left(pressure, need.guide_pressure), BAD),
-            np.where(works & ~cusps, _left(stress, need.contact), BAD),
+            np.where(works & (on.smooth | (need.width is None)), _left(stress, need.contact), BAD),
         )
     )
-    bounds = np.stack((-peak["least"], peak["most"]))
-    return Judged(
-        margin,
-        grown,
-        bounds,
-        peak["contact"],
-        none if pin is None else pin,
-        least,
-        shaft,
-        stem,
-        peak["edge"],
-        pressure,
-        stress,
-    )
-
-
-def _peaks(scene: Scene, functions: dict[str, Values]) -> dict[str, Values]:
-    """Largest values (B,) of functions (B, M), all found at once."""
-    rows = np.concatenate(list(functions.values()))
-    found = largest(rows.reshape(len(rows), scene.panels, rows.shape[1] // scene.panels))
-    return dict(zip(functions, found.reshape(len(functions), -1), strict=True))
+    radius = none if pin is None else pin
+    return Judged(margin, grown, on.curvature, on.contact, radius, least, shaft, stem, on.edge, pressure, stress)
 
 
 def _left(value: Values, limit: float | None) -> Values:
@@ -192,26 +129,27 @@ def _pinned(need: Requirements, contact: Values, least: Values, roller: Values) 
     return found
 
 
-def _slip(scene: Scene, contact: Values, run: Values, roller: Values, pin: Values | None) -> Values:
+def _slip(scene: Scene, growth: Values, roller: Values, pin: Values | None) -> Values:
     """Largest D (B,); 0 without data."""
     need = scene.requirements
     arm, friction, inertia = need.rolling_arm, need.roller_friction, need.roller_inertia
     if arm is None or friction is None or (inertia is None and (need.width is None or pin is None)):
         return np.zeros(len(roller))
-    r2, r0 = roller[:, None], 0.0 if pin is None else pin[:, None]
-    mass = cylinder(need.width or 0.0, need.roller_density, r2, r0) if inertia is None else inertia
-    resisted = resisting(arm, need.pin_friction or 0.0, r0, friction, r2)
-    grown, _ = slip(contact, run, resisted, mass, scene.speed, friction, r2)
-    return largest(np.abs(grown).reshape(len(roller), scene.panels, grown.shape[-1] // scene.panels))
+    r0 = 0.0 if pin is None else pin
+    mass = cylinder(need.width or 0.0, need.roller_density, roller, r0) if inertia is None else inertia
+    resisted = resisting(arm, need.pin_friction or 0.0, r0, friction, roller)
+    grown, _ = slip(np.ones_like(growth), growth, resisted, mass, scene.speed, friction, roller)
+    largest: Values = np.max(np.abs(grown), axis=0)
+    return largest
 
 
-def _shaft(scene: Scene, peak: dict[str, Values]) -> Values:
+def _shaft(scene: Scene, on: Extremes) -> Values:
     """r1' by strength, r1'' by stiffness, r1* of both in whole mm (3, B)."""
-    need, contact = scene.requirements, peak["contact"]
-    strong = stiff = np.zeros(len(contact))
-    if "reduced" in peak and need.bending is not None:
-        strong = shaft_by_strength(peak["reduced"], need.bending)
+    need = scene.requirements
+    strong = stiff = np.zeros(len(on.contact))
+    if need.span is not None and need.bending is not None:
+        strong = shaft_by_strength(on.reduced, need.bending)
     if need.span is not None and need.deflection is not None:
-        stiff = shaft_by_stiffness(contact, need.span, need.young, need.deflection)
+        stiff = shaft_by_stiffness(on.contact, need.span, need.young, need.deflection)
     both = np.maximum(strong, stiff)
     return np.stack((strong, stiff, np.maximum(whole(both), scene.limits.shaft)))

@@ -11,19 +11,27 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.numerics.panels import ORDER, rule
+from tmmcalc.numerics.gauss import ORDER, rule
 
-STEPS = 2  # of Newton's method after the first: the place is then good to 1e-8, the value to rounding
 TERMS = 12  # of the series about a node: what is left out is less than what the panel leaves out
+STEPS = (
+    6,
+    TERMS,
+)  # of the series in Newton's steps after the first: the place is then good to 1e-8, the value to rounding
+ORDERS = np.arange(1.0, TERMS + 1)
 FEW = 100  # functions whose series are cheaper one by one
+MANY = 1000  # functions at a time: their series then stay in the cache
 TINY = 1e-300
+SAME = 1e-12  # values of neighbouring panels at their edge that are one
 
 
 class Ended(NamedTuple):
     """Nodes of a panel [0, 1] with its ends, and the Taylor series about each of the polynomial through them."""
 
     points: Values  # (N + 2,)
+    slope: Values  # (N + 2, N + 2) derivative at each node
     series: Values  # (N + 2, N + 2, TERMS) of node n: coefficients of d, d^2 and so on from the values
 
 
@@ -40,7 +48,37 @@ def ended(order: int = ORDER) -> Ended:
     for k in range(1, TERMS + 1):
         power = power @ slope / k
         terms.append(power)
-    return Ended(t, np.ascontiguousarray(np.stack(terms).transpose(1, 2, 0)))
+    return Ended(t, slope, np.ascontiguousarray(np.stack(terms).transpose(1, 2, 0)))
+
+
+class Crest(NamedTuple):
+    """Where B functions are largest among their nodes, in the panel in which they may rise above."""
+
+    held: Values  # (B, N + 2) values on the panel
+    panel: Indices  # (B,)
+    node: Indices  # (B,) in the panel
+    rises: Mask  # (B,) whether there is something higher beside the node
+
+
+def crest(values: Values) -> Crest:
+    """The crests of functions (B, K, N + 2) on K panels; the last goes on in the first.
+
+    A function that rises beyond a panel goes on in the next one, unless it jumps between them.
+    """
+    count, panels, nodes = values.shape
+    panel, node = np.divmod(np.argmax(values.reshape(count, -1), axis=1), nodes)
+    held, rises = values[np.arange(count), panel], np.ones(count, bool)
+    ends = np.flatnonzero((node == 0) | (node == nodes - 1))
+    at = node[ends]
+    way, other = np.where(at > 0, 1, -1), nodes - 1 - at
+    slope = np.einsum("mn,mn->m", held[ends], ended(nodes - 2).slope[at]) * way
+    beside = (panel[ends] + way) % panels
+    here, there = held[ends, at], values[ends, beside, other]
+    on = (slope > 0) & (np.abs(there - here) <= SAME * np.abs(here))
+    rises[ends] = on | (slope < 0)
+    moved = ends[on]
+    panel[moved], node[moved], held[moved] = beside[on], other[on], values[moved, beside[on]]
+    return Crest(held, panel, node, rises)
 
 
 def largest(values: Values) -> Values:
@@ -50,59 +88,60 @@ def largest(values: Values) -> Values:
     >>> float(largest((t * (1.3 - t))[None, None])[0].round(12))
     0.4225
     """
-    return located(values)[0]
+    return peak(crest(values))[0]
 
 
-def located(values: Values) -> tuple[Values, Indices, Values]:
-    """Largest values (B,) of functions (B, K, N + 2), the panels that have them, and where in [0, 1] of these."""
-    rows, nodes = np.arange(len(values)), values.shape[-1]
-    at = np.argmax(values.reshape(len(values), -1), axis=1)
-    panel, node = at // nodes, at % nodes
-    held = values[rows, panel]
-    r, best = ended(nodes - 2), held[rows, node]
-    place, slopes = r.points[node], np.einsum("mn,nm->m", held, r.series[node, :, 0].T)
-    inner = np.flatnonzero(((node > 0) | (slopes > 0)) & ((node < nodes - 1) | (slopes < 0)))
-    if not inner.size:
-        return best, panel, place
-    i = node[inner]
-    grown, moved = _raised(_series(held[inner], i), r.points[np.maximum(i - 1, 0)] - place[inner],
-                           r.points[np.minimum(i + 1, nodes - 1)] - place[inner])  # fmt: skip
-    best[inner] += grown
-    place[inner] += moved
-    return best, panel, place
+def peak(found: Crest) -> tuple[Values, Values]:
+    """Largest values (B,) of functions, and where in [0, 1] of their panels."""
+    r = ended(found.held.shape[1] - 2)
+    best, place = found.held[np.arange(len(found.node)), found.node], r.points[found.node]
+    rises = np.flatnonzero(found.rises)
+    rises = rises[np.argsort(found.node[rises], kind="stable")]
+    for part in range(0, len(rises), MANY):
+        rows = rises[part : part + MANY]
+        node = found.node[rows]
+        low, high = r.points[np.maximum(node - 1, 0)], r.points[np.minimum(node + 1, len(r.points) - 1)]
+        grown, moved = _raised(_series(found.held[rows], node), low - r.points[node], high - r.points[node])
+        best[rows] += grown
+        place[rows] += moved
+    return best, place
 
 
 def _series(held: Values, node: Indices) -> Values:
-    """Coefficients (m, TERMS) about a node (m,) of functions (m, N + 2); of many, those about one node at once."""
-    series, found = ended(held.shape[1] - 2).series, np.empty((len(held), TERMS))
+    """Coefficients (TERMS, m) about ascending nodes (m,) of functions (m, N + 2); of many, those about one at once."""
+    series = ended(held.shape[1] - 2).series
     if len(held) < FEW:
-        return np.matmul(held[:, None], series[node])[:, 0]
-    order = np.argsort(node, kind="stable")
-    ends = np.searchsorted(node[order], np.arange(len(series) + 1))
+        return np.einsum("mn,mnk->km", held, series[node])
+    ends, found = np.searchsorted(node, np.arange(len(series) + 1)), np.empty((TERMS, len(held)))
     for k in np.flatnonzero(np.diff(ends)).tolist():
-        rows = order[ends[k] : ends[k + 1]]
-        found[rows] = held[rows] @ series[k]
+        part = slice(ends[k], ends[k + 1])
+        np.matmul(series[k].T, held[part].T, out=found[:, part])
     return found
 
 
 def _raised(series: Values, low: Values, high: Values) -> tuple[Values, Values]:
     """By how much (m,) the stationary points between ``low`` and ``high`` are above the nodes, and how far away."""
-    first = series * np.arange(1, TERMS + 1)
-    second = first[:, 1:] * np.arange(1, TERMS)
-    slope, bend = first[:, 0], second[:, 0]
-    d = np.zeros(len(series))
-    for step in range(STEPS + 1):
-        if step:
-            power = _powers(d)
-            slope = first[:, 0] + np.einsum("mk,mk->m", first[:, 1:], power[:, :-1])
-            bend = second[:, 0] + np.einsum("mk,mk->m", second[:, 1:], power[:, :-2])
+    first = series * ORDERS[:, None]
+    second = first[1:] * ORDERS[:-1, None]
+    slope, bend = first[0], second[0]
+    d = np.zeros(series.shape[1])
+    for terms in (1, *STEPS):
+        if terms > 1:
+            power = _powers(d, terms - 1)
+            slope = first[0] + np.einsum("km,km->m", first[1:terms], power)
+            bend = second[0] + np.einsum("km,km->m", second[1 : terms - 1], power[:-1])
         d = np.clip(d - slope / np.where(bend < 0, bend, -np.abs(bend) - TINY), low, high)
-    grown = np.einsum("mk,mk->m", series, _powers(d))
+    grown = np.einsum("km,km->m", series, _powers(d, TERMS))
     better = grown > 0
     return np.where(better, grown, 0.0), np.where(better, d, 0.0)
 
 
-def _powers(d: Values) -> Values:
-    """d, d^2 and so on (m, TERMS)."""
-    found: Values = np.multiply.accumulate(np.repeat(d[:, None], TERMS, axis=1), axis=1)
+def _powers(d: Values, terms: int) -> Values:
+    """d, d^2 and so on (terms, m)."""
+    found = np.empty((terms, len(d)))
+    found[0], done = d, 1
+    while done < terms:
+        more = min(done, terms - done)
+        np.multiply(found[:more], found[done - 1], out=found[done : done + more])
+        done += more
     return found

@@ -5,13 +5,40 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.optimum.margins import margins
+from tmmcalc.cams.optimum.margins import SLACK, margins
 from tmmcalc.cams.optimum.scene import Scene
 from tmmcalc.numerics.roots import bracketed
 
 COARSE = 9  # nodes a side that show where the region lies
 GROWTH = 0.6  # of its size by which the box grows where the region goes on
 ROUNDS = 14
+LEAST = 1e-3  # of the way from an end to a first guess
+
+
+def tamed(margin: Values) -> Values:
+    """A margin, 1 - value/limit, for root finders: where it is negative, limit/value - 1.
+
+    Towards where the follower jams, the value grows without limit; this goes on almost straight, to -1.
+    """
+    found: Values = margin / (1 - np.minimum(margin, 0.0))
+    return found
+
+
+def guessed(held: Values, inside: Indices, outside: Indices, row: Indices) -> tuple[Values, Values, Values]:
+    """Values (n,) at both ends of edges (n, 2) of a grid, and where between them functions (f, nx, ny) pass 0.
+
+    ``row`` (n,) are the functions that are meant. The guess is by the second differences along the edge.
+    """
+    bend = np.zeros((2, *held.shape))
+    bend[0, :, 1:-1] = held[:, 2:] - 2 * held[:, 1:-1] + held[:, :-2]
+    bend[1, :, :, 1:-1] = held[:, :, 2:] - 2 * held[:, :, 1:-1] + held[:, :, :-2]
+    one, other = (row, inside[:, 0], inside[:, 1]), (row, outside[:, 0], outside[:, 1])
+    along = (inside[:, 0] == outside[:, 0]).astype(int)
+    above, below, bent = held[one], held[other], (bend[along, *one] + bend[along, *other]) / 4
+    fall = np.where(above > below, above - below, 1.0)
+    part = above / fall
+    slope = -fall + bent * (2 * part - 1)
+    return above, below, part - bent * part * (part - 1) / np.where(slope < 0, slope, -fall)
 
 
 class Plane:
@@ -65,20 +92,39 @@ class Plane:
             sides.append([held.min() - cell, held.max() + cell])
         return self.limited(np.array(sides))
 
-    def roots(self, one: Values, way: Values, row: Indices | None, near: float = 0.0) -> Values:
+    def roots(
+        self,
+        one: Values,
+        way: Values,
+        known: tuple[Values, Values, Values],
+        row: Indices | None = None,
+        near: float = 0.0,
+        met: float = SLACK,
+    ) -> tuple[Values, Values]:
         """Points (2, n) between ``one``, which is inside, and ``one`` + ``way`` (2, n), which is outside.
 
-        ``row`` (n,) are the margins that are meant, None the least of all; ``near`` is the error as a part of the way.
+        ``row`` (n,) are the margins that are meant, None the least of all; ``known`` their values (n,) at both, tamed,
+        and first guesses as parts of the way. Good is an error of ``near``, as a part of the way, or a margin of
+        ``met``. Also the sizes (n,) of the margins at the points.
         """
         rows = np.flatnonzero(np.any(way != 0, axis=0))
+        size = np.minimum(np.abs(known[0]), np.abs(known[1]))
 
         def margin(part: Values, which: Indices) -> Values:
             own = rows[which]
             at = one[:, own] + part * way[:, own]
             found: Values = self.held(*at).min(axis=0) if row is None else self.one(at, row[own])
-            return np.maximum(found, -1.0)  # beyond a jam a margin says no more than its sign
+            size[own] = np.minimum(size[own], np.abs(found))
+            return tamed(found)
 
         part = np.zeros(one.shape[1])
-        part[rows] = bracketed(margin, np.zeros(len(rows)), np.ones(len(rows)), absolute=near)
-        found: Values = one + part * way
-        return found
+        values, guess = (known[0][rows], known[1][rows]), np.clip(known[2][rows], LEAST, 1 - LEAST)
+        part[rows] = bracketed(
+            margin,
+            np.zeros(len(rows)),
+            np.ones(len(rows)),
+            absolute=near,
+            known=(*values, guess),
+            level=met / (1 + met),
+        )
+        return one + part * way, size

@@ -6,11 +6,13 @@ from itertools import combinations
 
 import numpy as np
 
+from tmmcalc.cams.optimum.beyond import Beyond
 from tmmcalc.cams.optimum.checks import checks
 from tmmcalc.cams.optimum.guide import SINGLE, TALL, Range, ranges
 from tmmcalc.cams.optimum.margins import NAMES, judge
 from tmmcalc.cams.optimum.results import Check
 from tmmcalc.cams.optimum.scene import WHERE, Scene
+from tmmcalc.cams.optimum.steps import farthest
 from tmmcalc.cams.task import Optimum
 from tmmcalc.errors import NoSolutionError
 
@@ -28,10 +30,10 @@ REMEDIES = {
 }
 
 
-def refusal(scene: Scene, asked: Optimum) -> NoSolutionError:
-    """The error that tells what stands against each other."""
+def refusal(scene: Scene, asked: Optimum, found: Beyond | None) -> NoSolutionError:
+    """The error that tells what stands against each other; ``found`` keeps all constraints, but far out."""
     base = scene.stroke + scene.guide.gap
-    high = max(20 * scene.stroke, 0.2) if asked.heights is None else asked.heights[1] - base
+    high = farthest(scene, asked)
     side = high * np.arange(1, NODES + 1) / NODES
     start, roller = np.repeat(side, NODES), np.tile(side, NODES)
     inside = roller < np.hypot(start, scene.follower.offset)
@@ -40,25 +42,30 @@ def refusal(scene: Scene, asked: Optimum) -> NoSolutionError:
     top = np.full(len(start), TALL if asked.heights is None else asked.heights[1])
     room = Range(np.zeros(len(start)), np.maximum(top - base - start - roller, 0.0))
     at = np.minimum(top, base + start + roller + 10 * scene.stroke)
-    found = judge(scene, start, roller, at)
-    best = int(np.argmax(np.min(found.margin, axis=0)))
+    margin = judge(scene, start, roller, at)
+    best = int(np.argmax(np.min(margin.margin, axis=0)))
     broken = [
-        c for c in checks(scene, found, best, float(start[best]), float(roller[best])) if c.judged and c.margin < 0
+        c for c in checks(scene, margin, best, float(start[best]), float(roller[best])) if c.judged and c.margin < 0
     ]
     keys = _conflict(each, room)
     names = " and ".join(f"{key} ({NAMES[key]})" for key in keys)
     what = "the constraints together leave"
     if keys:
         what = f"constraint {names} leaves" if len(keys) == 1 else f"constraints {names} leave"
-    within = "" if asked.heights is None else f" with H2 up to {1e3 * asked.heights[1]:g} mm"
+    within = f"S0 up to {1e3 * high:g} mm" if asked.heights is None else f"H2 up to {1e3 * asked.heights[1]:g} mm"
     said = "; ".join(_said(c) for c in broken)
     nearest = f"S0 = {1e3 * start[best]:.4g}, r2 = {1e3 * roller[best]:.4g}, H2 = {1e3 * at[best]:.4g} mm"
+    also, step = "", ""
+    if found is not None:
+        sizes = (1e3 * size for size in (found.start, found.roller, found.height))
+        also = "; all are kept far out, at S0 = {:.5g}, r2 = {:.4g}, H2 = {:.5g} mm".format(*sizes)
+        step = f"; [cam.optimum] step above {1e3 * asked.step:g} mm reaches so far"
     return NoSolutionError(
-        f"{what} no S0 and r2{within}; nearest is {nearest}, with {said or 'no step point'}",
+        f"{what} no S0 and r2 with {within}; nearest is {nearest}, with {said or 'no step point'}{also}",
         where=WHERE,
         value=broken[0].value if broken else None,
         limit=broken[0].limit if broken else None,
-        remedy="look at " + "; ".join(REMEDIES[key] for key in keys or [c.number for c in broken] or [8]),
+        remedy="look at " + "; ".join(REMEDIES[key] for key in keys or [c.number for c in broken] or [8]) + step,
     )
 
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from math import floor, log10
 
-from tmmcalc.cams.optimum.least import QUICK, least_height
+from tmmcalc.cams.optimum.least import QUICK, least_heights
 from tmmcalc.cams.optimum.results import Choice, Relaxation
 from tmmcalc.cams.optimum.scene import Scene
 
@@ -19,24 +19,28 @@ REGION = 0.05  # of S0: how far the optimum may go in a step
 
 def relaxations(scene: Scene, least: Choice) -> Iterator[Relaxation]:
     """Every active constraint of the lowest mechanism, relaxed in both ways."""
+    sizes = (least.start, least.roller, least.height)
 
-    def height(other: Scene) -> float:
-        return least_height(other, least.start, least.roller, least.height, REGION, QUICK).height
+    def heights(others: list[Scene]) -> list[float]:
+        return [each.height for each in least_heights(others, sizes, REGION, QUICK)]
 
-    return bought(scene, least, height)
+    return bought(scene, least, heights)
 
 
-def bought(scene: Scene, least: Choice, height: Callable[[Scene], float]) -> Iterator[Relaxation]:
-    """The same with the least H2 of a scene as a function."""
+def bought(scene: Scene, least: Choice, heights: Callable[[list[Scene]], list[float]]) -> Iterator[Relaxation]:
+    """The same with the least H2 of scenes as a function."""
+    asked = []
     for number in least.active:
         limit = _limit(scene, number)
-        if limit is None:
-            continue
-        key, before, way, unit = limit
-        for preferred in (False, True):
-            after = next_preferred(before, way) if preferred else before * (1 + way * PART)
-            found = height(relaxed(scene, key, after))
-            yield Relaxation(number, key, unit, before, after, preferred, found, least.height - found)
+        if limit is not None:
+            _, before, way, _ = limit
+            asked += [
+                (number, limit, False, before * (1 + way * PART)),
+                (number, limit, True, next_preferred(before, way)),
+            ]
+    found = heights([relaxed(scene, limit[0], after) for _, limit, _, after in asked]) if asked else []
+    for (number, (key, before, _, unit), preferred, after), height in zip(asked, found, strict=True):
+        yield Relaxation(number, key, unit, before, after, preferred, height, least.height - height)
 
 
 def _limit(scene: Scene, number: int) -> tuple[str, float, int, str] | None:

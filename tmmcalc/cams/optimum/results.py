@@ -85,7 +85,8 @@ class Option:
     active: tuple[int, ...]  # there
     stress: float  # largest sigma_H at the step point [Pa]
     contact: float  # largest R [N]
-    torque: float  # largest driving torque [N*m]
+    torque: float  # largest |T| on the camshaft, without friction [N*m]
+    driving: float  # largest driving torque, with friction [N*m]
     stiffness: float  # c [N/m]
     preload: float  # Q0 [N]
     refused: str  # why there is no solution; empty if there is
@@ -134,6 +135,8 @@ class CamOptimum:
     stiffness: float  # of the spring c [N/m]
     preload: float  # Q0 [N]
     safety: float | None  # what the spring reaches of K1; None: nothing lifts off
+    offset: float | None  # e [m], in the user's sense: of all the mechanisms here; None: a flat face
+    theta: tuple[float, float] | None  # largest |theta| on rise and return at the chosen sizes [rad]
     chosen: Choice  # in whole steps
     start: Values  # S0 (n,) [m] of all feasible step points at its height, the best first
     roller: Values  # r2 (n,) [m]
@@ -149,3 +152,5 @@ class CamOptimum:
     section: Section | None
     flat: FlatChart | None
     notes: tuple[str, ...]
+    refused: str = ""  # why what is asked has no solution: all but ``options`` is then of the lowest of them
+    shown: tuple[str, ...] = ()  # the changes of that option

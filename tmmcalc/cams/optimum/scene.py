@@ -6,26 +6,44 @@ has the limit from inside its panel.
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Callable, Sequence
+from dataclasses import fields, replace
+from typing import Any, Literal
 
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.kernels import driving_torque, resultant
+from tmmcalc.cams.forces.kernels import driving_torque
 from tmmcalc.cams.forces.results import SpringFound
 from tmmcalc.cams.forces.spring import solve_spring
-from tmmcalc.cams.forces.turn import WIDEST, at_rows, loads_of
+from tmmcalc.cams.forces.turn import WIDEST, Points, at_rows, loads_of
 from tmmcalc.cams.laws.law import Indices, Values
+from tmmcalc.cams.optimum.nodes import nodes, pressing
 from tmmcalc.cams.optimum.peaks import ended
-from tmmcalc.cams.program import Positions, Program
-from tmmcalc.cams.task import AngleLimits, CamTask, Force, Guide, Requirements
+from tmmcalc.cams.program import Positions
+from tmmcalc.cams.task import AngleLimits, CamTask, Guide, Loads, Requirements
 from tmmcalc.errors import NoSolutionError
-from tmmcalc.numerics.panels import panels
 from tmmcalc.records import record
 
 Phases = Literal["turn", "rise"]
 WHERE = "cam_optimum"
 SHARPER = 4  # panels of a flat face to one of a roller: 1/rho has a sharper peak than kappa
+
+
+@record
+class Rows:
+    """What the formulas of `extremes` take from the nodes (M,); with T = S' + e and P = -P_c."""
+
+    drag: Values  # sense f |T|
+    force: Values  # P
+    inverse: Values  # 1/P
+    couple: Values  # P |T|
+    twist: Values  # square of the torque in M_E
+    square: Values  # (3, M) T^2 + (S0 + y)^2 by powers of S0
+    bend: Values  # (3, M) numerator of kappa by powers of S0
+    growth: Values  # (2, M) numerator of A over P, of S0 and 1, times the square of omega over its mean
+    spin: Values | None  # eps over P and the square of the mean speed; None: the cam turns evenly
+    useful: Values  # (4, M) of S0, 1, -(1 + 2 (q + y)/l), 2/l: what friction leaves of S0 + y
 
 
 @record
@@ -38,6 +56,7 @@ class Scene:
     load: Values  # P_c (M,) [N]
     sense: Values  # (M,) +1 rise, -1 return, 0 dwell
     torque: Values  # -P_c S' (M,) [N*m], of all sizes alike
+    rows: Rows
     panels: int  # K
     stroke: float  # h [m], of laws that overshoot the highest position
     speed: float  # omega [rad/s]
@@ -56,9 +75,10 @@ def scene_of(task: CamTask, follower: Follower, phases: Phases = "turn") -> Scen
     loads = loads_of(task, WHERE)
     spring = solve_spring(task, loads)
     widest = WIDEST / SHARPER if follower.kind == "flat" else WIDEST
-    phi, piece = _nodes(task.program, phases, loads.force, widest)
+    phi, piece = nodes(task, loads, spring, phases == "rise", widest)
     at = at_rows(task, loads, Positions(phi, piece, ()))
-    load = resultant(at.motion, loads.mass * loads.speed**2, spring.stiffness, spring.preload, at.force)
+    sense = _from_inside(at.sense)
+    load = -pressing(loads, spring, at)
     worst = int(np.argmax(load))
     if load[worst] >= 0:
         raise NoSolutionError(
@@ -74,8 +94,9 @@ def scene_of(task: CamTask, follower: Follower, phases: Phases = "turn") -> Scen
         phi=phi,
         motion=at.motion,
         load=load,
-        sense=at.sense,
+        sense=sense,
         torque=driving_torque(load, at.motion),
+        rows=_rows(task, loads, at, -load, sense, follower.offset),
         panels=len(phi) // len(ended().points),
         stroke=task.program.highest,
         speed=loads.speed,
@@ -87,22 +108,55 @@ def scene_of(task: CamTask, follower: Follower, phases: Phases = "turn") -> Scen
     )
 
 
-def _nodes(program: Program, phases: Phases, force: Force, widest: float) -> tuple[Values, Indices]:
-    """phi (M,) and piece of the program of every node.
+def mixed(scenes: Sequence[Scene]) -> Callable[[Indices], Scene]:
+    """One for scenes that differ in their limits alone, as a function of which of them is meant at each of B points.
 
-    In a dwell without a force by phi everything stays: one panel stands for it.
+    Its limits are arrays (B,).
     """
-    breaks = [] if force.phi is None else np.mod(force.phi, program.starts[-1]).tolist()
-    on = panels(0.0, float(program.starts[-1]), [*program.panels.edges.tolist(), *breaks], widest)
-    middle = (on.edges[:-1] + on.edges[1:]) / 2
-    piece = np.clip(np.searchsorted(program.edges, middle) - 1, 0, len(program.edges) - 2)
-    phase = program.places[0][piece]
-    kinds = np.array([each.kind for each in program.phases])[phase]
-    moves = (kinds == "rise") | (kinds == "return")
-    first = np.append(True, phase[1:] != phase[:-1])
-    kept = kinds == "rise" if phases == "rise" else moves | first | (force.phi is not None)
-    rows = np.flatnonzero(kept)
-    points = ended(on.order).points
-    phi = on.edges[rows, None] + on.width[rows, None] * points
-    phi[:, -1] = on.edges[rows + 1]
-    return phi.ravel(), np.repeat(piece[rows], len(points))
+
+    def differing(parts: list[Any]) -> dict[str, Values]:
+        held = {each.name: [getattr(part, each.name) for part in parts] for each in fields(parts[0])}
+        return {name: np.array(values) for name, values in held.items() if any(v != values[0] for v in values)}
+
+    limits = differing([each.limits for each in scenes])
+    needs = differing([each.requirements for each in scenes])
+
+    def at(which: Indices) -> Scene:
+        own: dict[str, Any] = {name: values[which] for name, values in limits.items()}
+        need: dict[str, Any] = {name: values[which] for name, values in needs.items()}
+        first = scenes[0]
+        return replace(first, limits=replace(first.limits, **own), requirements=replace(first.requirements, **need))
+
+    return at
+
+
+def _rows(task: CamTask, loads: Loads, at: Points, force: Values, sense: Values, offset: float) -> Rows:
+    """The rows at the nodes with P (M,) and the sense of the motion (M,)."""
+    y, y1, y2 = at.motion[:3]
+    slide, one = y1 + offset, np.ones_like(y)
+    size = y * y + slide * slide
+    drag = loads.friction * sense * np.abs(slide)
+    growth, spin = np.stack((y1, y * y1 + slide * y2)) / force, None
+    if task.turning is not None:
+        omega, eps = task.turning.at(at.phi)
+        growth *= (omega / loads.speed) ** 2
+        spin = eps / loads.speed**2 / force
+    return Rows(
+        drag=drag,
+        force=force,
+        inverse=1 / force,
+        couple=force * np.abs(slide),
+        twist=task.requirements.torsion * driving_torque(-force, at.motion) ** 2,
+        square=np.stack((size, 2 * y, one)),
+        bend=np.stack((size + slide * y1 - y * y2, 2 * y - y2, one)),
+        growth=growth,
+        spin=spin,
+        useful=np.stack((one, y, drag, drag * y)),
+    )
+
+
+def _from_inside(values: Values) -> Values:
+    """What is constant in a panel (M,), at its ends as inside."""
+    found = values.reshape(-1, len(ended().points)).copy()
+    found[:, 0], found[:, -1] = found[:, 1], found[:, -2]
+    return found.ravel()

@@ -12,17 +12,17 @@ import numpy as np
 
 from tmmcalc.cams.forces.kernels import Guided, Mask, guided
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.optimum.margins import BLOCK, SLACK
+from tmmcalc.cams.optimum.extremes import blocks, spun
+from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.peaks import largest
 from tmmcalc.cams.optimum.scene import Scene
-from tmmcalc.cams.strength.kernels import cylinder, pin_radius, resisting, rolling, slip
+from tmmcalc.cams.strength.kernels import cylinder, pin_radius, resisting, slip
 
 
 def may_roll(scene: Scene, start: Values, roller: Values, low: Values, high: Values) -> Mask:
     """Sizes S0, r2 (n,) whose roller is not proved to slip at every height H2 from ``low`` to ``high`` (n,) [m]."""
-    parts = [slice(i, i + BLOCK) for i in range(0, len(start), BLOCK)]
-    found = [_may_roll(scene, start[part], roller[part], low[part], high[part]) for part in parts]
-    return np.concatenate(found) if found else np.zeros(0, bool)
+    parts = blocks(scene, len(start))
+    return np.concatenate([_may_roll(scene, start[part], roller[part], low[part], high[part]) for part in parts])
 
 
 def _may_roll(scene: Scene, start: Values, roller: Values, low: Values, high: Values) -> Mask:
@@ -37,17 +37,15 @@ def _may_roll(scene: Scene, start: Values, roller: Values, low: Values, high: Va
     most = np.maximum(ends[0].contact, ends[1].contact)
     works = np.all(ends[0].works & ends[1].works, axis=1) & np.all(least > 0, axis=1)
     pins = _pins(scene, np.max(least, axis=1), np.maximum(*(_largest(scene, end.contact) for end in ends)))
-    run = rolling(scene.follower, scene.motion, start[:, None])[1]
+    run = spun(scene, start, roller)
     resisted = [resisting(arm, need.pin_friction or 0.0, r0, friction, wide) for r0 in pins]
     masses = [cylinder(need.width or 0.0, need.roller_density, wide, r0) if inertia is None else inertia for r0 in pins]
-    size = np.where(works[:, None], least, 1.0), np.where(works[:, None], most, 1.0)
-    grown = [
-        slip(force, run, part, mass, scene.speed, friction, wide)[0]
-        for force in size
-        for part in resisted
-        for mass in masses
-    ]
-    below, above = np.min(grown, axis=0), np.max(grown, axis=0)
+    ratio = [run / np.where(works[:, None], size, 1.0) for size in (least, most)]
+    few, many = np.minimum(*ratio), np.maximum(*ratio)
+    below, above = (
+        way(*(slip(np.ones(1), part, c1, mass, scene.speed, friction, wide)[0] for mass in masses))
+        for way, part, c1 in ((np.minimum, few, resisted[0]), (np.maximum, many, resisted[-1]))
+    )
     slips = np.any((below > 1 + SLACK) | (above < -1 - SLACK), axis=1)
     found: Mask = ~(works & slips)
     return found
@@ -57,7 +55,7 @@ def _pins(scene: Scene, least: Values, most: Values) -> list[Values]:
     """The least and the largest radius (n, 1) of the pin for R (n,) that is largest between ``least`` and ``most``."""
     need = scene.requirements
     if need.pin is not None or need.pin_pressure is None:
-        return [np.full((len(least), 1), need.pin or 0.0)]
+        return [np.full((len(least), 1), need.pin or 0.0)] * 2
     return [pin_radius(np.maximum(size, 0.0), need.pin_pressure, need.pin_ratio)[:, None] for size in (least, most)]
 
 

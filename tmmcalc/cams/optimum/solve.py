@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,18 +12,19 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum import flat
 from tmmcalc.cams.optimum.checks import choice_of
 from tmmcalc.cams.optimum.contour import Contour, contour
-from tmmcalc.cams.optimum.game import options, variants
+from tmmcalc.cams.optimum.game import changed, options, options_without, variants
 from tmmcalc.cams.optimum.least import least_height
-from tmmcalc.cams.optimum.margins import SLACK, judge, margins
+from tmmcalc.cams.optimum.margins import SLACK, margins
+from tmmcalc.cams.optimum.notes import optimum_notes
 from tmmcalc.cams.optimum.refusal import refusal
 from tmmcalc.cams.optimum.relax import relaxations
-from tmmcalc.cams.optimum.results import CamOptimum, Choice, Section
+from tmmcalc.cams.optimum.results import CamOptimum, Choice
 from tmmcalc.cams.optimum.scene import WHERE, Phases, Scene, scene_of
+from tmmcalc.cams.optimum.section import section_of
 from tmmcalc.cams.optimum.steps import Candidates, Found, search
+from tmmcalc.cams.pressure import reached
 from tmmcalc.cams.task import CamTask, Optimum
-from tmmcalc.errors import UsageError
-
-POINTS = 121  # of the section along r2
+from tmmcalc.errors import NoSolutionError, UsageError
 
 
 def solve_optimum(task: CamTask, follower: Follower, phases: Phases | None = None) -> CamOptimum:
@@ -30,24 +32,64 @@ def solve_optimum(task: CamTask, follower: Follower, phases: Phases | None = Non
 
     ``follower`` gives its kind and offset; ``phases``, in place of the task's own, is what of the turn is examined:
     all of it, or, as in the textbook, the rise alone. Raises `UsageError` for a rocker, a groove, without loads, and
-    for too many options; `NoSolutionError`, which names the constraints, where no sizes keep them all.
+    for too many options; `NoSolutionError`, which names the constraints, where no sizes keep them all, whatever the
+    option. Where an option has a solution and what is asked has none, the result is that of the lowest option.
     """
     _check(task, follower)
     asked = Optimum() if task.optimum is None else task.optimum
     phases = asked.phases if phases is None else phases
-    variants(task, asked)
+    named = variants(task, asked)
+    try:
+        return _solved(task, follower, asked, phases)
+    except NoSolutionError as fault:
+        if not named:
+            raise
+        return _lowest_option(task, follower, asked, phases, fault)
+
+
+def _lowest_option(
+    task: CamTask, follower: Follower, asked: Optimum, phases: Phases, fault: NoSolutionError
+) -> CamOptimum:
+    """The result of the lowest option, with the table of all; raises ``fault`` if none has a solution."""
+    given = options_without(task, follower, fault.message, asked, phases)
+    solved = [k for k, each in enumerate(given) if not each.refused]
+    if not solved:
+        raise NoSolutionError(
+            f"{fault.message}; no option has a solution either ({len(given) - 1} tried)",
+            where=fault.where,
+            value=fault.value,
+            limit=fault.limit,
+            remedy=fault.remedy,
+        )
+    best = min(solved, key=lambda k: given[k].least)
+    alone = replace(asked, laws=(), safeties=(), contacts=(), roller_ratios=())
+    other = replace(changed(task, variants(task, asked)[best - 1]), optimum=alone)
+    found = _solved(other, follower, alone, phases)
+    note = f"warning: as asked there is no mechanism: {fault.message}; all else is of the option {given[best].name}"
+    return replace(
+        found,
+        options=tuple(given),
+        refused=fault.message,
+        shown=given[best].changes,
+        notes=(note, *found.notes),
+    )
+
+
+def _solved(task: CamTask, follower: Follower, asked: Optimum, phases: Phases) -> CamOptimum:
+    """The result as asked, with its options; raises as `solve_optimum` does."""
     scene = scene_of(task, follower, phases)
     if follower.kind == "flat":
         return _flat(task, scene, asked, phases)
     found, known = search(scene, asked)
     if found is None:
-        raise refusal(scene, asked)
+        raise refusal(scene, asked, known.beyond)
     best = found.best
     order = np.argsort(-np.min(found.margin, axis=0), kind="stable")
     chosen = choice_of(scene, float(found.start[best]), float(found.roller[best]), found.height)
     lowest = least_height(scene, chosen.start, chosen.roller, chosen.height)
     least = choice_of(scene, lowest.start, lowest.roller, lowest.height)
     top = task.guide.top
+    theta = reached(task, replace(follower, start=chosen.start, roller=chosen.roller))
     return CamOptimum(
         kind=follower.kind,
         phases=phases,
@@ -56,6 +98,8 @@ def solve_optimum(task: CamTask, follower: Follower, phases: Phases | None = Non
         stiffness=scene.spring.stiffness,
         preload=scene.spring.preload,
         safety=scene.spring.reached,
+        offset=follower.sense * follower.offset + 0.0,
+        theta=(abs(theta[0].worst.value), abs(theta[1].worst.value)),
         chosen=chosen,
         start=found.start[order],
         roller=found.roller[order],
@@ -68,9 +112,9 @@ def solve_optimum(task: CamTask, follower: Follower, phases: Phases | None = Non
         contours=tuple(_contours(scene, found, known, least, top)),
         relaxations=tuple(relaxations(scene, least)),
         options=tuple(options(task, scene, chosen, least, asked, phases)),
-        section=_section(scene, chosen),
+        section=section_of(scene, chosen),
         flat=None,
-        notes=tuple(_notes(scene, task, least, top)),
+        notes=tuple(optimum_notes(task, scene, chosen, least, theta)),
     )
 
 
@@ -88,6 +132,8 @@ def _flat(task: CamTask, scene: Scene, asked: Optimum, phases: Phases) -> CamOpt
         stiffness=scene.spring.stiffness,
         preload=scene.spring.preload,
         safety=scene.spring.reached,
+        offset=None,
+        theta=None,
         chosen=designs[0],
         start=np.array([each.start for each in designs]),
         roller=np.zeros(len(designs)),
@@ -102,7 +148,7 @@ def _flat(task: CamTask, scene: Scene, asked: Optimum, phases: Phases) -> CamOpt
         options=tuple(options(task, scene, designs[0], least, asked, phases)),
         section=None,
         flat=flat.chart(scene),
-        notes=tuple(_notes(scene, task, least, task.guide.top)),
+        notes=tuple(optimum_notes(task, scene, designs[0], least, ())),
     )
 
 
@@ -137,34 +183,3 @@ def _feasible(scene: Scene, known: Candidates, least: Choice, top: float) -> tup
     start, roller = np.append(known.start[rows], least.start), np.append(known.roller[rows], least.roller)
     good = np.all(margins(scene, start, roller, np.full(len(start), top)) >= -SLACK, axis=0)
     return start[good], roller[good]
-
-
-def _section(scene: Scene, chosen: Choice) -> Section:
-    """N1 and sigma_H along r2, up to where there is no guide left or the profile has a cusp (fig. 5.30)."""
-    room = chosen.height - chosen.start - scene.stroke - scene.guide.gap
-    roller = room * np.arange(1, POINTS + 1) / (POINTS + 1)
-    found = judge(scene, np.full(POINTS, chosen.start), roller, np.full(POINTS, chosen.height))
-    sound = np.all(found.margin > -10.0, axis=0)
-    need, guide = scene.requirements, scene.guide
-    edge = None
-    if need.guide_pressure is not None and guide.land is not None and guide.stem is not None:
-        edge = 2 * guide.land * guide.stem * need.guide_pressure
-    return Section(
-        chosen.start, chosen.height, roller[sound], found.edge[sound], found.stress[sound], edge, need.contact
-    )
-
-
-def _notes(scene: Scene, task: CamTask, least: Choice, top: float | None) -> Iterator[str]:
-    missing = [f"{each.number} {each.name}" for each in least.checks if not each.judged and each.number > 1]
-    if missing:
-        yield f"note: not judged, for want of data in [cam.requirements] or [cam.guide]: {', '.join(missing)}"
-    closed = least.checks[0]
-    if closed.judged and closed.margin < 0:
-        yield f"note: the spring reaches {closed.value:.5g} of the safety {closed.limit:.5g} that it was sized for"
-    if top is not None and top < least.height:
-        yield (
-            f"warning: the height of [cam.guide] top, {1e3 * top:.5g} mm, is below the least possible "
-            f"{1e3 * least.height:.6g} mm: no sizes keep all constraints at it"
-        )
-    if task.guide.gap == 0 and least.roller:
-        yield "note: the guide begins where the roller ends at its highest: [cam.guide] gap is 0"

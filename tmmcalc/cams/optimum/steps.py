@@ -8,9 +8,12 @@ which tells when no larger S0 needs to be looked at.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
-from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.laws.law import Indices, Values
+from tmmcalc.cams.optimum.beyond import Beyond, beyond
 from tmmcalc.cams.optimum.guide import SINGLE, TALL, Range, ranges
 from tmmcalc.cams.optimum.margins import SLACK, margins
 from tmmcalc.cams.optimum.scene import WHERE, Scene
@@ -21,7 +24,7 @@ from tmmcalc.errors import UsageError
 from tmmcalc.records import record
 
 FIRST = 4.0  # strokes: first stretch of S0
-FARTHEST = (20.0, 0.2)  # S0 is not looked for beyond so many strokes, or [m]
+FARTHEST = (20.0, 0.2)  # so many strokes, or [m]: S0 beyond is looked for where nothing is found up to there
 MANY = 100_000  # step points of a stretch
 HIGHEST = 20.0  # heights above so many times the least bound of all are not looked at
 PATIENCE = 8  # heights that are tried before those points are taken out that slip at any larger one; a power of 2
@@ -38,6 +41,7 @@ class Candidates:
     most: Values
     examined: int  # step points that were looked at
     passed: dict[int, int]  # how many of them each constraint alone leaves, for some height
+    beyond: Beyond | None = None  # sizes that keep all constraints, where there are too many step points up to them
 
     def joined(self, other: Candidates) -> Candidates:
         """Both stretches."""
@@ -59,7 +63,6 @@ class Found:
     start: Values  # S0 (n,) [m]
     roller: Values  # r2 (n,) [m]
     margin: Values  # (8, n)
-    examined: int
 
     @property
     def best(self) -> int:
@@ -67,26 +70,66 @@ class Found:
         return int(np.argmax(np.min(self.margin, axis=0)))
 
 
+def farthest(scene: Scene, asked: Optimum) -> float:
+    """S0 [m] up to which all step points are looked at: as the heights allow, or some strokes."""
+    if asked.heights is not None:
+        return asked.heights[1] - scene.stroke - scene.guide.gap
+    return max(FARTHEST[0] * scene.stroke, FARTHEST[1])
+
+
 def search(scene: Scene, asked: Optimum) -> tuple[Found | None, Candidates]:
     """The least height in steps, None if there is none in the asked range; and all candidates, as the proof.
 
     Raises `UsageError` for steps that are too fine against the stroke.
     """
-    base = scene.stroke + scene.guide.gap
-    farthest = max(FARTHEST[0] * scene.stroke, FARTHEST[1]) if asked.heights is None else asked.heights[1] - base
-    low, high = 0.0, min(FIRST * scene.stroke, farthest)
-    known = _stretch(scene, asked.step, low, high)
+    far = farthest(scene, asked)
+    high = min(FIRST * scene.stroke, far)
+    known = _stretch(scene, asked.step, 0.0, high)
+    found, known = _onwards(scene, asked, known, high, far)
+    if found is not None or asked.heights is not None:
+        return found, known
+    first = beyond(scene, far)
+    if first is None:
+        return None, known
+    last = first.height - scene.stroke - scene.guide.gap
+    if _rollers(scene, asked.step, far, last)[2].sum() > MANY:
+        return None, replace(known, beyond=first)
+    return _onwards(scene, asked, known, far, last)
+
+
+def _onwards(
+    scene: Scene, asked: Optimum, known: Candidates, high: float, far: float
+) -> tuple[Found | None, Candidates]:
+    """The least height with S0 up to ``far``, of which the candidates up to ``high`` are known."""
+    base, left = scene.stroke + scene.guide.gap, known
     while True:
-        found = _lowest(scene, asked, known)
-        bound = farthest if found is None else min(found.height - base, farthest)
+        found = _lowest(scene, asked, left)
+        bound = far if found is None else min(found.height - base, far)
         if bound <= high:
             return found, known
         low, high = high, min(max(2 * high, 4 * asked.step), bound)
-        known = known.joined(_stretch(scene, asked.step, low, high))
+        fresh = _stretch(scene, asked.step, low, high)
+        known, left = known.joined(fresh), fresh if found is None else left.joined(fresh)
 
 
 def _stretch(scene: Scene, step: float, low: float, high: float) -> Candidates:
     """The candidates with S0 in (low, high]."""
+    start, first, count = _rollers(scene, step, low, high)
+    if int(count.sum()) > MANY:
+        raise UsageError(
+            f"{int(count.sum())} points of whole steps are too many to try",
+            where=WHERE,
+            value=step,
+            remedy=f"a larger [cam.optimum] step than {1e3 * step:g} mm",
+        )
+    rows = np.repeat(np.arange(len(start)), count)
+    roller = step * (np.arange(len(rows)) - np.repeat(np.cumsum(count) - count, count) + first[rows])
+    base = np.hypot(start, scene.follower.offset)
+    return _candidates(scene, start[rows], roller, int(np.sum(np.floor(base / step + ROUND))))
+
+
+def _rollers(scene: Scene, step: float, low: float, high: float) -> tuple[Values, Indices, Indices]:
+    """S0 (n,) in whole steps in (low, high], the first step of r2 that the curvature leaves, and how many."""
     start = step * np.arange(int(low / step + ROUND) + 1, int(high / step + ROUND) + 1)
     bend, _ = rolling(scene.follower, scene.motion, start[:, None])
     most, least = np.max(bend, axis=1), np.min(bend, axis=1)
@@ -97,17 +140,7 @@ def _stretch(scene: Scene, step: float, low: float, high: float) -> Candidates:
         concave = np.where(least < 0, TALL, 0.0)
     first = np.maximum(np.ceil(concave / step - ROUND), 1).astype(int)
     last = np.floor(np.minimum(convex, base) / step + ROUND).astype(int)
-    count = np.maximum(last - first + 1, 0)
-    if int(count.sum()) > MANY:
-        raise UsageError(
-            f"{int(count.sum())} points of whole steps are too many to try",
-            where=WHERE,
-            value=step,
-            remedy=f"a larger [cam.optimum] step than {1e3 * step:g} mm",
-        )
-    rows = np.repeat(np.arange(len(start)), count)
-    roller = step * (np.arange(len(rows)) - np.repeat(np.cumsum(count) - count, count) + first[rows])
-    return _candidates(scene, start[rows], roller, int(np.sum(np.floor(base / step + ROUND))))
+    return start, first, np.maximum(last - first + 1, 0)
 
 
 def _candidates(scene: Scene, start: Values, roller: Values, examined: int) -> Candidates:
@@ -147,7 +180,7 @@ def _lowest(scene: Scene, asked: Optimum, known: Candidates) -> Found | None:
         good = np.all(margin >= -SLACK, axis=0)
         if good.any():
             rows = rows[good]
-            return Found(height, known.start[rows], known.roller[rows], margin[:, good], known.examined)
+            return Found(height, known.start[rows], known.roller[rows], margin[:, good])
         level, tried = level + 1, tried + 1
         if tried >= PATIENCE and tried & (tried - 1) == 0:
             low = step * np.maximum(first[left], level)

@@ -36,7 +36,7 @@ def refuse(found: Profile, task: CamTask) -> None:
             remedy=_remedy(found, wall, task),
         )
     room = found.pivot
-    if room is not None and room.clearance <= 0:
+    if room is not None and room.swept:
         raise NoSolutionError(
             told(room),
             where="cam profile",
@@ -95,13 +95,15 @@ def remarks(found: Profile, task: CamTask) -> Iterator[str]:
     for wall in found.walls:
         if not wall.sound and not wall.name.endswith("tool"):
             yield f"warning: the {NAMES[wall.name]} {fault(wall)}"
-    if found.pivot is not None and found.pivot.clearance <= 0:
+    if found.pivot is not None and found.pivot.swept:
         yield f"warning: {told(found.pivot)}"
+    if found.pivot is not None and found.pivot.passed:
+        yield f"note: {told(found.pivot)}"
     yield from _flat_remarks(found, task) if found.flat else _roller_remarks(found, task)
     yield from _concave_remarks(found, task)
     yield from _tool_remarks(found)
     shaft = task.limits.shaft
-    if found.nearest.value < shaft:
+    if found.nearest.value < shaft * (1 - AT_LIMIT):
         yield (
             f"warning: the profile comes to {_mm(found.nearest.value)} of the axis at phi = {_deg(found.nearest.phi)} "
             f"deg, the shaft has a radius of {_mm(shaft)}"

@@ -73,7 +73,7 @@ class CamStrength:
     ends: tuple[float, ...]  # of the phases [rad], from 0 to the end of the turn
     touching: Mask  # (n,) a wall presses on the roller, so that it can roll
     curvature: Values  # (n,) kappa [1/m] of the pitch curve, or of the profile under a flat face
-    run: Values | None  # (n,) A [m] of the roller
+    run: Values | None  # (n,) A [m] of the roller; of a varying speed what it accelerates by, over the mean squared
     slip: Values | None  # (n,) D; 0 where nothing presses
     stress: Values | None  # (n,) sigma_H [Pa]
     reduced: Values | None  # (n,) M_E [N*m]

@@ -6,18 +6,17 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.cams.forces.turn import crossings, divided, spans
 from tmmcalc.cams.strength.kernels import (
     HERTZ,
     cylinder,
     pin_pressure,
     pin_radius,
     resisting,
-    slip,
     unused,
 )
 from tmmcalc.cams.strength.results import OPEN, Margin, RollerUnit, Rolling
 from tmmcalc.cams.strength.shape import judged, stressed
+from tmmcalc.cams.strength.slipping import largest_slip, slipping
 from tmmcalc.cams.strength.work import Case, contact_square, curved
 
 SLIP = "|C1 + C2 A/|R|| <= 1 (5.72)"
@@ -67,7 +66,7 @@ def rolling_of(case: Case, unit: RollerUnit | None) -> Rolling | None:
     pin = unit.pin if unit else 0.0
     c1 = float(resisting(needs.rolling_arm, needs.pin_friction or 0.0, pin, friction, roller))
     c2 = inertia * case.loads.speed**2 / (friction * roller**2)
-    return Rolling(c1, c2, inertia, _slipping(case, c1, c2))
+    return Rolling(c1, c2, inertia, slipping(case, c1, c2))
 
 
 def _inertia(case: Case, unit: RollerUnit | None) -> float | None:
@@ -78,17 +77,6 @@ def _inertia(case: Case, unit: RollerUnit | None) -> float | None:
     if needs.width is None or unit is None:
         return None
     return float(cylinder(needs.width, needs.roller_density, case.follower.roller, unit.pin))
-
-
-def _slipping(case: Case, c1: float, c2: float) -> tuple[tuple[float, float], ...]:
-    """Intervals where |C1 |R| + C2 A| > |R|, which is smooth and has a sense where R is 0."""
-    course = case.course
-    size, run = np.abs(course.state.contact), curved(case.follower, course.points.motion)[1]
-    excess = [course.shaped(side * (c1 * size + c2 * run) - size) for side in (1, -1)]
-    on = divided(course.on, np.concatenate([crossings(course.on, each) for each in excess]))
-    middle = (on.edges[:-1] + on.edges[1:]) / 2
-    over = np.maximum(*(course.on.at(each, middle) for each in excess))
-    return spans(on.edges, over > 1e-12 * np.max(size))
 
 
 def slip_margin(case: Case, unit: RollerUnit | None, rolling: Rolling | None) -> Margin:
@@ -102,15 +90,11 @@ def slip_margin(case: Case, unit: RollerUnit | None, rolling: Rolling | None) ->
             "[cam.requirements]"
         )
         return Margin("no slip", 2, OPEN, SLIP, why=why)
-    size = np.abs(case.course.state.contact)
-    if case.pressing.least <= 0 <= case.pressing.largest or not np.all(size > 0):
-        place = rolling.slipping[0][0] if rolling.slipping else None
+    if rolling.slipping and case.passes_zero:
+        place = rolling.slipping[0][0]
         return Margin("no slip", 2, "slip", SLIP, "D", phi=place, why="R passes 0: the roller slips there")
-    run = curved(case.follower, case.course.points.motion)[1]
-    friction = case.needs.roller_friction or 1.0
-    grown, _ = slip(size, run, rolling.resisting, rolling.inertia, case.loads.speed, friction, case.follower.roller)
-    found = case.over(grown)
-    return judged("no slip", 2, SLIP, "D", "", found.size, 1.0, 1 - found.size, found.place, "slip")
+    value, place = largest_slip(case, rolling.resisting, rolling.driving)
+    return judged("no slip", 2, SLIP, "D", "", value, 1.0, 1 - value, place, "slip")
 
 
 def contact_margin(case: Case) -> Margin:
@@ -123,7 +107,7 @@ def contact_margin(case: Case) -> Margin:
         why = "the profile has a cusp" if not case.flat else "the profile is not convex"
     if why or needs.width is None:
         return Margin("contact stress", 9, OPEN, formula, "sigma_H", "Pa", why=why)
-    now, kappa = case.course.state, curved(case.follower, case.course.points.motion)[0]
+    now, kappa = case.course.state, curved(case.follower, case.course.points.motion)
     square = np.abs(now.contact) * kappa if case.flat else contact_square(now, kappa, case.follower.roller)
     found = case.over(square)
     value = HERTZ * float(np.sqrt(needs.modulus / needs.width * found.largest))

@@ -20,7 +20,7 @@ from tmmcalc.cams.strength.kernels import contact_stress, flat_stress, reduced_m
 from tmmcalc.cams.strength.results import OK, CamStrength, Margin, Rolling, ShaftFound
 from tmmcalc.cams.strength.roller import contact_margin, roller_unit, rolling_of, slip_margin, unit_margins
 from tmmcalc.cams.strength.shape import shape_margins
-from tmmcalc.cams.strength.work import Case, case_of, curved
+from tmmcalc.cams.strength.work import Case, case_of, curved, spun
 from tmmcalc.cams.task import CamTask
 
 FAULTS = {  # the gravest first
@@ -52,7 +52,8 @@ def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None =
     rows = forces.positions if forces else task.positions
     points = at_rows(task, loads, rows)
     now = state(case.course.carried, points)
-    kappa, run = curved(follower, points.motion)
+    kappa = curved(follower, points.motion)
+    run = spun(task, loads, follower, points, now.contact)
     touching = np.abs(now.contact) > 0 if case.grooved else now.contact > 0
     bend = case.bend
     sharpest = 1 / bend.largest if bend.largest > 0 else None
@@ -77,7 +78,7 @@ def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None =
         shaft=shaft,
         margins=margins,
         verdict=_verdict(margins),
-        notes=tuple(_notes(case, margins, shaft)),
+        notes=tuple(_notes(case, margins, rolling, shaft)),
     )
 
 
@@ -121,7 +122,7 @@ def _reduced(case: Case, now: State) -> Values | None:
     return None if span is None else reduced_moment(now.contact, now.torque, span, case.needs.torsion)
 
 
-def _notes(case: Case, margins: tuple[Margin, ...], shaft: ShaftFound | None) -> Iterator[str]:
+def _notes(case: Case, margins: tuple[Margin, ...], rolling: Rolling | None, shaft: ShaftFound | None) -> Iterator[str]:
     for verdict, each in _decisive(margins):
         where = "" if each.phi is None else f" at phi = {degrees(each.phi):.6g} deg"
         more = f" ({each.why})" if each.why else ""
@@ -132,6 +133,11 @@ def _notes(case: Case, margins: tuple[Margin, ...], shaft: ShaftFound | None) ->
     if not case.touches:
         yield "warning: nothing presses the follower on the cam in a part of the turn, so slip and stress have gaps"
     yield from _shaft_notes(case, shaft)
+    if case.task.turning is not None and rolling is not None:
+        yield (
+            "note: the cam's speed varies, so A is (omega^2 A + eps (v - r2))/omega_m^2, v the speed of the pitch "
+            "curve: what the roller accelerates by"
+        )
 
 
 def _shaft_notes(case: Case, shaft: ShaftFound | None) -> Iterator[str]:

@@ -10,8 +10,9 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.course import Course
 from tmmcalc.cams.forces.state import State, state
-from tmmcalc.cams.forces.turn import at_angles, steady
+from tmmcalc.cams.forces.turn import Points, at_angles, steady
 from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.pressure import terms
 from tmmcalc.cams.strength.kernels import flat_radius, rolling
 from tmmcalc.cams.task import CamTask, Loads, Requirements
 from tmmcalc.numerics.panels import Panels, resolved
@@ -40,13 +41,30 @@ class Extremes:
         return self.largest_phi if self.largest >= -self.least else self.least_phi
 
 
-def curved(follower: Follower, motion: Values) -> tuple[Values, Values]:
-    """kappa [1/m] and A [m]; under a flat face 1/rho of the profile, 0 where it has no radius, and no A."""
+def curved(follower: Follower, motion: Values) -> Values:
+    """kappa [1/m] of the pitch curve; under a flat face 1/rho of the profile, 0 where it has no radius."""
     if follower.kind != "flat":
-        return rolling(follower, motion)
+        return rolling(follower, motion)[0]
     radius = flat_radius(motion, follower.start)
     none = radius == 0
-    return np.where(none, 0.0, 1 / np.where(none, 1.0, radius)), np.zeros_like(radius)
+    return np.where(none, 0.0, 1 / np.where(none, 1.0, radius))
+
+
+def spun(task: CamTask, loads: Loads, follower: Follower, at: Points, contact: Values) -> Values:
+    """A [m] (m,) of the roller, by which its speed grows; 0 under a flat face.
+
+    On the inner wall it turns at omega (v/r2 - 1), on the outer one at omega (v/r2 + 1), v that of the pitch curve.
+    Where omega varies, A is what that asks for over the mean speed squared: (omega^2 A + eps (v -+ r2))/omega_m^2.
+    """
+    if follower.kind == "flat":
+        return np.zeros_like(at.phi)
+    _, run = rolling(follower, at.motion)
+    if task.turning is None:
+        return run
+    omega, eps = task.turning.at(at.phi)
+    speed = np.hypot(*terms(follower, at.motion, follower.start, follower.offset))
+    found: Values = (omega**2 * run + eps * (speed - np.sign(contact) * follower.roller)) / loads.speed**2
+    return found
 
 
 def extremes(on: Panels, values: Values) -> Extremes:
@@ -58,7 +76,7 @@ def extremes(on: Panels, values: Values) -> Extremes:
 def bent(follower: Follower, course: Course) -> Extremes:
     """kappa of the pitch curve over the turn; under a flat face its radius rho."""
     motion = course.points.motion
-    values = flat_radius(motion, follower.start) if follower.kind == "flat" else rolling(follower, motion)[0]
+    values = flat_radius(motion, follower.start) if follower.kind == "flat" else curved(follower, motion)
     return extremes(course.on, course.shaped(values))
 
 
@@ -77,6 +95,7 @@ class Case:
     follower: Follower
     course: Course
     bend: Extremes  # kappa [1/m] of the pitch curve; of a flat face rho [m]
+    run: Values  # (K N,) A [m] of the roller
     pressing: Extremes  # R [N]
     touches: bool  # a force presses the follower on the cam all over the turn, or walls hold it
 
@@ -103,6 +122,11 @@ class Case:
         """Closed by two walls."""
         return self.task.asked.closure == "groove"
 
+    @property
+    def passes_zero(self) -> bool:
+        """Nothing presses the roller somewhere in the turn."""
+        return self.pressing.least <= 0 <= self.pressing.largest or not np.all(self.course.state.contact)
+
     def over(self, values: Values) -> Extremes:
         """Extremes of values (K N,) over the turn."""
         return extremes(self.course.on, self.course.shaped(values))
@@ -114,7 +138,8 @@ def case_of(task: CamTask, follower: Follower, loads: Loads, first: Course) -> C
     now = course.state
     pressing = extremes(course.on, course.shaped(now.contact))
     touches = task.asked.closure == "groove" or pressing.least > 0
-    return Case(task, loads, follower, course, bent(follower, course), pressing, touches)
+    run = spun(task, loads, follower, course.points, now.contact)
+    return Case(task, loads, follower, course, bent(follower, course), run, pressing, touches)
 
 
 def _refined(task: CamTask, loads: Loads, course: Course) -> Course:
@@ -122,9 +147,9 @@ def _refined(task: CamTask, loads: Loads, course: Course) -> Course:
 
     def rows(phi: Values) -> Values:
         at = at_angles(task, loads, phi)
-        kappa, run = curved(of.follower, at.motion)
         now = state(of, at)
-        gap = 1 - np.sign(now.contact) * kappa * roller
+        gap = 1 - np.sign(now.contact) * curved(of.follower, at.motion) * roller
+        run = spun(task, loads, of.follower, at, now.contact)
         return np.stack((now.contact / np.where(gap > 0, gap, 1.0), run))
 
     scale = np.max(np.abs(rows(course.on.x.ravel())), axis=1) + 1e-300

@@ -29,6 +29,8 @@ FINER = 41
 ZOOMS = 12
 TOUCH = 1e-12  # a curve that comes this near to the region touches it
 
+Over = Callable[[Complex], Values]
+
 
 @record
 class Curve:
@@ -66,14 +68,16 @@ def about_centres(k: float) -> Curve:
     return Curve("base_radius", lambda x: np.asarray(1 / (1 + k * np.exp(1j * x))), 1e-9, pi - 1e-9)
 
 
-def best_on(every: tuple[Family, ...], curve: Curve, value: Callable[[complex], float]) -> complex:
-    """The point of the curve within the region where ``value`` is least.
+def best_on(
+    every: tuple[Family, ...], curve: Curve, value: Callable[[complex], float], also: Over | None = None
+) -> complex:
+    """The point of the curve within the region where ``value`` is least; ``also`` is not above zero there.
 
     Raises `NoSolutionError` if the curve does not meet the region.
     """
     lines = sampled(every)
     for _ in range(EXCHANGES):
-        x, far = _grid(lines, curve)
+        x, far = _grid(lines, curve, also)
         runs = _runs(far)
         deepest = [int(run[np.argmin(far[run])]) for run in runs] or [int(np.argmin(far))]
         points = curve.at(x[deepest])
@@ -87,7 +91,8 @@ def best_on(every: tuple[Family, ...], curve: Curve, value: Callable[[complex], 
         raise _none(curve)
 
     def exact(at: Values, which: Indices) -> Values:
-        return np.array([outside(every, complex(point))[0] for point in curve.at(at)])
+        over = np.array([outside(every, complex(point))[0] for point in curve.at(at)])
+        return over if also is None else np.maximum(over, also(curve.at(at)))
 
     inside = [run for run, (over, _) in zip(runs, checked, strict=False) if over < 0]
     lowest = [k for k, (over, _) in zip(deepest, checked, strict=True) if over < 0]
@@ -112,11 +117,13 @@ def _runs(far: Values) -> list[Indices]:
     return [run for run in np.split(inside, np.flatnonzero(np.diff(inside) > 1) + 1) if len(run)]
 
 
-def _grid(lines: Lines, curve: Curve) -> tuple[Values, Values]:
+def _grid(lines: Lines, curve: Curve, also: Over | None) -> tuple[Values, Values]:
     """x and how far outside, drawn together about the best place until one is inside."""
 
     def over(x: Values) -> Values:
-        return np.asarray(np.max(lines.over(curve.at(x)), axis=-1))
+        points = curve.at(x)
+        far = np.asarray(np.max(lines.over(points), axis=-1))
+        return far if also is None else np.maximum(far, also(points))
 
     x = np.linspace(curve.low, curve.high, GRID)
     far = over(x)

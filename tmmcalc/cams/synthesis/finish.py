@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from math import ceil
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.pivot import pivot_room, told
+from tmmcalc.cams.pivot import PivotRoom, pivot_room, told
 from tmmcalc.cams.pressure import Reached, reached, remarks
 from tmmcalc.cams.synthesis import roller
 from tmmcalc.cams.synthesis.results import Design, Region, Size, Synthesis
@@ -14,7 +15,9 @@ from tmmcalc.cams.task import CamTask
 from tmmcalc.errors import SingularityError
 
 GIVEN, ANGLE = "given", "pressure angle"
+PIVOT_ROOM = "room at the pivot"
 LEAST, TEXTBOOK = "least base circle", "textbook"
+WHOLE_NAME = "whole millimetres"
 WHOLE = 5e-3  # [m] sizes below it are not rounded to millimetres
 NEAR = 1e-9
 
@@ -35,7 +38,7 @@ def finished(
     how = f"{choice.governs}, {'rounded down' if choice.radius >= roller.STEP else 'as it is'}"
     sizes = (*sizes, size_of("r2", choice.radius, task.asked.roller is not None, how))
     room = pivot_room(task, follower)
-    swept = () if room is None or room.clearance > 0 else (f"warning: {told(room)}",)
+    swept = tuple(_pivot_remarks(room, governs))
     notes = (
         *task.remarks,
         *swept,
@@ -60,6 +63,15 @@ def finished(
         notes,
         room,
     )
+
+
+def _pivot_remarks(room: PivotRoom | None, governs: str) -> Iterator[str]:
+    if room is not None and room.swept:
+        yield f"warning: {told(room)}"
+    elif room is not None and room.passed:
+        yield f"note: {told(room)}"
+    elif room is not None and governs == PIVOT_ROOM and not room.pivot:
+        yield "note: the cam passes the centre of the rocker's pivot; pivot_radius in [cam.loads] gives the pivot room"
 
 
 def judged(task: CamTask, name: str, follower: Follower) -> list[Design]:

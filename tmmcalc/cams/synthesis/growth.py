@@ -1,6 +1,7 @@
 """A larger cam where the pressure angle alone would leave it too small for its roller or its shaft.
 
     rho2 >= r2 + r_m         the profile keeps a radius that can be made
+    rho1 >= r2 + r_m         so does the second wall of a groove, in the concave parts of the pitch curve
     R0 >= r1 + r2            the roller clears the shaft
 
 and, where concave parts are not allowed, no curvature below zero. A roller that is to be chosen needs at least a
@@ -15,7 +16,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.synthesis.roller import OF_BASE, STEP, bends
+from tmmcalc.cams.synthesis.roller import NEAR, OF_BASE, STEP, bends
 from tmmcalc.cams.task import CamTask
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.numerics.roots import bracketed
@@ -23,18 +24,18 @@ from tmmcalc.numerics.roots import bracketed
 DOUBLINGS = 40
 
 
-def grown(task: CamTask, place: Callable[[float], Follower]) -> tuple[Follower, str]:
+def grown(task: CamTask, place: Callable[[float], Follower], first: float = 1.0) -> tuple[Follower, str]:
     """The first follower of the family ``place(x)``, x >= 0, that leaves room, and what asked for it.
 
-    Raises `NoSolutionError` if none does.
+    ``first`` is the first x above zero that is tried. Raises `NoSolutionError` if none does.
     """
 
     def room(x: float) -> tuple[float, str]:
-        return _room(task, place(x))
+        return room_of(task, place(x))
 
     if room(0.0)[0] >= 0:
         return place(0.0), ""
-    high = 1.0
+    high = first
     for _ in range(DOUBLINGS):
         if room(high)[0] >= 0:
             break
@@ -53,7 +54,12 @@ def grown(task: CamTask, place: Callable[[float], Follower]) -> tuple[Follower, 
     return place(x), room(x * (1 - 1e-6))[1]
 
 
-def _room(task: CamTask, follower: Follower) -> tuple[float, str]:
+def has_room(task: CamTask, follower: Follower) -> bool:
+    """Whether roller, shaft and radii have room, but for rounding."""
+    return room_of(task, follower)[0] >= -NEAR
+
+
+def room_of(task: CamTask, follower: Follower) -> tuple[float, str]:
     """How much there is beyond what is needed, in parts of it, and the name of what is scarcest."""
     r2 = STEP if task.asked.roller is None else task.asked.roller
     shaft, least = task.limits.shaft, r2 + task.limits.convex
@@ -64,6 +70,8 @@ def _room(task: CamTask, follower: Follower) -> tuple[float, str]:
     low, high = bends(task, follower)
     if least > 0:
         found.append((1 - least * high.value, "curvature"))
+    if least > 0 and task.asked.closure == "groove":
+        found.append((1 + least * low.value, "second wall"))
     if not task.limits.allow_concave:
         found.append((follower.base * low.value, "no concave parts"))
     return min(found, default=(0.0, ""))

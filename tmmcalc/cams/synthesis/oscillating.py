@@ -13,7 +13,7 @@ from math import acos, atan, cos, pi, sin, sqrt, tan
 import numpy as np
 
 from tmmcalc.cams.synthesis.aims import Aim, Distance, Ratio
-from tmmcalc.cams.synthesis.curves import about_centres, about_pivot, about_roller, best_on, ray
+from tmmcalc.cams.synthesis.curves import Over, about_centres, about_pivot, about_roller, best_on, ray
 from tmmcalc.cams.synthesis.exchange import best
 from tmmcalc.cams.synthesis.halfplanes import Family, Lines, families, sampled
 from tmmcalc.cams.synthesis.region import polygon
@@ -67,8 +67,8 @@ def find(task: CamTask) -> Triangle:
     try:
         if len(lengths) == 1 and asked.start is None:
             point = best(every, Ratio() if asked.centres is not None else Distance(1.0)).point
-            return _scaled(asked, point, "least base circle" if asked.base is None else "longest rocker")
-        return _on_curve(asked, every)
+            return scaled(asked, point, "least base circle" if asked.base is None else "longest rocker")
+        return on_curve(asked, every)
     except NoSolutionError as fault:
         raise _with_remedy(task, fault) from None
 
@@ -76,7 +76,7 @@ def find(task: CamTask) -> Triangle:
 def least_centres(task: CamTask) -> Triangle:
     """The sizes of the least distance of the centres for the same rocker (or of the longest rocker)."""
     point = best(families(task), Distance(0.0)).point
-    return _scaled(task.asked, point, "least centre distance")
+    return scaled(task.asked, point, "least centre distance")
 
 
 def given(asked: Asked) -> Triangle:
@@ -140,26 +140,27 @@ def textbook(task: CamTask, rocker: float) -> Triangle | None:
 
 def deeper(found: Triangle, stroke: float, by: float, asked: Asked) -> Triangle:
     """The axis moved away from the rocker's middle position by so many lengths of it, the given length kept."""
-    return _scaled(asked, found.axis - 1j * by * complex(np.exp(0.5j * stroke)), found.how)
+    return scaled(asked, found.axis - 1j * by * complex(np.exp(0.5j * stroke)), found.how)
 
 
-def _on_curve(asked: Asked, every: tuple[Family, ...]) -> Triangle:
+def on_curve(asked: Asked, every: tuple[Family, ...], also: Over | None = None) -> Triangle:
+    """With two sizes given: the best place on their curve, where ``also`` is not above zero."""
     l0, l2, base = asked.centres, asked.rocker, asked.base
     if asked.start is not None:
         aim: Aim = Ratio() if l0 is not None else Distance(1.0)
-        point = best_on(every, ray(asked.start), lambda o: float(aim.of(np.array(o))))
-        return _scaled(asked, point, "least base circle with the given start_angle")
+        point = best_on(every, ray(asked.start), lambda o: float(aim.of(np.array(o))), also)
+        return scaled(asked, point, "least base circle with the given start_angle")
     if base is None:
-        point = best_on(every, about_pivot(_known(l0) / _known(l2)), lambda o: abs(o - 1))
-        return _scaled(asked, point, "least base circle with the given lengths")
+        point = best_on(every, about_pivot(_known(l0) / _known(l2)), lambda o: abs(o - 1), also)
+        return scaled(asked, point, "least base circle with the given lengths")
     if l2 is not None:
-        point = best_on(every, about_roller(base / l2), abs)
-        return _scaled(asked, point, "least centre distance with the given lengths")
-    point = best_on(every, about_centres(base / _known(l0)), lambda o: -abs(o))
-    return _scaled(asked, point, "shortest rocker with the given lengths")
+        point = best_on(every, about_roller(base / l2), abs, also)
+        return scaled(asked, point, "least centre distance with the given lengths")
+    point = best_on(every, about_centres(base / _known(l0)), lambda o: -abs(o), also)
+    return scaled(asked, point, "shortest rocker with the given lengths")
 
 
-def _scaled(asked: Asked, point: complex, how: str) -> Triangle:
+def scaled(asked: Asked, point: complex, how: str) -> Triangle:
     """The triangle of a point of the plane, in metres by the length that is given; what is given is kept to the bit."""
     if asked.rocker is not None:
         l2 = asked.rocker

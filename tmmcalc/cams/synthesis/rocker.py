@@ -6,12 +6,27 @@ from dataclasses import replace
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.synthesis import oscillating
-from tmmcalc.cams.synthesis.finish import ANGLE, GIVEN, LEAST, NEAR, WHOLE, finished, judged, size_of, up
-from tmmcalc.cams.synthesis.growth import grown
+from tmmcalc.cams.synthesis.clearing import chosen_room, passing
+from tmmcalc.cams.synthesis.finish import (
+    ANGLE,
+    GIVEN,
+    LEAST,
+    NEAR,
+    PIVOT_ROOM,
+    WHOLE,
+    WHOLE_NAME,
+    finished,
+    judged,
+    size_of,
+    up,
+)
+from tmmcalc.cams.synthesis.growth import grown, has_room
 from tmmcalc.cams.synthesis.oscillating import Triangle
 from tmmcalc.cams.synthesis.results import Design, Synthesis
 from tmmcalc.cams.task import CamTask
 from tmmcalc.errors import NoSolutionError
+
+MOST = 5  # whole millimetres above l0 that are tried
 
 
 def rocker(task: CamTask) -> Synthesis:
@@ -27,6 +42,8 @@ def rocker(task: CamTask) -> Synthesis:
 
     bare, governs = grown(task, place) if free else (place(0.0), "" if found.how != GIVEN else GIVEN)
     how = f"{governs}, away from the rocker's middle position" if free and governs else found.how
+    if governs != GIVEN:
+        bare, governs, how = _passed(task, bare, governs, how)
     closing = "from the triangle of l0, l2, R0, psi0"
     sizes = (
         size_of("l0", bare.centres, asked.centres is not None, how if governs != GIVEN else closing),
@@ -39,6 +56,17 @@ def rocker(task: CamTask) -> Synthesis:
     designs = _designs_rk(task, bare) if region is not None else ()
     rounded = _rounded_rk(task, bare) if free and not governs and asked.rocker is not None else None
     return finished(task, bare, sizes, governs or ANGLE, designs, rounded, region)
+
+
+def _passed(task: CamTask, bare: Follower, governs: str, how: str) -> tuple[Follower, str, str]:
+    """The follower, what governs it and how, with the axis where the cam passes the rocker's pivot."""
+    try:
+        found = passing(task, bare, lambda each: _rocker(task, each))
+    except NoSolutionError:
+        if not task.asked.report_faults:
+            raise
+        return bare, governs, how
+    return (bare, governs, how) if found is None else (found[0], PIVOT_ROOM, found[1])
 
 
 def _designs_rk(task: CamTask, taken: Follower) -> tuple[Design, ...]:
@@ -56,15 +84,18 @@ def _designs_rk(task: CamTask, taken: Follower) -> tuple[Design, ...]:
 
 
 def _rounded_rk(task: CamTask, found: Follower) -> Design | None:
-    """l0 up to the next whole millimetre, and the least psi0 with it."""
+    """l0 up to the next whole millimetre with which the least base circle has room for all; None if none is near."""
     if found.centres < WHOLE:
         return None
-    asked = replace(task.asked, rocker=found.rocker, centres=up(found.centres), base=None, start=None)
-    try:
-        each = oscillating.find(replace(task, asked=asked))
-    except NoSolutionError:
-        return None
-    return next(iter(judged(task, "whole millimetres", _rocker(task, each))), None)
+    for more in range(MOST):
+        asked = replace(task.asked, rocker=found.rocker, centres=up(found.centres) + more / 1e3, base=None, start=None)
+        try:
+            follower = _rocker(task, oscillating.find(replace(task, asked=asked)))
+            if has_room(task, follower) and not chosen_room(task, follower).swept:
+                return next(iter(judged(task, WHOLE_NAME, follower)), None)
+        except NoSolutionError:
+            continue
+    return None
 
 
 def _rocker(task: CamTask, found: Triangle) -> Follower:

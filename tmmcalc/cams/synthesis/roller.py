@@ -3,11 +3,12 @@
 0.4 R0, 0.7 rho2       the rule of practice; rho2 is the least radius of the convex parts of the pitch curve
 rho2 - r_m             the profile keeps a radius that can be made (5.39); equal to rho2 it has a cusp
 R0 - r1                the roller clears the shaft
-rho1                   the outer wall of a groove has no cusp in the concave parts
+rho1 - r_m             the second wall of a groove keeps such a radius in the concave parts of the pitch curve
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from math import floor
 
 import numpy as np
@@ -54,7 +55,7 @@ def choose(task: CamTask, follower: Follower) -> RollerChoice:
     if limits.shaft > 0:
         rules.append(RollerRule("R0 - r1", follower.base - limits.shaft))
     if asked.closure == "groove" and concave is not None:
-        rules.append(RollerRule("rho1 of the outer wall", concave.value))
+        rules.append(RollerRule("rho1 - r_m, second wall", concave.value - limits.convex))
     least = min(rules, key=lambda rule: rule.value)
     if asked.roller is not None:
         return RollerChoice(asked.roller, least.name, tuple(rules), convex, concave)
@@ -81,18 +82,10 @@ def rounded(radius: float) -> float:
 
 def remarks(task: CamTask, follower: Follower, found: RollerChoice) -> list[str]:
     """Warnings of a roller that is too large or too small for its pitch curve."""
-    notes, limits, r2 = [], task.limits, found.radius
-    phi = np.degrees(found.convex.phi)
-    if r2 >= found.convex.value * (1 - NEAR):
-        notes.append(
-            f"warning: the roller of {1e3 * r2:.6g} mm undercuts the profile: rho2 = {1e3 * found.convex.value:.6g} mm "
-            f"at phi = {phi:.6g} deg"
-        )
-    elif r2 > (found.convex.value - limits.convex) * (1 + NEAR):
-        notes.append(
-            f"warning: the roller of {1e3 * r2:.6g} mm leaves the profile a radius of "
-            f"{1e3 * (found.convex.value - r2):.6g} mm at phi = {phi:.6g} deg, below {1e3 * limits.convex:.6g} mm"
-        )
+    limits, r2 = task.limits, found.radius
+    notes = [*_of_wall("profile", "rho2", r2, found.convex, limits.convex)]
+    if task.asked.closure == "groove" and found.concave is not None:
+        notes += _of_wall("second wall", "rho1", r2, found.concave, limits.convex)
     if follower.base - r2 < limits.shaft * (1 - NEAR):
         notes.append(
             f"warning: R0 - r2 = {1e3 * (follower.base - r2):.6g} mm does not clear the shaft of "
@@ -109,3 +102,17 @@ def remarks(task: CamTask, follower: Follower, found: RollerChoice) -> list[str]
             f"a tool of {1e3 * limits.concave:.6g} mm does not reach into it"
         )
     return notes
+
+
+def _of_wall(wall: str, symbol: str, r2: float, bend: Extreme, least: float) -> Iterator[str]:
+    """A warning where the roller leaves a wall no radius, or less than can be made, at its sharpest place."""
+    at = f"at phi = {np.degrees(bend.phi):.6g} deg"
+    if r2 >= bend.value * (1 - NEAR):
+        yield (
+            f"warning: the roller of {1e3 * r2:.6g} mm undercuts the {wall}: {symbol} = {1e3 * bend.value:.6g} mm {at}"
+        )
+    elif r2 > (bend.value - least) * (1 + NEAR):
+        yield (
+            f"warning: the roller of {1e3 * r2:.6g} mm leaves the {wall} a radius of {1e3 * (bend.value - r2):.6g} mm "
+            f"{at}, below {1e3 * least:.6g} mm"
+        )

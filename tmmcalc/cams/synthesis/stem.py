@@ -6,23 +6,35 @@ from dataclasses import replace
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.synthesis import translating
-from tmmcalc.cams.synthesis.finish import ANGLE, GIVEN, LEAST, NEAR, TEXTBOOK, WHOLE, finished, judged, size_of, up
-from tmmcalc.cams.synthesis.growth import grown
+from tmmcalc.cams.synthesis.finish import (
+    ANGLE,
+    GIVEN,
+    LEAST,
+    NEAR,
+    TEXTBOOK,
+    WHOLE,
+    WHOLE_NAME,
+    finished,
+    judged,
+    size_of,
+    up,
+)
+from tmmcalc.cams.synthesis.growth import grown, has_room
 from tmmcalc.cams.synthesis.results import Design, Synthesis
 from tmmcalc.cams.synthesis.translating import Lines, Point
 from tmmcalc.cams.task import CamTask
 from tmmcalc.errors import UsageError
 
 LOWEST = "least start distance"
-NOISE = 1e-14
+MOST = 20  # whole millimetres above the first that are tried
 
 
 def stem(task: CamTask) -> Synthesis:
     """Find the sizes of a stem with a roller that are not given; raises as `solve_synthesis` does."""
     asked, lines = task.asked, translating.lines_of(task)
     given = None if asked.offset is None else asked.sense * asked.offset + 0.0  # no negative zero
-    (e, start), how = _place(task, lines, given)
-    e = 0.0 if abs(e) <= NOISE * start else e
+    point, how = _place(task, lines, given)
+    e, start = translating.clean(point)
     free = asked.start is None and asked.base is None
 
     def place(x: float) -> Follower:
@@ -88,9 +100,11 @@ def _designs_rt(task: CamTask, lines: Lines, given: float | None) -> tuple[Desig
 
 
 def _rounded_rt(task: CamTask, lines: Lines, found: Follower, free: bool) -> Design | None:
-    """e to the nearest whole millimetre, if it is free, and S0 to the next above what that asks."""
+    """e to the nearest whole millimetre, if it is free, and S0 to the next above with which that has room."""
     if found.start < WHOLE:
         return None
     e = round(found.offset * 1e3) / 1e3 if free else found.offset
     start = up(max(found.start, translating.least_start(lines, e)))
-    return next(iter(judged(task, "whole millimetres", replace(found, start=start, offset=e))), None)
+    tried = (replace(found, start=start + more / 1e3, offset=e) for more in range(MOST))
+    fits = next((each for each in tried if has_room(task, each)), None)
+    return None if fits is None else next(iter(judged(task, WHOLE_NAME, fits)), None)

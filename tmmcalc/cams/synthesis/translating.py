@@ -24,6 +24,7 @@ from tmmcalc.errors import NoSolutionError
 from tmmcalc.records import record
 
 NEAR = 1e-12  # relative: a point this near to a line lies on it
+NOISE = 1e-14  # of S0: an offset that is rounding
 WINDOW = 2.0  # height of the window against the S0 taken
 
 
@@ -55,10 +56,9 @@ def lines_of(task: CamTask) -> Lines:
         if limit is None:
             continue
         part, (y, y1) = on_phase(program, dense, motion, kind)
-        t = tan(limit)
-        for side in (1, -1):
-            height, phi = part.extremes(side * y1 / t - y)[1]
-            found.append(Line(side / t, height, side, phi))
+        t, sides = tan(limit), (1, -1)
+        heights = part.extremes_of(np.stack([side * y1 / t - y for side in sides]))
+        found += [Line(side / t, height, side, phi) for side, (_, (height, phi)) in zip(sides, heights, strict=True)]
     return tuple(found)
 
 
@@ -144,9 +144,10 @@ def region_of(lines: Lines, taken: Point) -> Region:
     normal = np.append((slope - 1j) / length, 1j)
     bound: Values = np.append(-np.array([line.height for line in lines]) / length, top)
     corners, ring = polygon(normal, bound)
+    x, y = corners.real, corners.imag.copy()
     phi = np.array([*(line.phi for line in lines), 0.0])
     side = np.array([*(line.side for line in lines), 0], dtype=np.intp)
-    return Region(PLANE, corners.real.copy(), corners.imag.copy(), phi[ring], side[ring])
+    return Region(PLANE, np.where(np.abs(x) <= NOISE * np.abs(y), 0.0, x), y, phi[ring], side[ring])
 
 
 def textbook(task: CamTask, e: float | None) -> Point:
@@ -162,7 +163,7 @@ def textbook(task: CamTask, e: float | None) -> Point:
             (t2, y2, v2), (t4, y4, v4) = tops
             e = (y2 - y4 + v4 / t4 - v2 / t2) / (1 / t2 + 1 / t4)
     heights = [(v + side * e) / t - y for side, (t, y, v) in zip((1, -1), tops, strict=False)]
-    return e, max(heights)
+    return clean((e, max(heights)))
 
 
 def _velocity_tops(task: CamTask) -> list[tuple[float, float, float]]:
@@ -180,9 +181,19 @@ def _velocity_tops(task: CamTask) -> list[tuple[float, float, float]]:
     return tops
 
 
+def clean(point: Point) -> Point:
+    """The point without an offset that is rounding.
+
+    >>> clean((-8e-18, 0.05)), clean((1e-9, 0.05))
+    ((0.0, 0.05), (1e-09, 0.05))
+    """
+    e, start = point
+    return (0.0 if abs(e) <= NOISE * abs(start) else e), start
+
+
 def _crossing(a: Line, b: Line) -> Point:
     e = (b.height - a.height) / (a.slope - b.slope)
-    return e, (a.slope * b.height - b.slope * a.height) / (a.slope - b.slope)
+    return clean((e, (a.slope * b.height - b.slope * a.height) / (a.slope - b.slope)))
 
 
 def _foot(line: Line) -> Point:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import degrees, pi
+from typing import Any
 
 import numpy as np
 
 from tmmcalc.cams.elastic import ElasticResult, elastic_columns
+from tmmcalc.cams.separation import Contact
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.gearsizes import plain
 from tmmcalc.report.numbers import angle, number
@@ -51,12 +53,22 @@ def _facts(result: ElasticResult) -> Iterator[Fact]:
     yield Fact("largest acceleration", text, values | {"a_x_max_at_phi[deg]": degrees(result.peak_phi)})
     text = f"up to {number(result.train, 6)} {force}, deflection up to {_length(result, result.largest)}"
     yield Fact("force in the train", text, {f"train_max[{force}]": result.train, f"z_max[{unit}]": result.largest})
-    kept = "kept" if result.closest < 0 else "lost"
-    text = f"{kept}: the load comes to {number(result.closest, 5)} {force}"
-    if result.lost:
-        text += f" and lifts off on {len(result.lost)} interval{'s' if len(result.lost) > 1 else ''}"
-    lost = [[degrees(a), degrees(b)] for a, b in result.lost]
-    yield Fact("contact", text, {f"P_c_max[{force}]": result.closest, "lost[deg]": lost})
+    yield _contact_fact(result.contact, force)
+
+
+def _contact_fact(contact: Contact, force: str) -> Fact:
+    """Kept or lost; in a groove the changes of the wall."""
+    values: dict[str, Any] = {f"P_c_max[{force}]": contact.largest, "judged": contact.judged}
+    if contact.closure == "groove":
+        places = [degrees(phi) for phi in contact.reversals]
+        text = f"two walls hold the roller; it goes from wall to wall {len(places)} times a turn"
+        return Fact("contact", text, values | {"reversals[deg]": places})
+    if not contact.judged:
+        return Fact("contact", "not judged: what presses the follower on the cam is not known", values)
+    text = f"{'lost' if contact.lost else 'kept'}: the load comes to {number(contact.largest, 5)} {force}"
+    if contact.lost:
+        text += f" and lifts off on {len(contact.lost)} interval{'s' if len(contact.lost) > 1 else ''}"
+    return Fact("contact", text, values | {"lost[deg]": [[degrees(a), degrees(b)] for a, b in contact.lost]})
 
 
 def _laws_view(result: ElasticResult) -> View:

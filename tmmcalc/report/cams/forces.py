@@ -7,11 +7,12 @@ from math import degrees, pi
 from typing import Any
 
 from tmmcalc.cams.forces.columns import force_columns
-from tmmcalc.cams.forces.results import CamForces, ForceExtreme, SpringFound
+from tmmcalc.cams.forces.results import CamForces, ForceExtreme, Governing, SpringFound
 from tmmcalc.report.cams.rows import LEFT_OUT, turn_view
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.gearsizes import quantity
 from tmmcalc.report.numbers import angle, number
+from tmmcalc.report.positions import more
 
 LAST = ("P_in", "M_in", "Q", "M_spring", "M_Q", "mu", "q")  # columns that stand behind what is asked first
 VERDICTS = {"ok": "the follower stays on the cam and moves freely", "loss_of_contact": "the follower leaves the cam"}
@@ -35,16 +36,19 @@ def forces_document(
     patterns: Sequence[str] = (),
     rows: Sequence[int] | None = None,
     everything: bool = False,
+    where: str = "",
 ) -> Document:
-    """All facts and the table, its columns chosen by ``patterns``, its rows by index; ``everything`` is all in SI."""
+    """All facts and the table, its columns chosen by ``patterns``, its rows by index; ``everything`` is all in SI.
+
+    ``where`` is the file that has the whole table.
+    """
     columns = force_columns(result)
     if not everything and not patterns:
         columns = dict(sorted(columns.items(), key=lambda column: column[0].startswith(LAST)))
     view = turn_view(columns, patterns, rows, ends=[degrees(end) for end in result.ends], everything=everything)
     left_out = rows is None and len(view.columns[0]) < len(result.positions.labels)
     notes = (*result.notes, *([LEFT_OUT] if left_out else []))
-    more = "choose with --columns, e.g. --columns 'phi,P_*,R,T'"
-    return Document(title, tuple(_facts(result)), notes, view, wide=not patterns, more=more)
+    return Document(title, tuple(_facts(result)), notes, view, wide=not patterns, more=more(where, "phi,R,T"))
 
 
 def _facts(result: CamForces) -> Iterator[Fact]:
@@ -86,6 +90,8 @@ def _spring_facts(result: CamForces) -> Iterator[Fact]:
         yield Fact("lifting force", "none: nothing lifts the follower off")
     elif found.phi is not None and found.lift is not None:
         yield _lifting_fact(found, turns, force)
+    if found.governing is not None:
+        yield _governing_fact(found.governing, turns, force)
     if found.reached is not None and found.reached_phi is not None:
         asked = "" if found.asked is None else f", asked K1 = {number(found.asked)}"
         text = f"{number(found.reached)} at phi = {angle(degrees(found.reached_phi))} deg{asked}"
@@ -118,6 +124,18 @@ def _lifting_fact(found: SpringFound, turns: bool, force: str) -> Fact:
     )
     values = {f"{letter}[{force}]": value, f"{place}[{'rad' if turns else 'm'}]": lift, "phi_M[deg]": degrees(phi)}
     return Fact("lifting force" if value > 0 else "place of the tangent", text, values)
+
+
+def _governing_fact(found: Governing, turns: bool, force: str) -> Fact:
+    """The phase that the spring is stiff for, and what the textbook's rule would give."""
+    shown = f"{angle(degrees(found.lift))} deg" if turns else quantity(found.lift, "m")
+    text = (
+        f"by the {found.phase}: {number(found.force)} {force} at {shown}, phi = {angle(degrees(found.phi))} deg\n"
+        f"by the largest force alone (5.57): c = {_stiffness(found.rule, turns)}"
+    )
+    unit = "N*m/rad" if turns else "N/m"
+    values = {"c_by": found.phase, f"c_rule[{unit}]": found.rule, "c_by_phi[deg]": degrees(found.phi)}
+    return Fact("stiffness", text, values)
 
 
 def _extreme_fact(extreme: ForceExtreme) -> Fact:

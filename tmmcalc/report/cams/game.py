@@ -17,6 +17,11 @@ def game_facts(result: CamOptimum) -> Iterator[Fact]:
     if not result.options:
         return
     base, best = result.options[0], _best_first(result)[0]
+    values: dict[str, Any] = {"option": list(best.changes), "H2_least[m]": best.least}
+    if base.refused:
+        text = f"{best.name}: least H2 = {quantity(best.least, 'm')}; as asked there is no solution"
+        yield Fact("option that buys most", text, values)
+        return
     gain = base.least - best.least
     if gain > NOTHING:
         text = (
@@ -25,8 +30,7 @@ def game_facts(result: CamOptimum) -> Iterator[Fact]:
         )
     else:
         text = f"none of {len(result.options) - 1} options is lower than what is asked"
-    values = {"option": list(best.changes), "H2_least[m]": best.least, "gain[m]": gain}
-    yield Fact("option that buys most", text, values)
+    yield Fact("option that buys most", text, values | {"gain[m]": gain})
 
 
 def game_document(result: CamOptimum) -> Document:
@@ -41,30 +45,27 @@ def _best_first(result: CamOptimum) -> list[Option]:
 
 def _view(result: CamOptimum) -> View:
     rows, base = _best_first(result), result.options[0]
-    lengths = [
-        [round(1e3 * value, 6) for value in column]
-        for column in (
-            [each.least for each in rows],
-            [base.least - each.least for each in rows],
-            [each.height for each in rows],
-            [each.start for each in rows],
-            [each.roller for each in rows],
-        )
-    ]
-    return View(
-        ["option", "H2_least[mm]", "gain[mm]", "H2[mm]", "S0[mm]", "r2[mm]", "active", "sigma_H[MPa]", "R_max[N]",
-         "T_max[N*m]", "c[N/mm]", "Q0[N]"],
-        [
-            [each.name for each in rows],
-            *lengths,
-            [" ".join(map(str, each.active)) for each in rows],
-            [round(each.stress * 1e-6, 4) for each in rows],
-            [round(each.contact, 4) for each in rows],
-            [round(each.torque, 6) for each in rows],
-            [round(1e-3 * each.stiffness, 6) for each in rows],
-            [round(each.preload, 4) for each in rows],
-        ],
-    )  # fmt: skip
+    lengths = {
+        "H2_least[mm]": [each.least for each in rows],
+        "gain[mm]": [base.least - each.least for each in rows],
+        "H2[mm]": [each.height for each in rows],
+        "S0[mm]": [each.start for each in rows],
+        "r2[mm]": [each.roller for each in rows],
+    }
+    if base.refused:
+        del lengths["gain[mm]"]
+    columns: dict[str, list[Any]] = {
+        "option": [each.name for each in rows],
+        **{header: [round(1e3 * value, 6) for value in column] for header, column in lengths.items()},
+        "active": [" ".join(map(str, each.active)) for each in rows],
+        "sigma_H[MPa]": [round(each.stress * 1e-6, 4) for each in rows],
+        "R_max[N]": [round(each.contact, 4) for each in rows],
+        "T_max[N*m]": [round(each.torque, 6) for each in rows],
+        "M_drive[N*m]": [round(each.driving, 6) for each in rows],
+        "c[N/mm]": [round(1e-3 * each.stiffness, 6) for each in rows],
+        "Q0[N]": [round(each.preload, 4) for each in rows],
+    }
+    return View(list(columns), list(columns.values()))
 
 
 def option_values(each: Option) -> dict[str, Any]:
@@ -82,6 +83,7 @@ def option_values(each: Option) -> dict[str, Any]:
         "sigma_H[Pa]": each.stress,
         "R_max[N]": each.contact,
         "T_max[N*m]": each.torque,
+        "M_drive_max[N*m]": each.driving,
         "c[N/m]": each.stiffness,
         "Q0[N]": each.preload,
     }

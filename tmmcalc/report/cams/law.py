@@ -11,6 +11,7 @@ from tmmcalc.cams.laws.constants import LawConstants
 from tmmcalc.report.cams.rows import LEFT_OUT, turn_view
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import angle, number
+from tmmcalc.report.positions import more
 
 TIMED = ("velocity", "acceleration", "jerk")
 
@@ -27,8 +28,12 @@ def law_document(
     patterns: Sequence[str] = (),
     rows: Sequence[int] | None = None,
     everything: bool = False,
+    where: str = "",
 ) -> Document:
-    """All facts and the table, its columns chosen by ``patterns``, its rows by index; ``everything`` is all in SI."""
+    """All facts and the table, its columns chosen by ``patterns``, its rows by index; ``everything`` is all in SI.
+
+    ``where`` is the file that has the whole table.
+    """
     columns = law_columns(result)
     if not everything and not patterns:
         del columns["phase"]
@@ -36,7 +41,7 @@ def law_document(
     view = turn_view(columns, patterns, rows, ends=ends, everything=everything)
     left_out = rows is None and len(view.columns[0]) < len(result.positions.labels)
     notes = (*result.remarks, *([LEFT_OUT] if left_out else []))
-    return Document(title, tuple(_facts(result)), notes, view, wide=not patterns)
+    return Document(title, tuple(_facts(result)), notes, view, wide=not patterns, more=more(where, "phi,d*"))
 
 
 def _facts(result: LawResult, constants: bool = True) -> Iterator[Fact]:
@@ -86,7 +91,7 @@ def _constants_fact(kind: str, found: LawConstants) -> Fact:
     least, largest = found.jerk
     lines = (
         f"Cv = {number(found.velocity, 6)} at k = {number(found.velocity_at, 6)}, "
-        f"Ca = {number(found.acceleration, 6)} (largest at k = {number(found.acceleration_at, 6)})",
+        f"Ca = max|s''| = {number(found.acceleration, 6)} at k = {number(found.acceleration_at, 6)}",
         f"Cj = {number(found.largest_jerk, 6)} (from {number(least, 6)} to {number(largest, 6)})",
         f"k_M = {number(found.braking_at, 6)}, s_M = {number(found.braking_lift, 6)} where it brakes most",
         f"max s's'' = {number(found.power, 6)} at k = {number(found.power_at, 6)}",

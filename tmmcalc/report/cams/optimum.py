@@ -58,6 +58,9 @@ def _named(numbers: tuple[int, ...]) -> str:
 
 def _lowest_facts(result: CamOptimum) -> Iterator[Fact]:
     chosen, least, worst = result.chosen, result.least, result.chosen.worst
+    if result.refused:
+        yield Fact("as asked", f"no solution: {result.refused}", {"refused": result.refused})
+        yield Fact("option shown", ", ".join(result.shown), {"option_shown": list(result.shown)})
     text = f"{_sizes(chosen)}\nleast margin {number(100 * worst.margin, 4)} %: {worst.number} {worst.name}"
     yield Fact("lowest in whole steps", text, _values(chosen, "steps") | {"least_margin": worst.margin})
     active = _named(least.active) or "none"
@@ -66,6 +69,11 @@ def _lowest_facts(result: CamOptimum) -> Iterator[Fact]:
         f"{_sizes(least)}\nactive: {active}",
         _values(least, "least") | {"active": list(least.active)},
     )
+    if result.offset is not None and result.theta is not None:
+        yield Fact("offset", f"e = {quantity(result.offset, 'm')}, of all these sizes", {"e[m]": result.offset})
+        rise, back = (degrees(value) for value in result.theta)
+        text = f"up to {angle(rise)} deg on the rise, {angle(back)} deg on the return, in whole steps"
+        yield Fact("pressure angle", text, {"theta_rise[deg]": rise, "theta_return[deg]": back})
     if result.flat is not None:
         chart = result.flat
         text = (

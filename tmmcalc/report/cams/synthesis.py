@@ -135,7 +135,7 @@ def _region_fact(result: Synthesis, region: Region) -> Fact:
     at = ", ".join(f"{name.partition('[')[0]} = {_mm(float(columns[name][low]))}" for name in names[:2])
     frame = f"\n({region.frame})" if result.kind == "oscillating" else ""
     values = {name: column.tolist() for name, column in columns.items()}
-    text = f"{len(region.x)} corners; the one nearest to the roller: {at}{frame}\n--format csv prints all"
+    text = f"{len(region.x)} corners; the one nearest to the roller: {at}{frame}\n--format json prints all"
     return Fact("region of the cam's axis", text, {"region": values})
 
 

@@ -15,9 +15,11 @@ from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.results import Profile
 from tmmcalc.report.pictures.curves import frame, mark
 from tmmcalc.report.pictures.labels import Labels
-from tmmcalc.report.pictures.style import CURVES, MARK
+from tmmcalc.report.pictures.style import INK, MARK, PATH
 
 DENSE = 160  # points of a piece of the motion
+PITCH: dict[str, Any] = {"color": PATH, "linestyle": "-"}
+WORKING: dict[str, Any] = {"color": INK, "linestyle": "-"}
 CUSP: dict[str, Any] = {"color": MARK, "linewidth": 1.0, "linestyle": (0, (6, 2)), "zorder": 3}
 NEAR_CUSP = 2.5  # 1/r2 against the largest curvature of the pitch curve, where it is drawn
 
@@ -41,29 +43,32 @@ def _bend(rim: Rim, result: Profile, phi: Values, piece: np.ndarray) -> list[Val
 
 def draw_bends(axes: Axes, rim: Rim, result: Profile) -> None:
     """Curvature of pitch curve and working profile, or the radius under a flat face."""
-    names = ("pitch curve", "working profile")
+    styles = [WORKING] if result.flat else [PITCH, WORKING]
     for phi, piece in pieces_of(rim):
-        for k, values in enumerate(_bend(rim, result, phi, piece)):
-            axes.plot(np.degrees(phi), values, linewidth=1.3, zorder=4, **CURVES[k])
+        for style, values in zip(styles, _bend(rim, result, phi, piece), strict=False):
+            axes.plot(np.degrees(phi), values, linewidth=1.3, zorder=4, **style)
     label = r"$\rho = S + S''$, mm" if result.flat else r"curvature $\kappa$, 1/mm"
     frame(axes, label, np.array([0.0, 360.0]), True, 13)
     if not result.flat:
-        _limit_bends(axes, result, names)
+        _limit_bends(axes, result)
 
 
-def _limit_bends(axes: Axes, result: Profile, names: tuple[str, str]) -> None:
-    """The curvature that would be a cusp, where it is near; the heights, which a cusp would make endless."""
+def _limit_bends(axes: Axes, result: Profile) -> None:
+    """The curvature of the pitch curve that would be a cusp, where it is near; the heights, endless with a cusp."""
     roller, peak = result.follower.roller, result.sharpest.value / 1e3
-    handles = [Line2D([], [], label=names[k], linewidth=1.3, **CURVES[k]) for k in range(2 if roller else 1)]
+    names = (("pitch curve", PITCH), ("working profile", WORKING))
+    handles = [Line2D([], [], label=name, linewidth=1.3, **style) for name, style in names[: 2 if roller else 1]]
     if roller and 1e-3 / roller < NEAR_CUSP * peak:
         axes.axhline(1e-3 / roller, **CUSP)
-        handles.append(Line2D([], [], label="$1/r_2$: cusp", **CUSP))
+        handles.append(Line2D([], [], label="$1/r_2$: cusp of the pitch curve", **CUSP))
         peak = max(peak, 1e-3 / roller)
     elif roller:
         peak /= 1 - result.sharpest.value * roller
     low = 0.0 if result.hollowest is None else result.hollowest.value / 1e3
     axes.set_ylim(1.6 * low - 0.08 * peak, 1.25 * peak)
-    axes.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, handlelength=3)
+    axes.legend(
+        handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, handlelength=2.4, columnspacing=1.2
+    )
 
 
 def name_bends(axes: Axes, rim: Rim, result: Profile) -> None:
@@ -74,7 +79,8 @@ def name_bends(axes: Axes, rim: Rim, result: Profile) -> None:
     factor = 1e3 if result.flat else 1e-3
     for place in (result.sharpest, result.hollowest):
         if place is not None:
-            mark(axes, labels, complex(degrees(place.phi), factor * place.value), CURVES[0])
+            at = complex(degrees(place.phi), factor * place.value)
+            mark(axes, labels, at, WORKING if result.flat else PITCH)
 
 
 def draw_distance(axes: Axes, rim: Rim, result: Profile) -> None:
@@ -82,9 +88,9 @@ def draw_distance(axes: Axes, rim: Rim, result: Profile) -> None:
     for phi, piece in pieces_of(rim):
         here = rim.at(phi, piece)
         if not result.flat:
-            axes.plot(np.degrees(phi), 1e3 * np.abs(here.points), linewidth=1.3, zorder=4, **CURVES[0])
+            axes.plot(np.degrees(phi), 1e3 * np.abs(here.points), linewidth=1.3, zorder=4, **PITCH)
         radius = 1e3 * np.abs(here.offset(result.working.distance))
-        axes.plot(np.degrees(phi), radius, linewidth=1.3, zorder=4, **CURVES[1])
+        axes.plot(np.degrees(phi), radius, linewidth=1.3, zorder=4, **WORKING)
     frame(axes, "distance from $O$, mm", np.array([0.0, 360.0]), True, 13)
     axes.set_ylim(bottom=0.0)
 
@@ -95,4 +101,4 @@ def name_distance(axes: Axes, rim: Rim, result: Profile) -> None:
     for phi, piece in pieces_of(rim):
         here = rim.at(phi, piece)
         labels.avoid(np.degrees(phi) + 1e3j * np.abs(here.offset(result.working.distance)), 0.7)
-    mark(axes, labels, complex(degrees(result.nearest.phi), 1e3 * result.nearest.value), CURVES[1])
+    mark(axes, labels, complex(degrees(result.nearest.phi), 1e3 * result.nearest.value), WORKING)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from math import degrees
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from tmmcalc.cams.elastic import ElasticResult
+from tmmcalc.cams.separation import Contact
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.numbers import number
 from tmmcalc.report.pictures.curves import bottom, frame
@@ -14,6 +18,7 @@ from tmmcalc.report.pictures.page import blank, settle
 from tmmcalc.report.pictures.style import CURVES, INK, MARK, THIN
 
 TICKS = 25
+WALL = "#e4e4e4"
 LOWEST = 1e-4  # of the spectra's amplitude that is drawn, part of the stroke
 
 
@@ -22,7 +27,8 @@ def elastic_figure(task: CamTask, result: ElasticResult) -> Figure:
     figure, (first, second) = blank(2)
     upper, lower = first.subplots(2, 1, sharex=True)
     multiple = number(result.multiple, 5)
-    first.suptitle(f"Elastic follower, natural frequency {multiple} times that of the cam", fontsize=10)
+    heading = f"Elastic follower, natural frequency {multiple} times that of the cam"
+    first.suptitle(heading + _shaded(result.contact), fontsize=10)
     phi = np.degrees(result.phi)
     unit, force = ("rad/s²", "N·m") if result.turns else ("m/s²", "N")
     upper.plot(phi, result.given, linewidth=1.1, label="of the cam's law", **CURVES[1])
@@ -32,8 +38,9 @@ def elastic_figure(task: CamTask, result: ElasticResult) -> Figure:
     lower.plot(phi, result.load, linewidth=1.3, label="elastic train", **CURVES[0])
     frame(lower, f"load along the lift $P_c$, {force}", phi, True, TICKS)
     low, high = lower.get_ylim()
-    for begin, end in np.degrees(np.array(result.lost).reshape(-1, 2)).tolist():
-        lower.axvspan(begin, end, color=MARK, alpha=0.25, zorder=1, linewidth=0)
+    colour: dict[str, Any] = {"color": MARK, "alpha": 0.25} if result.contact.closure == "force" else {"color": WALL}
+    for begin, end in result.contact.beyond if result.contact.judged else ():
+        lower.axvspan(degrees(begin), degrees(end), zorder=0.5, linewidth=0, **colour)
     lower.set_ylim(low, max(high, 0.08 * (high - low)))
     for axes in (upper, lower):
         for start in np.degrees(task.program.starts[1:-1]).tolist():
@@ -44,6 +51,13 @@ def elastic_figure(task: CamTask, result: ElasticResult) -> Figure:
     _spectra(second.subplots(), result)
     settle(figure)
     return figure
+
+
+def _shaded(contact: Contact) -> str:
+    """What is shaded, as a second line of the heading."""
+    if not contact.beyond or not contact.judged:
+        return ""
+    return "\nshaded: " + ("the follower leaves the cam" if contact.lost else "the outer wall of the groove presses")
 
 
 def _spectra(axes: Axes, result: ElasticResult) -> None:
@@ -62,6 +76,8 @@ def _spectra(axes: Axes, result: ElasticResult) -> None:
                 textcoords="offset points",
                 fontsize=7.5,
                 va="center",
+                bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
+                zorder=5,
             )
     axes.grid(True, which="major", linewidth=0.35, color="#d0d0d0")
     axes.set_xlabel("time of the phase over the natural period")

@@ -60,5 +60,5 @@ def _draw_stem(board: Board, follower: Follower, face: Face | None) -> None:
 def _draw_roller(board: Board, centre: complex, radius: float) -> None:
     if radius:
         around = centre + radius * np.exp(1j * np.linspace(0, 2 * np.pi, 121))
-        board.area(around[:-1], facecolor="white", alpha=0.85, linewidth=1.4, zorder=6, weight=0.5)
+        board.area(around[:-1], facecolor="none", linewidth=1.4, zorder=6, weight=0.5)
         pin(board, centre)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import degrees
 from typing import Any
 
@@ -16,7 +17,7 @@ from tmmcalc.cams.program import Program
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.numbers import number
 from tmmcalc.report.pictures.curves import bottom, frame, mark
-from tmmcalc.report.pictures.labels import Labels, signed
+from tmmcalc.report.pictures.labels import MM, Labels, half_size, signed
 from tmmcalc.report.pictures.page import blank, settle
 from tmmcalc.report.pictures.style import CURVES, INK, MARK
 
@@ -26,6 +27,7 @@ JUMP: dict[str, Any] = {"color": "#6b6b6b", "linewidth": 0.8, "linestyle": (0, (
 JUMP_ON_FRAME = {**JUMP, "color": "white", "linewidth": 1.2, "zorder": 6, "clip_on": False}  # gaps in the frame's line
 ARROW: dict[str, Any] = {"arrowstyle": "<->", "linewidth": 0.7, "color": MARK, "shrinkA": 0, "shrinkB": 0}
 HEADROOM = 1.55  # of the stroke, for the names of the phases
+NAME_SIZE, BETWEEN = 7.0, 2.5  # of the names of the phases; least between two of them [mm]
 STEPS: dict[str, Any] = {"color": "#b8b8b8", "linewidth": 0.6, "zorder": 1}
 
 
@@ -39,12 +41,13 @@ def law_figure(task: CamTask, result: LawResult) -> Figure:
     pieces = _pieces(task.program)
     name, unit, factor = _units(result)
     for order, axes in enumerate(panels):
-        _draw(axes, order, pieces, result, f"${_symbol(name, order)}$, {unit if order == 0 else _derived(result)}")
+        _draw(axes, order, pieces, result, f"${_symbol(name, order)}${unit if order == 0 else _derived(result, order)}")
     bottom(panels, True)
     _draw_portrait(portrait, pieces, result, name)
     settle(figure)
     for order, axes in enumerate(panels):
         _name(axes, order, pieces, result, factor)
+    _name_phases(panels[0], result)
     _name_portrait(portrait, result)
     return figure
 
@@ -58,11 +61,14 @@ def _heading(result: LawResult) -> str:
 
 
 def _units(result: LawResult) -> tuple[str, str, float]:
-    return (r"\psi", "°", 180 / np.pi) if result.turns else ("S", "mm", 1e3)
+    return (r"\psi", ", °", 180 / np.pi) if result.turns else ("S", ", mm", 1e3)
 
 
-def _derived(result: LawResult) -> str:
-    return "rad" if result.turns else "mm"
+def _derived(result: LawResult, order: int) -> str:
+    """The unit after a derivative by the angle of the cam; that of an angle by an angle has none."""
+    if not result.turns:
+        return ", mm"
+    return "" if order == 1 else ", 1/rad" if order == 2 else ", 1/rad²"
 
 
 def _symbol(name: str, order: int) -> str:
@@ -123,13 +129,39 @@ def _name(axes: Axes, order: int, pieces: list[tuple[Values, Values]], result: L
         at = complex(degrees(phase.begin), factor * phase.low)
         axes.plot(at.real, at.imag, "o", markersize=4, markerfacecolor="white", color=INK, zorder=7, clip_on=False)
         labels.put(names[phase.kind], [at], size=9, prefer=1 + 1j if phase.low else -1 - 1j, style="italic")
-        middle, width = degrees(phase.begin + phase.end) / 2, degrees(phase.end - phase.begin)
-        text = f"{phase.kind}\n{number(width, 5)}°"
-        axes.text(middle, 0.97, text, size=7, ha="center", va="top", transform=axes.get_xaxis_transform())
     top, place = factor * result.stroke, degrees(result.phases[0].end)
     axes.annotate("", (place, top), (place, 0.0), arrowprops=ARROW)
     symbol = r"$\psi_\mathrm{m}$" if result.turns else "$h$"
     labels.put(symbol, [complex(place, 0.35 * top)], prefer=1 + 0j, color=MARK)
+
+
+def _name_phases(axes: Axes, result: LawResult) -> None:
+    """The names of the phases with their angles in a row above the first diagram."""
+    texts = [(phase.kind, f"{number(degrees(phase.end - phase.begin), 5)}°") for phase in result.phases]
+    halves = [max(half_size(line, NAME_SIZE)[0] for line in lines) for lines in texts]
+    low, high = axes.get_xlim()
+    to_mm = axes.get_window_extent().width * MM / axes.figure.dpi / (high - low)
+    middles = [(degrees(phase.begin + phase.end) / 2 - low) * to_mm for phase in result.phases]
+    for lines, at in zip(texts, spread(middles, halves, (high - low) * to_mm), strict=True):
+        style: dict[str, Any] = {"ha": "center", "va": "top", "transform": axes.get_xaxis_transform()}
+        axes.text(low + at / to_mm, 0.97, "\n".join(lines), size=NAME_SIZE, **style)
+
+
+def spread(middles: Sequence[float], halves: Sequence[float], end: float) -> list[float]:
+    """Middles of texts in a row from 0 to ``end`` [mm], moved as little to the sides as keeps them apart.
+
+    >>> spread([2.0, 3.0, 50.0], [4.0, 4.0, 10.0], 60.0)
+    [4.0, 14.5, 50.0]
+    """
+    found, free = [], 0.0
+    for middle, half in zip(middles, halves, strict=True):
+        found.append(max(middle, free + half))
+        free = found[-1] + half + BETWEEN
+    free = end
+    for k in reversed(range(len(found))):
+        found[k] = min(found[k], free - halves[k])
+        free = found[k] - halves[k] - BETWEEN
+    return found
 
 
 def _points(result: LawResult) -> dict[str, str]:
@@ -144,13 +176,13 @@ def _points(result: LawResult) -> dict[str, str]:
 
 
 def _draw_portrait(axes: Axes, pieces: list[tuple[Values, Values]], result: LawResult, name: str) -> None:
-    """S' against S: rise above, return below."""
-    x, y = _scale(result, 0), _scale(result, 1)
+    """S' against S in one unit, of a rocker radians: rise above, return below."""
+    scale = _scale(result, 1)
     for phi, motion in pieces:
         rising = motion[1, len(phi) // 2] >= 0
-        axes.plot(x * motion[0], y * motion[1], **{**CURVES[0 if rising else 1], "linewidth": 1.4, "zorder": 4})
+        axes.plot(scale * motion[0], scale * motion[1], **{**CURVES[0 if rising else 1], "linewidth": 1.4, "zorder": 4})
     if len(result.positions.phi) <= DOTTED:
-        axes.plot(x * result.motion[0], y * result.motion[1], "o", markersize=2.4, color=INK, zorder=5)
+        axes.plot(scale * result.motion[0], scale * result.motion[1], "o", markersize=2.4, color=INK, zorder=5)
     axes.axhline(0, color="#333333", linewidth=0.8, zorder=1.5)
     axes.axvline(0, color="#333333", linewidth=0.8, zorder=1.5)
     axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
@@ -158,8 +190,8 @@ def _draw_portrait(axes: Axes, pieces: list[tuple[Values, Values]], result: LawR
     axes.margins(0.12)
     if not result.turns:
         axes.set_aspect("equal", adjustable="datalim")  # an angle of a ray is a pressure angle then
-    axes.set_xlabel(f"${_symbol(name, 0)}$, {_units(result)[1]}")
-    axes.set_ylabel(f"${_symbol(name, 1)}$, {_derived(result)}")
+    axes.set_xlabel(f"${_symbol(name, 0)}$, {'rad' if result.turns else 'mm'}")
+    axes.set_ylabel(f"${_symbol(name, 1)}${_derived(result, 1)}")
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(8))
         axis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 6)))
@@ -168,12 +200,12 @@ def _draw_portrait(axes: Axes, pieces: list[tuple[Values, Values]], result: LawR
 
 def _name_portrait(axes: Axes, result: LawResult) -> None:
     labels = Labels(axes)
-    x, y = _scale(result, 0), _scale(result, 1)
+    scale = _scale(result, 1)
     for each in result.extremes:
         if each.order == 1:
             row = int(np.argmin(np.abs(result.positions.phi - each.phi)))
-            lift = x * float(result.motion[0, row])
-            labels.put(signed(y * each.value, 4), [complex(lift, y * each.value)], size=7, prefer=1j * each.value)
-    for name, at in (("a, d", 0.0), ("b, c", x * result.stroke)):
-        axes.plot(at, 0.0, "o", markersize=4, markerfacecolor="white", color=INK, zorder=7)
-        labels.put(name, [complex(at, 0.0)], size=9, prefer=-1 - 1j if not at else 1 + 1j, style="italic")
+            at = scale * complex(result.motion[0, row], each.value)
+            labels.put(signed(scale * each.value, 4), [at], size=7, prefer=1j * each.value)
+    for name, end in (("a, d", 0.0), ("b, c", scale * result.stroke)):
+        axes.plot(end, 0.0, "o", markersize=4, markerfacecolor="white", color=INK, zorder=7)
+        labels.put(name, [complex(end, 0.0)], size=9, prefer=1 + 1j if end else -1 - 1j, style="italic")

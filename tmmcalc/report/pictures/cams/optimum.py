@@ -32,6 +32,7 @@ LEAST: dict[str, Any] = {"color": INK, "marker": "D", "markersize": 5.0, "linest
 OTHER: dict[str, Any] = {"color": "white", "marker": "o", "markersize": 4.5, "markeredgecolor": INK, "linestyle": ""}
 CORNER: dict[str, Any] = {"color": INK, "marker": "o", "markersize": 3.0, "linestyle": ""}
 APART = (2.0, 3.0, 4.5)  # of a text from its line [mm]
+SAME = 1e-9  # of a limit: a value at it
 TRIED = 14  # places of a curve that its number tries
 
 
@@ -61,9 +62,15 @@ def _axes(axes: Axes, x: str, y: str) -> None:
         axis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 6)))
 
 
+def _option(result: CamOptimum) -> str:
+    """What a heading adds where as asked there is no mechanism."""
+    return f"; {', '.join(result.shown)}" if result.shown else ""
+
+
 def _contour_sheet(sheet: SubFigure, result: CamOptimum, contour: Contour) -> Callable[[], None]:
     height = number(1e3 * contour.height, 6)
-    sheet.suptitle(f"Blocking contour at $H_2$ = {height} mm", fontsize=10)
+    offset = f", $e$ = {signed(1e3 * (result.offset or 0.0), 6)} mm"
+    sheet.suptitle(f"Blocking contour at $H_2$ = {height} mm{offset}{_option(result)}", fontsize=10)
     left, right = sheet.subfigures(1, 2, squeeze=False, width_ratios=[1.75, 1.0])[0]
     plane, key = left.subplots(), right.subplots()
     key.set_axis_off()
@@ -149,7 +156,7 @@ def _margins(chosen: Choice) -> Iterator[tuple[str, str]]:
 
 def _section_sheet(sheet: SubFigure, result: CamOptimum, section: Section) -> Callable[[], None]:
     start, height = number(1e3 * section.start, 6), number(1e3 * section.height, 6)
-    sheet.suptitle(f"Along the roller radius at $S_0$ = {start} mm, $H_2$ = {height} mm", fontsize=10)
+    sheet.suptitle(f"Along the roller radius at $S_0$ = {start} mm, $H_2$ = {height} mm{_option(result)}", fontsize=10)
     upper, lower = sheet.subplots(2, 1, sharex=True)
     roller, chosen = 1e3 * section.roller, result.chosen.roller
     upper.set_xlim(0.0, float(roller[-1]) if len(roller) else 1.0)
@@ -165,7 +172,7 @@ def _section_sheet(sheet: SubFigure, result: CamOptimum, section: Section) -> Ca
         axes.axvline(1e3 * chosen, color=MARK, linewidth=0.9, linestyle=(0, (6, 2)), zorder=3)
         if limit is not None:
             axes.axhline(factor * limit, color=INK, linewidth=1.1, linestyle=(0, (6, 2)), zorder=3)
-            good = values <= limit
+            good = values <= limit * (1 + SAME)  # the radii at which it is passed are among the points
             axes.fill_between(roller, 0, factor * values, where=good.tolist(), color=REGION["facecolor"], zorder=1)
     lower.set_xlabel("roller radius $r_2$, mm")
 
@@ -173,6 +180,7 @@ def _section_sheet(sheet: SubFigure, result: CamOptimum, section: Section) -> Ca
         for axes, values, limit, factor, _, _, said in courses:
             labels = Labels(axes)
             labels.avoid(roller + 1j * factor * values, 1.0)
+            labels.avoid([complex(1e3 * chosen, y) for y in axes.get_ylim()], 1.0)
             at = complex(1e3 * chosen, factor * float(np.interp(chosen, section.roller, values)))
             axes.plot(at.real, at.imag, zorder=8, **CHOSEN)
             labels.put(number(at.imag, 5), [at], size=7.5, gaps=(1.8, 2.8, 4.0), color=MARK)
@@ -195,7 +203,7 @@ def _crossings(x: Any, excess: Any) -> list[float]:
 
 
 def _chart_sheet(sheet: SubFigure, result: CamOptimum, chart: FlatChart) -> Callable[[], None]:
-    sheet.suptitle("Flat-faced follower: admissible start distances by the height (fig. 5.37)", fontsize=10)
+    sheet.suptitle(f"Flat face: admissible start distances by the height (fig. 5.37){_option(result)}", fontsize=10)
     left, right = sheet.subfigures(1, 2, squeeze=False, width_ratios=[1.75, 1.0])[0]
     plane, key = left.subplots(), right.subplots()
     key.set_axis_off()

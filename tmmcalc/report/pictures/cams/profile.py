@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import degrees
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,6 @@ from matplotlib.lines import Line2D
 
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.results import Profile, Wall
-from tmmcalc.cams.program import of_steps
 from tmmcalc.cams.task import CamTask
 from tmmcalc.linkage.plane import Plane
 from tmmcalc.report.numbers import number
@@ -26,11 +24,11 @@ from tmmcalc.report.pictures.cams.bends import (
     pieces_of,
 )
 from tmmcalc.report.pictures.cams.followersketch import draw_follower
+from tmmcalc.report.pictures.cams.profilemarks import DOT, draw_marks, marks_of, name_marks, name_phases
 from tmmcalc.report.pictures.curves import bottom
 from tmmcalc.report.pictures.page import blank, settle
-from tmmcalc.report.pictures.style import INK, MARK, THIN
+from tmmcalc.report.pictures.style import INK, MARK
 
-DIVISIONS = 8  # of a moving phase, where the task does not say
 MARGIN = 8.0  # [mm]
 BODY = "#eef2f5"
 GROOVE = "#d3dbe2"
@@ -101,7 +99,8 @@ def _draw_cam(axes: Axes, task: CamTask, result: Profile, rim: Rim) -> None:
     _circle(board, follower.base, STYLES["base"])
     if task.limits.shaft:
         _circle(board, task.limits.shaft, STYLES["shaft"])
-    _draw_divisions(board, task, result, rim)
+    marks = marks_of(task, result, rim)
+    draw_marks(board, marks, follower)
     if pitch is not None and follower.roller:
         board.line([*pitch, pitch[0]], zorder=3, weight=0.7, **STYLES["pitch"])
     for wall in result.walls:
@@ -110,7 +109,8 @@ def _draw_cam(axes: Axes, task: CamTask, result: Profile, rim: Rim) -> None:
         _draw_lost(board, rim, wall)
     draw_follower(board, result.follower, result.face)
     _draw_axis(board, result)
-    _name_phases(board, task, rim)
+    name_marks(board, marks)
+    name_phases(board, task, result, rim)
     _legend(axes, task, result, board)
 
 
@@ -128,25 +128,6 @@ def _frame_of(result: Profile) -> Plane:
 def _circle(board: Board, radius: float, style: dict[str, Any]) -> None:
     around = radius * np.exp(1j * np.linspace(0, 2 * np.pi, 241))
     board.line(around, zorder=2, weight=0.3, **style)
-
-
-def _draw_divisions(board: Board, task: CamTask, result: Profile, rim: Rim) -> None:
-    """The numbered positions: rays of the dwells' ends, roller circles, contact points of a flat face."""
-    follower = result.follower
-    rows = of_steps(task.program, task.steps if task.steps is not None and task.steps <= 12 else DIVISIONS)
-    centres = follower.placed(rim.at(rows.phi, rows.piece).points)
-    ends = follower.placed(rim.at(task.program.starts[:-1]).points)
-    board.lines([(0j, complex(end)) for end in ends], colors=THIN, linewidths=0.5, weight=0.3)
-    kept = [k for k in range(len(rows.labels)) if "-" not in rows.labels[k]][:-1]
-    for k in kept:
-        centre = complex(centres[k])
-        if follower.roller:
-            around = centre + follower.roller * np.exp(1j * np.linspace(0, 2 * np.pi, 61))
-            board.line(around, zorder=2, weight=0.1, color=THIN, linewidth=0.5)
-        board.axes.plot(centre.real, centre.imag, "o", markersize=2.0, color="#0072b2", zorder=6)
-    for k in kept:
-        centre = complex(centres[k])
-        board.labels.put(rows.labels[k], [centre], size=6.5, prefer=centre, gaps=(0.9, 1.6, 2.6), color="#0072b2")
 
 
 def _draw_lost(board: Board, rim: Rim, wall: Wall) -> None:
@@ -170,24 +151,16 @@ def _draw_axis(board: Board, result: Profile) -> None:
     board.labels.put(r"$\omega$", [complex(arc[len(arc) // 2])], size=9, prefer=complex(arc[len(arc) // 2]), color=MARK)
 
 
-def _name_phases(board: Board, task: CamTask, rim: Rim) -> None:
-    """The phase angles in the middle of their sectors."""
-    program = task.program
-    for start, phase in zip(program.starts.tolist(), program.phases, strict=False):
-        middle = rim.follower.placed(rim.at(np.array([start + phase.angle / 2])).points)[0]
-        at = complex(middle) * 0.62
-        text = f"{phase.kind}\n{number(degrees(phase.angle), 5)}°"
-        board.axes.text(at.real, at.imag, text, size=7, ha="center", va="center", color="#444444", zorder=10)
-
-
 def _legend(axes: Axes, task: CamTask, result: Profile, board: Board) -> None:
-    entries = [] if result.flat or not result.follower.roller else [("pitch curve", STYLES["pitch"])]
+    follower = result.follower
+    entries = [] if result.flat or not follower.roller else [("pitch curve", STYLES["pitch"])]
     entries += [(NAMES[wall.name], STYLES[wall.name]) for wall in result.walls]
     entries.append(("base circle", STYLES["base"]))
     if task.limits.shaft:
         entries.append(("shaft", STYLES["shaft"]))
     if any(wall.loops for wall in result.walls):
         entries.append(("undercut", STYLES["lost"]))
+    entries.append((f"{'contact' if result.flat else 'follower'} at i of the tables", DOT))
     handles = [Line2D([], [], label=label, **style) for label, style in entries]
     scale = f"scale $\\mu_l$ = {number(1e3 * board.mu, 4)} mm/mm"
     axes.legend(

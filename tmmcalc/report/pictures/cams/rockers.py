@@ -14,14 +14,16 @@ from tmmcalc.cams.synthesis.halfplanes import Family, Lines, families
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.pictures.board import Board
-from tmmcalc.report.pictures.cams.zone import BASE, LIMIT, OTHER, ZONE, axis_of_cam, dimension
+from tmmcalc.report.pictures.cams.pivotzone import swept_of
+from tmmcalc.report.pictures.cams.zone import BASE, LIMIT, OTHER, PASSING, ZONE, axis_of_cam, dimension
 from tmmcalc.report.pictures.labels import signed
 from tmmcalc.report.pictures.style import CURVES, INK, THIN
 
 POINTS = 181
 STEPS = 8  # positions of a phase that are drawn
 BEYOND = 1.5  # length of a line against the distance of the axis
-NEAR = 1e-6  # [rad] a corner belongs to this angle of the cam
+NEAR = 1e-6  # [rad] a side belongs to this angle of the cam
+TINY = 1e-300
 
 
 class Placed:
@@ -50,25 +52,31 @@ def content_of(task: CamTask, result: Synthesis) -> Complex:
 def draw_rockers(board: Board, task: CamTask, result: Synthesis) -> None:
     """Zone, positions, velocities, lines of the limit, the axis with its base circle."""
     placed = Placed(result)
-    _draw_zone(board, placed, result)
+    _draw_zone(board, placed, task, result)
     _draw_lines(board, placed, task, result)
     _draw_positions(board, placed, task, result)
     _draw_axis(board, placed, task, result)
 
 
-def _draw_zone(board: Board, placed: Placed, result: Synthesis) -> None:
+def _draw_zone(board: Board, placed: Placed, task: CamTask, result: Synthesis) -> None:
+    """What the pressure angle admits, less the places from which the cam sweeps over the pivot."""
     region = result.region
     if region is None or not len(region.x):
         return
     corners = (region.x + 1j * region.y) / result.follower.rocker
     board.area(placed.at(corners.astype(complex)).tolist(), weight=0.0, **ZONE)
+    swept = swept_of(task, result)
+    if swept is not None:
+        branch, border = (placed.at(points) for points in swept)
+        board.area(border.tolist(), weight=0.0, facecolor="white", edgecolor="none", linewidth=0.0, zorder=1.2)
+        board.line(branch, **PASSING)
 
 
 def _draw_lines(board: Board, placed: Placed, task: CamTask, result: Synthesis) -> None:
-    """The lines through the corner of the zone, and faint those of the other positions of the same phase and side."""
-    corner, program = _corner(result), task.program
+    """On both sides the line that bounds the zone next to the axis, and faint the others of its phase and side."""
+    bounds, program = _bounds(result), task.program
     for family in families(task):
-        held = [phi for phi, side in corner if side == family.side and _in_phase(task, family.kind, phi)]
+        held = [phi for phi, side in bounds if side == family.side and _in_phase(task, family.kind, phi)]
         if not held:
             continue
         k = next(k for k, phase in enumerate(program.phases) if phase.kind == family.kind)
@@ -159,14 +167,22 @@ def _tips(task: CamTask, result: Synthesis, kind: str) -> Complex:
     return np.asarray(np.exp(1j * y) * (1 - task.asked.assembly * y1))
 
 
-def _corner(result: Synthesis) -> list[tuple[float, int]]:
-    """Angles and sides of the two lines that meet nearest to the axis."""
+def _bounds(result: Synthesis) -> list[tuple[float, int]]:
+    """Of either sign of theta the angle and the sign of the side of the zone that is nearest to the axis."""
     region = result.region
     if region is None or not len(region.x):
         return []
+    begin = region.x + 1j * region.y
+    along = np.roll(begin, -1) - begin
     axis = result.follower.centres * np.exp(-1j * result.follower.start)
-    k = int(np.argmin(np.abs(region.x + 1j * region.y - axis)))
-    return [(float(region.phi[j]), int(region.side[j])) for j in (k - 1, k) if region.side[j]]
+    part = ((axis - begin) * np.conj(along)).real / np.maximum(np.abs(along) ** 2, TINY)
+    away = np.abs(axis - begin - np.clip(part, 0.0, 1.0) * along)
+    found = []
+    for side in (1, -1):
+        own = np.flatnonzero(region.side == side)
+        if own.size:
+            found.append((float(region.phi[own[np.argmin(away[own])]]), side))
+    return found
 
 
 def _in_phase(task: CamTask, kind: str, phi: float) -> bool:

@@ -7,6 +7,7 @@ from math import degrees
 
 from matplotlib.figure import Figure
 
+from tmmcalc.cams.pressure import Reached
 from tmmcalc.cams.synthesis.results import Design, Synthesis
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.numbers import angle
@@ -17,7 +18,7 @@ from tmmcalc.report.pictures.cams.phaseplane import content_of as plane_content
 from tmmcalc.report.pictures.cams.phaseplane import draw_plane, name_axes
 from tmmcalc.report.pictures.cams.rockers import content_of as rocker_content
 from tmmcalc.report.pictures.cams.rockers import draw_rockers
-from tmmcalc.report.pictures.cams.zone import BASE, LIMIT, OTHER, ZONE
+from tmmcalc.report.pictures.cams.zone import BASE, LIMIT, OTHER, PASSING, ZONE
 from tmmcalc.report.pictures.labels import signed
 from tmmcalc.report.pictures.page import blank, settle
 from tmmcalc.report.pictures.style import CURVES
@@ -73,7 +74,8 @@ def _parts(result: Synthesis, mu: float) -> list[Part]:
     reached = [
         (
             f"$|\\theta|$ max, {word}",
-            f"{signed(degrees(abs(on.worst.value)), 5)}° at $\\varphi$ = {signed(degrees(on.worst.phi), 4)}°",
+            f"{signed(degrees(abs(on.worst.value)), 5)}° at $\\varphi$ = {signed(degrees(on.worst.phi), 4)}°"
+            f"{_unlimited(on)}",
         )
         for word, on in (("rise", result.rise), ("return", result.back))
         if on is not None
@@ -89,14 +91,22 @@ def _design_part(result: Synthesis, design: Design) -> Part:
     if result.kind == "oscillating":
         sizes = {"l0": design.centres, "psi0": design.start, "R0": design.base}
     names = ", ".join(f"${SYMBOLS[name]}$" for name in sizes)
-    worst = degrees(max(map(abs, (*design.rise, *design.back))))
+    ends = (("rise", design.rise, result.rise), ("return", design.back, result.back))
+    angles = [
+        (f"$|\\theta|$ max, {word}", f"{signed(degrees(max(map(abs, own))), 5)}°{_unlimited(on)}")
+        for word, own, on in ends
+    ]
     return Part(
         design.name[:1].upper() + design.name[1:],
         [
             (names, ";  ".join(_shown(name, value) for name, value in sizes.items())),
-            ("largest $|\\theta|$", f"{signed(worst, 5)}°"),
+            *angles,
         ],
     )
+
+
+def _unlimited(on: Reached | None) -> str:
+    return " (not limited)" if on is not None and on.limit is None else ""
 
 
 def _samples(result: Synthesis) -> list[Sample]:
@@ -109,7 +119,11 @@ def _samples(result: Synthesis) -> list[Sample]:
         Sample("the same where others are nearer", OTHER),
         Sample("admissible places of $O$", ZONE, fill=True),
     ]
-    return [*samples, Sample("base circle $R_0$", BASE)] if swings else samples
+    if not swings:
+        return samples
+    passes = result.pivot is not None and not result.pivot.beside
+    samples += [Sample("the cam just passes the pivot", PASSING)] if passes else []
+    return [*samples, Sample("base circle $R_0$", BASE)]
 
 
 def _shown(name: str, value: float) -> str:

@@ -9,6 +9,7 @@ from tmmcalc.report.pictures.style import INK, MARK, PATH, THIN
 
 ZONE: dict[str, Any] = {"facecolor": "#e3f1ea", "edgecolor": "#7fbf9f", "hatch": "////", "linewidth": 0.0, "zorder": 1}
 LIMIT: dict[str, Any] = {"color": MARK, "linewidth": 1.2, "linestyle": (0, (6, 2)), "zorder": 6}
+PASSING: dict[str, Any] = {"color": "#7a5195", "linewidth": 1.2, "linestyle": (0, (8, 2, 2, 2)), "zorder": 6}
 OTHER: dict[str, Any] = {"color": THIN, "linewidth": 0.5, "linestyle": "-", "zorder": 2}
 BASE: dict[str, Any] = {"color": PATH, "linewidth": 1.0, "linestyle": (0, (6, 2, 1, 2)), "zorder": 5}
 DIMENSION: dict[str, Any] = {"color": INK, "linewidth": 0.6, "zorder": 7}

@@ -1,0 +1,49 @@
+"""What is said about the lowest mechanism: what was not judged, where its offset comes from, its pressure angles."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees
+
+from tmmcalc.cams.optimum.results import Choice
+from tmmcalc.cams.optimum.scene import Scene
+from tmmcalc.cams.pressure import Reached
+from tmmcalc.cams.task import CamTask
+
+
+def optimum_notes(
+    task: CamTask, scene: Scene, chosen: Choice, least: Choice, theta: tuple[Reached, ...]
+) -> Iterator[str]:
+    """Notes and warnings of the lowest mechanism in whole steps and of any sizes; ``theta`` are those of the former."""
+    if task.turning is not None:
+        slow, fast = float(task.turning.omega.min()), float(task.turning.omega.max())
+        yield f"note: the cam turns with the crank at {slow:.6g} to {fast:.6g} rad/s, as the stage motion found"
+    if scene.follower.kind == "translating" and task.asked.offset is None:
+        offset = 1e3 * scene.follower.sense * scene.follower.offset
+        yield f"note: the offset e = {offset:.6g} mm is that of the synthesis; give offset in [cam], or 0, to set it"
+    missing = [f"{each.number} {each.name}" for each in least.checks if not each.judged and each.number > 1]
+    if missing:
+        yield f"note: not judged, for want of data in [cam.requirements] or [cam.guide]: {', '.join(missing)}"
+    closed = least.checks[0]
+    if closed.judged and closed.margin < 0:
+        yield f"note: the spring reaches {closed.value:.5g} of the safety {closed.limit:.5g} that it was sized for"
+    top = task.guide.top
+    if top is not None and top < least.height:
+        yield (
+            f"warning: the height of [cam.guide] top, {1e3 * top:.5g} mm, is below the least possible "
+            f"{1e3 * least.height:.6g} mm: no sizes keep all constraints at it"
+        )
+    if task.guide.gap == 0 and least.roller:
+        yield "note: the guide begins where the roller ends at its highest: [cam.guide] gap is 0"
+    yield from _pressed(chosen, theta)
+
+
+def _pressed(chosen: Choice, theta: tuple[Reached, ...]) -> Iterator[str]:
+    """Pressure angles beyond the limits of [cam.limits], which the constraints do not know."""
+    for phase, on in zip(("rise", "return"), theta, strict=False):
+        if on.exceeded and on.limit is not None:
+            yield (
+                f"note: at S0 = {1e3 * chosen.start:.6g} mm the pressure angle of the {phase} reaches "
+                f"{degrees(abs(on.worst.value)):.5g} deg, beyond the {degrees(on.limit):.5g} deg of [cam.limits]: it "
+                "is none of the constraints, which judge what it does to guide, stem and roller"
+            )

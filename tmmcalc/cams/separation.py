@@ -1,0 +1,83 @@
+"""Whether vibration parts the follower from the cam, or in a groove sends the roller from wall to wall.
+
+The load is the force along the lift of all that acts on the follower but the cam: negative, it presses on the cam or on
+the inner wall.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees
+
+import numpy as np
+
+from tmmcalc.cams.follower import Closure
+from tmmcalc.cams.forces.turn import crossings, spans
+from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.task import CamTask, Loads
+from tmmcalc.numerics.panels import Panels
+from tmmcalc.records import record
+
+LEVEL = 1e-9  # of the largest load: what counts as none
+Spans = tuple[tuple[float, float], ...]
+
+
+@record
+class Contact:
+    """The contact over the turn, of an elastic train and of a rigid one."""
+
+    closure: Closure
+    judged: bool  # the forces that press are known, or walls hold the roller
+    largest: float  # the largest load [N or N*m]: positive, where the cam does not hold the follower
+    beyond: Spans  # from phi to phi [rad]: it leaves the cam, in a groove the outer wall presses
+    rigid: Spans  # the same of a rigid train
+
+    @property
+    def lost(self) -> Spans:
+        """Where the follower leaves the cam."""
+        return self.beyond if self.judged and self.closure == "force" else ()
+
+    @property
+    def reversals(self) -> tuple[float, ...]:
+        """phi [rad] where the roller goes to the other wall of a groove."""
+        return _ends(self.beyond) if self.closure == "groove" else ()
+
+
+def contact_of(task: CamTask, loads: Loads, on: Panels, load: Values, rigid: Values) -> Contact:
+    """The contact under the loads (K, N)."""
+    force = loads.force
+    acts = loads.mass or loads.spring.method != "none" or force.rise or force.back or force.values is not None
+    closure = task.asked.closure
+    largest = on.extremes(load)[1][0]
+    return Contact(closure, closure == "groove" or bool(acts), largest, _beyond(on, load), _beyond(on, rigid))
+
+
+def _beyond(on: Panels, load: Values) -> Spans:
+    """Where a load is positive, beyond rounding."""
+    if np.max(load) <= 0:
+        return ()
+    edges = np.sort(np.concatenate((on.edges, crossings(on, load))))
+    middle = (edges[:-1] + edges[1:]) / 2
+    return spans(edges, on.at(load, middle) > LEVEL * np.max(np.abs(load)))
+
+
+def _ends(beyond: Spans) -> tuple[float, ...]:
+    """Where the intervals begin and end; the begin of the turn is no end if one goes on over it."""
+    ends = [phi for span in beyond for phi in span]
+    goes_on = len(ends) > 1 and ends[0] == 0 and ends[-1] >= 2 * np.pi * (1 - 1e-12)
+    return tuple(ends[1:-1] if goes_on else ends)
+
+
+def contact_notes(contact: Contact) -> Iterator[str]:
+    """What vibration does to the contact."""
+    if contact.lost:
+        where = ", ".join(f"{degrees(a):.5g} to {degrees(b):.5g} deg" for a, b in contact.lost)
+        also = "as a rigid one does" if contact.rigid else "which a rigid one would not"
+        yield f"warning: the follower leaves the cam for phi from {where}, {also}"
+    if contact.reversals:
+        yield (
+            f"note: the roller goes to the other wall of the groove {len(contact.reversals)} times a turn, with an "
+            f"impact if it has play there; on a rigid train {len(_ends(contact.rigid))} times"
+        )
+    if not contact.judged:
+        yield "note: contact is not judged: nothing is known of what presses the follower on the cam; add [cam.loads]"

@@ -1,0 +1,42 @@
+"""Small linear systems, one at each of many positions, in double and in extended precision."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Values = NDArray[np.floating[Any]]
+
+REFINEMENTS = 3  # of a solution in extended precision: each brings as many digits as double precision has
+
+
+def solve(matrix: Values, right: Values) -> Values:
+    """Solutions x (k, n) of the systems (k, k, n) with the right sides (k, n); NaN where a system is singular.
+
+    Beyond double precision a solution is refined by its residual, which is taken in that precision.
+
+    >>> solve(np.array([[[0.0], [2.0]], [[4.0], [1.0]]]), np.array([[2.0], [9.0]])).ravel().tolist()
+    [2.0, 1.0]
+    """
+    systems = np.ascontiguousarray(np.moveaxis(matrix, -1, 0), dtype=float)
+    x = _solved(systems, right)
+    if right.dtype != np.longdouble and matrix.dtype != np.longdouble:
+        return x
+    x = x.astype(np.longdouble)
+    for _ in range(REFINEMENTS):
+        x = x + _solved(systems, right - np.einsum("ijn,jn->in", matrix, x))
+    return x
+
+
+def _solved(systems: Values, right: Values) -> Values:
+    """Solutions (k, n) in double precision of systems (n, k, k)."""
+    sides = np.asarray(right, dtype=float).T[..., None]
+    try:
+        return np.linalg.solve(systems, sides)[..., 0].T
+    except np.linalg.LinAlgError:
+        regular = np.linalg.det(systems) != 0.0
+        found = np.full(sides.shape[:2], np.nan)
+        found[regular] = np.linalg.solve(systems[regular], sides[regular])[..., 0]
+        return found.T
