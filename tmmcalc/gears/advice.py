@@ -50,6 +50,11 @@ CALLED = {
 }
 
 
+def called(name: str) -> str:
+    """A constraint in words; one of the user's own is called as it is."""
+    return CALLED.get(name, name)
+
+
 def removals(variant: Variant) -> list[tuple[str, int, int]]:
     """Constraint, how many candidates it removed, and of how many, in the order in which they are put."""
     removed = variant.synthesis.removed
@@ -75,10 +80,10 @@ def why_none(variant: Variant) -> list[str]:
     else:
         name, count, _ = steps[-1]
         lines = [
-            f"{request.title}: no tooth set; {CALLED[name]} removed the last {count} of {variant.synthesis.candidates}"
+            f"{request.title}: no tooth set; {called(name)} removed the last {count} of {variant.synthesis.candidates}"
         ]
         if len(steps) > 1:
-            lines.append("removed: " + ", ".join(f"{CALLED[each]} {number}" for each, number, _ in steps))
+            lines.append("removed: " + ", ".join(f"{called(each)} {number}" for each, number, _ in steps))
     end = _end_of_range(variant)
     return [*lines, end] if end else lines
 

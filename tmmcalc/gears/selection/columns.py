@@ -12,7 +12,7 @@ NO, YES = "no", "yes"
 
 def chosen_columns(result: Selection) -> dict[str, np.ndarray]:
     """All trains, one a row: teeth, modules, widths, criteria, front, rank by the weights; i from 1."""
-    columns = joined([_of_variant(each) for each in result.variants if len(each.sets)])
+    columns = joined([columns_of(each) for each in result.variants if len(each.sets)])
     count = len(result.ranking.order)
     rank = np.empty(count, np.int64)
     rank[result.ranking.order] = np.arange(1, count + 1)
@@ -21,7 +21,8 @@ def chosen_columns(result: Selection) -> dict[str, np.ndarray]:
     return {"i": np.arange(1, count + 1), **columns, "front": on_front, "rank": rank}
 
 
-def _of_variant(each: Weighed) -> dict[str, np.ndarray]:
+def columns_of(each: Weighed) -> dict[str, np.ndarray]:
+    """Teeth, modules, widths and criteria of the trains of one variant."""
     sets, found = each.sets, each.criteria
     stages = range(sets.scheme.stages)
     return {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import field
 from fractions import Fraction
 
 import numpy as np
@@ -29,6 +30,7 @@ class Weighed:
     weak: int  # of them not strong enough
     locking: int  # of them self-locking: no power passes
     unseen: int  # sets of the variant whose strength was not found
+    refused: dict[str, int] = field(default_factory=dict)  # that break a constraint of the user's, by its name
 
 
 @record

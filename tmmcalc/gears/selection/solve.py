@@ -38,6 +38,11 @@ def solve_selection(trains: Trains, sizing: Sizing, task: SelectionTask) -> Sele
     everything = pooled(weighed)
     if not len(everything):
         raise _none_left(sizing, weighed)
+    if task.kept is not None:
+        from tmmcalc.gears.kept import kept_trains
+
+        weighed = kept_trains(weighed, task.kept)
+        everything = pooled(weighed)
     ranking = ranked(everything, dict(task.weights) or dict.fromkeys(task.objectives, 1.0))
     choose, reason = _choice(everything, ranking, task)
     winner = _winner(requests, sizing, weighed, everything, reason.winner)

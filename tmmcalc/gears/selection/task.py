@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency
 from tmmcalc.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.feasibility.judge import FeasibilityTask
 
 WEIGHTED, ROW = "weighted", "row"  # ways to choose beside a single criterion
 
@@ -17,6 +22,7 @@ class SelectionTask:
     choose: str | int = "inertia"  # a criterion, WEIGHTED, or the number of a row, from 1
     meshes: MeshEfficiency = MeshEfficiency()
     series: bool = False  # two trains AIbar in series are compared as well
+    kept: FeasibilityTask | None = None  # the user's constraints on trains, if there are any
 
     @property
     def compared(self) -> tuple[str, ...]:

@@ -18,18 +18,15 @@ from math import acos, atan2, cos, hypot, pi, sin, tan
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.gears.involute.contour.form import Form, Sloped, form_of
+from tmmcalc.gears.involute.contour.form import Sloped
+from tmmcalc.gears.involute.contour.side import Side, side_of
 from tmmcalc.gears.involute.contour.task import Task
 from tmmcalc.gears.involute.function import inverse_involute, involute
-from tmmcalc.gears.involute.profile.rounding import Shape
-from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
 
 BRANCHES = (0, 1, 2, 3)
 LOW: tuple[tuple[int, ...], ...] = ((), (1,), (0,), (0, 1))  # of each branch: wheels with the tip inside r
-DEPTH = 5.0  # addenda below the reference circle down to which undercut is followed
-THROUGH = 0.4  # reference radii below it, where no flank is left of a wheel of few teeth
 CROSSING = 60  # halvings
 
 
@@ -48,37 +45,6 @@ class Sums:
     def some(self, which: Chosen) -> Sums:
         """Only the lines chosen by a mask or by numbers."""
         return Sums(self.angle[which], self.total[which], self.modification[which], self.length[which])
-
-
-@record
-class Side:
-    """One wheel of the frame, and its mate."""
-
-    wheel: Wheel
-    reference: float
-    base: float
-    mate_reference: float
-    mate_base: float
-    least: float  # x_min
-    steepness: float  # dLN/dx
-    thickness: float  # s_a,min
-    flat: float  # psi at x = 0, + inv alpha_t [rad]
-    fillet: Shape
-
-    @cached_property
-    def form(self) -> Form:
-        """rho_F as a function of the shift; only made where undercut is followed."""
-        addendum = self.wheel.rack.addendum
-        # the main region lies above -h_a*; a wheel that can be free of undercut with x < 0 may have pieces far below
-        # but not so far below that its tooth would be cut through
-        deep = max(-DEPTH * addendum, -THROUGH * self.reference)
-        return form_of(self.wheel, min(deep, -addendum) if self.least <= 0 else -addendum, self.fillet)
-
-    def start(self, x: Values) -> Sloped:
-        """rho_F, LN without undercut, and its derivative."""
-        if np.any(x < self.least):
-            return self.form(x)
-        return (x - self.least) * self.steepness, np.full_like(x, self.steepness)
 
 
 @record
@@ -242,12 +208,5 @@ def frame_of(task: Task) -> Frame:
     rack, cut = task.first.rack, task.first.section
     pitch = pi / cos(task.first.helix) * cos(cut.angle)
     one, two = task.first, task.second
-    sides = (_side(one, two, task.thickness[0], task.fillet), _side(two, one, task.thickness[1], task.fillet))
+    sides = (side_of(one, two, task.thickness[0], task.fillet), side_of(two, one, task.thickness[1], task.fillet))
     return Frame(task, sides, cut.angle, pitch, rack.addendum, tan(task.first.helix))
-
-
-def _side(own: Wheel, mate: Wheel, thickness: float, fillet: Shape) -> Side:
-    steepness = 1 / sin(own.section.angle)
-    flat = pi / (2 * own.teeth) + float(involute(own.section.angle))
-    sizes = own.reference, own.base, mate.reference, mate.base
-    return Side(own, *sizes, own.least_shift, steepness, thickness, flat, fillet)

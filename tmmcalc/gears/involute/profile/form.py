@@ -21,7 +21,7 @@ import numpy as np
 from tmmcalc.gears.involute.profile.rounding import Rounding, Shape, rounding
 from tmmcalc.gears.involute.wheel import Number, Wheel
 from tmmcalc.linkage.plane import Real
-from tmmcalc.numerics.panels import rule
+from tmmcalc.numerics.gauss import rule
 from tmmcalc.numerics.roots import Indices, bracketed
 
 SLIGHT = 1e-9  # |LN| below which the limit one half stands for rho_F/|LN|

@@ -11,7 +11,7 @@ from matplotlib.figure import SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-from tmmcalc.gears.advice import CALLED, removals
+from tmmcalc.gears.advice import called, removals
 from tmmcalc.gears.columns import ratios
 from tmmcalc.gears.search.measures import coprime_meshes
 from tmmcalc.gears.train import Request, Variant
@@ -125,7 +125,7 @@ def _draw_removals(axes: Axes, variant: Variant) -> None:
     """Candidates, what each constraint removed of them, what is left."""
     synthesis = variant.synthesis
     rows = [("candidates", synthesis.candidates, "candidates")]
-    rows += [(CALLED[name], removed, "removed") for name, removed, _ in removals(variant)]
+    rows += [(called(name), removed, "removed") for name, removed, _ in removals(variant)]
     rows.append(("tooth sets", synthesis.count, "left"))
     rows.reverse()
     axes.set_xscale("log")
