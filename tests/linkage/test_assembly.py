@@ -29,8 +29,8 @@ from linkage.scenes import (
 from tmmcalc import AssemblyError, SingularityError, solve_kinematics
 from tmmcalc.linkage.assembly import find_domain
 from tmmcalc.linkage.chain import Chain, compile_chain
-from tmmcalc.linkage.kinematics import SEAM
 from tmmcalc.linkage.model import Mechanism, Output
+from tmmcalc.linkage.placing import SEAM
 from tmmcalc.linkage.results import Domain
 from tmmcalc.linkage.structure import solve_structure
 from tmmcalc.linkage.variants import given_variants

@@ -26,24 +26,23 @@ FILES = ("kinematics.json", "force-groups-and-linkage-synthesis.json")
 Array = NDArray[Any]
 
 FORCES = "linkage/forces/test_cases.py"
+LOOPS = "linkage/loops/test_cases.py"
+SYNTHESIS = "linkage/synthesis/test_synthesis_cases.py"
 ELSEWHERE = {  # cases of stages with tests of their own
+    **{
+        f"L-{name}": SYNTHESIS
+        for name in ("SYN-SC-EX1", "SYN-SC-02", "SYN-SLOT-EX2", "SYN-SLOT-03", "SYN-ROT-01", "OUT-01")
+    },
     "KIN-S04": "report/test_pictures.py",
     **{f"F-SR{kind}-0{number}": FORCES for kind in (1, 2, 3) for number in (1, 2, 3)},
     **{f"F-{name}": FORCES for name in ("WL1-01", "WL1-02", "WL1-03", "WL2-01")},
+    **{f"A-{name}": LOOPS for name in ("C4-MECH-12", "C4-RANGE", "C4-MODES", "C3-MODES", "C3-MECH-12")},
 }
 LEFT_OUT = {
     "KIN-S08": "crane luffing gear: unsteady motion of the input, not in the program yet",
     "KIN-S10": "time-optimal laws of motion, not in the program yet",
     "KIN-S11": "manipulator, not in the program yet",
     "KIN-S25": "crane luffing gear: unsteady motion of the input, not in the program yet",
-    **{
-        f"L-{name}": "synthesis of linkages, not in the program yet"
-        for name in ("SYN-SC-EX1", "SYN-SC-02", "SYN-SLOT-EX2", "SYN-SLOT-03", "SYN-ROT-01", "OUT-01")
-    },
-    **{
-        f"A-{name}": "groups of class III and IV, not solved yet"
-        for name in ("C4-MECH-12", "C4-RANGE", "C4-MODES", "C3-MODES", "C3-MECH-12")
-    },
     "B-CHAR-01": "characteristic functions of regions, not in the program yet",
 }
 TESTED: set[str] = set()

@@ -50,7 +50,9 @@ def test_the_inner_reaction_is_a_chord(name: str) -> None:
     """The forces of link a and the reaction of b on it balance, and so do those of link b."""
     mechanism = ready(name)
     for body in free_bodies(statics(mechanism, anything(mechanism)), 0.5, 1.0)[1:]:
-        assert body.inner is not None
+        if body.inner is None:  # a link of a higher group is a body of its own
+            assert len(body.links) == 1
+            continue
         chord = body.vertices[body.parting] - body.vertices[body.closing]
         assert abs(chord - body.inner.value) < 1e-11 * np.max(np.abs(body.vertices))
         a, b = body.links

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from itertools import pairwise
 
 import numpy as np
@@ -12,7 +11,7 @@ from hypothesis import strategies as st
 from random_mechanisms import KINDS, RandomMechanism, build, scenes
 from transforms import renumbered, swapped
 
-from tmmcalc import StructureError, solve_kinematics, solve_structure
+from tmmcalc import StructureError, solve_structure
 from tmmcalc.linkage.model import Input, Joint, Link, Mechanism
 
 STABLE = settings(derandomize=True, deadline=None, max_examples=60, database=None)
@@ -85,9 +84,13 @@ def test_the_class_may_depend_on_the_driver() -> None:
         solve_structure(scheme(5, *joints))
 
 
-def test_higher_groups_are_recognised_and_refused_by_name() -> None:
-    with pytest.raises(StructureError, match=re.escape("not solvable yet: III(2,3,4,5) of order 3")):
-        solve_kinematics(scheme(5, "01", "13", "23", "24", "25", "40", "50"))
+def test_a_drive_between_two_moving_links_is_part_of_their_group() -> None:
+    """A boom held by a rack: the triangle of boom, rack and its carrier is one group."""
+    structure = solve_structure(scheme(3, "10", "20", "32P", "31", driver="32P"))
+    assert structure.formula == "II D(1,2,3)"
+    assert structure.driven is not None
+    assert structure.driven.drive == "32P"
+    assert structure.driven.outer == ("10", "20")
 
 
 @pytest.mark.parametrize(

@@ -43,7 +43,7 @@ def test_the_order_of_the_links_turns_the_sign_of_rrr() -> None:
 
 
 def test_a_sign_that_names_no_dyad_or_no_variant() -> None:
-    with pytest.raises(UsageError, match="links 1 and 2 are not a dyad"):
+    with pytest.raises(UsageError, match="links 1 and 2 are not a group"):
         solve_kinematics(replace(full_turn(four_bar(1, 6, 3, 7)), assembly=Assembly(variants={(1, 2): 1})))
     with pytest.raises(UsageError, match="has one assembly only"):
         solve_kinematics(replace(full_turn(yoke(0.1)), assembly=Assembly(variants={(2, 3): -1})))

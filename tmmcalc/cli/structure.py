@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
+import typer
+
 from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.work import Job, title
@@ -11,18 +15,28 @@ from tmmcalc.cli.work import Job, title
 def command(
     job: Job,
     form: Form = Format.table,
+    assemblies: Annotated[
+        bool,
+        typer.Option(
+            "--assemblies", help="List all assemblies of every group where the spec chooses one (assembly.at), instead."
+        ),
+    ] = False,
 ) -> None:
     """Structural analysis: mobility, Assur groups in order of assembly, structural formula.
 
-    Groups of class III and higher are named with their links; exit code 3 says that they cannot be solved yet.
-
-    Example: tmmcalc structure my.toml
+    Example: tmmcalc structure my.toml --assemblies
     """
     scene = job.spec()
     run = job.run(scene, "structure")
     result = run.results["structure"]
-    from tmmcalc.linkage.structure import check_solvable
-    from tmmcalc.report.structure import structure_document
+    from tmmcalc.report.structure import assemblies_document, structure_document
 
-    job.finish(structure_document(result, title(scene, job.file, "structure")), run, form)
-    check_solvable(result)
+    if assemblies:
+        from tmmcalc.linkage.listing import list_assemblies
+        from tmmcalc.spec.linkage import to_linkage
+
+        listing = list_assemblies(to_linkage(scene.linkage), result)
+        document = assemblies_document(listing, result, title(scene, job.file, "assemblies"))
+    else:
+        document = structure_document(result, title(scene, job.file, "structure"))
+    job.finish(document, run, form)

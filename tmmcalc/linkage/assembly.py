@@ -18,7 +18,7 @@ from tmmcalc.errors import AssemblyError
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.results import Domain, Interval, Limit
+from tmmcalc.linkage.results import Branch, Domain, Interval, Limit
 from tmmcalc.numerics.extrema import with_turning_points
 from tmmcalc.numerics.roots import bracketed
 
@@ -38,7 +38,10 @@ def find_domain(chain: Chain, low: float, high: float) -> Domain:
     beyond = 0.0 if turn else 2 * reach_of(chain.mechanism) + high - low
     core = np.empty(0) if turn else np.linspace(low, high, SAMPLES + 1)
     intervals = [Interval(low - beyond, low + turn if turn else high + beyond)]
-    for k in range(len(chain.steps)):
+    for k, step in enumerate(chain.steps):
+        if not step.group.kind:
+            intervals = _on_branch(step.branch, intervals)  # type: ignore[union-attr]  # a higher group has a branch
+            continue
         found = [part for interval in intervals for part in _cut(chain, k, interval, turn, core)]
         if not found:
             raise _never(chain, k, intervals)
@@ -89,6 +92,13 @@ def _cut(chain: Chain, k: int, interval: Interval, turn: float | None, core: Rea
     return parts
 
 
+def _on_branch(branch: Branch, intervals: list[Interval]) -> list[Interval]:
+    """What a branch leaves of the intervals in one of which it was followed."""
+    if branch.period is not None:
+        return intervals
+    return [Interval(branch.low, branch.high, branch.limits)]
+
+
 def _joined(parts: list[Interval], turn: float) -> list[Interval]:
     """One interval for the two parts that meet at the arbitrary seam of the turn."""
     parts = sorted(parts, key=lambda part: part.low)
@@ -103,7 +113,7 @@ def _joined(parts: list[Interval], turn: float) -> list[Interval]:
 
 def _limit(chain: Chain, k: int, x: float) -> Limit:
     """What stops dyad k at its limit position x."""
-    step = chain.steps[k]
+    step = chain.dyad(k)
     port1, port2 = step.ports(chain.evaluate(np.array([x]), order=0, steps=k).motions)
     a, b = step.group.links
     return Limit(x, step.group.name, step.dyad.limit(a, b, port1, port2))
@@ -112,7 +122,7 @@ def _limit(chain: Chain, k: int, x: float) -> Limit:
 def _never(chain: Chain, k: int, intervals: list[Interval]) -> AssemblyError:
     """No position at all: by how much the links of dyad k miss each other, at best."""
     x = np.concatenate([sample(interval) for interval in intervals])
-    step = chain.steps[k]
+    step = chain.dyad(k)
     margins = chain.margins(x, k)
     best = int(np.argmax(margins))
     ports = step.ports(chain.evaluate(x[best : best + 1], order=0, steps=k).motions)
@@ -146,6 +156,7 @@ def _amount(chain: Chain, x: float) -> str:
 
 def check_range(chain: Chain, domain: Domain, low: float, high: float) -> None:
     """Raise `AssemblyError` unless the whole range [low, high] assembles without a gap."""
+    _check_return(chain, high - low)
     if domain.full:
         return
     turn = TURN if chain.turns else None
@@ -159,6 +170,21 @@ def check_range(chain: Chain, domain: Domain, low: float, high: float) -> None:
         where=f"kinematics, group {crossed[0].group}" if crossed else "kinematics",
         remedy="change the lengths named, or analyse inside an interval: set input.start and grid.span",
     )
+
+
+def _check_return(chain: Chain, span: float) -> None:
+    """Raise `AssemblyError` if a whole turn is asked for and a branch comes back after several only."""
+    for step in chain.steps:
+        period = None if step.group.kind else step.branch.period  # type: ignore[union-attr]
+        if period is not None and period > TURN * 1.5 and abs(span - TURN) < 1e-9:
+            turns = round(period / TURN)
+            raise AssemblyError(
+                f"after one turn of the crank the group stands otherwise: it comes back after {turns} turns",
+                where=f"kinematics, group {step.group.name}",
+                value=turns,
+                limit=1,
+                remedy="set grid.span below one turn, or choose another assembly",
+            )
 
 
 def _asked(chain: Chain, low: float, high: float) -> str:

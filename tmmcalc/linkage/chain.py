@@ -1,43 +1,44 @@
-"""The compiled linkage: input link, then one step a dyad in order of assembly.
+"""The compiled linkage: input link, then one step a group in order of assembly.
 
 ``Chain.evaluate`` is the whole kinematics: one vectorised pass over an array of input coordinates.
-Derivatives are with respect to the input coordinate (transfer functions), exact, from the 2x2 systems
-of the dyads; no difference is taken anywhere.
+Derivatives are with respect to the input coordinate (transfer functions), exact, from the linear systems
+of the groups; no difference is taken anywhere.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from tmmcalc.linkage import solvers
-from tmmcalc.linkage.dyads import Dyad
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
-from tmmcalc.linkage.mounts import Motions, Rates, Slide, Slides
+from tmmcalc.linkage.mounts import Motions, Slide, Slides
 from tmmcalc.linkage.plane import LinkMotion, Plane, Real, frame
 from tmmcalc.linkage.steps import Step, build, seat
-from tmmcalc.linkage.structure import Structure, check_solvable
+from tmmcalc.linkage.structure import Group, Structure
 
-_STILL = Rates(*(np.zeros(()) for _ in range(4)))
+if TYPE_CHECKING:
+    from tmmcalc.linkage.loops.step import LoopStep
+    from tmmcalc.linkage.results import Branch, Kinematics
 
 
 class Configuration(NamedTuple):
-    """Motions of all links, sliding coordinates, and the placement and ports of every step."""
+    """Motions of all links, sliding coordinates, and the ports (or loops) and the placement of every step."""
 
     motions: Motions
     slides: Slides
-    ports: list[tuple[Any, Any]]
+    ports: list[Any]
     placed: list[Any]
 
 
 class Chain(NamedTuple):
-    """A mechanism with its structure and one variant sign a dyad, ready to be evaluated."""
+    """A mechanism with its structure and one step a group, on its variant or branch, ready to be evaluated."""
 
     mechanism: Mechanism
     structure: Structure
-    steps: tuple[Step, ...]
+    steps: tuple[Step | LoopStep, ...]
 
     @property
     def input_joint(self) -> Joint:
@@ -54,18 +55,18 @@ class Chain(NamedTuple):
     ) -> Configuration:
         """Positions and, with ``order=2``, both derivatives at the input coordinates ``x`` (n,).
 
-        ``steps`` limits the chain to its first dyads. The coordinates must lie where the mechanism assembles
+        ``steps`` limits the chain to its first groups. The coordinates must lie where the mechanism assembles
         (see `assembly`); elsewhere the motions are NaN.
         """
         motions: Motions = {FRAME: frame()}
         slides: Slides = {}
-        motions[self.structure.input_link] = self._input_motion(x, slides, order)
-        ports_of, placed_of = [], []
+        if self.structure.driven is None:
+            motions[self.structure.input_link] = self._input_motion(x, slides, order)
+        ports_of: list[Any] = []
+        placed_of: list[Any] = []
         with np.errstate(divide="ignore", invalid="ignore"):
             for step in self.steps[:steps]:
-                ports = step.ports(motions)
-                placed = step.dyad.place(*ports)
-                step.move(motions, slides, ports, placed, rates(step.dyad, ports, placed, method) if order else _STILL)
+                ports, placed = step.advance(motions, slides, x, order, method)
                 ports_of.append(ports)
                 placed_of.append(placed)
         return Configuration(motions, slides, ports_of, placed_of)
@@ -90,23 +91,43 @@ class Chain(NamedTuple):
         return LinkMotion(own.point, pivot, zero, zero, u, 1j * u, -u, np.ones_like(x), np.zeros_like(x))
 
     def margins(self, x: Real, step: int) -> Real:
-        """Assembly margin of one dyad at the coordinates ``x``; the dyads before it must assemble there."""
-        ports = self.steps[step].ports(self.evaluate(x, order=0, steps=step).motions)
-        return np.broadcast_to(self.steps[step].dyad.margin(*ports), x.shape)
+        """Assembly margin of a dyad at the coordinates ``x``; the groups before it must assemble there."""
+        dyad = self.dyad(step)
+        return np.broadcast_to(dyad.dyad.margin(*dyad.ports(self.evaluate(x, order=0, steps=step).motions)), x.shape)
+
+    def dyad(self, step: int) -> Step:
+        """The step of this number, which is a dyad."""
+        found = self.steps[step]
+        assert isinstance(found, Step)
+        return found
 
 
-def rates(dyad: Dyad, ports: tuple[Any, Any], placed: Any, method: solvers.Method) -> Rates:
-    """Stages 2 and 3 of a dyad: its two rates and their derivatives."""
-    solve = method(*dyad.columns(placed))
-    x, y = solve(dyad.velocity(*ports, placed))
-    return Rates(x, y, *solve(dyad.acceleration(*ports, placed, x, y)))
+def compile_chain(
+    mechanism: Mechanism,
+    structure: Structure,
+    variants: Mapping[str, int],
+    branches: Mapping[str, Branch] | None = None,
+) -> Chain:
+    """Build the chain of a mechanism: ``variants`` gives the sign of dyads by group name, default +1.
 
-
-def compile_chain(mechanism: Mechanism, structure: Structure, variants: Mapping[str, int]) -> Chain:
-    """Build the chain of a mechanism of class II; ``variants`` gives the sign by group name, default +1.
-
-    Raises `StructureError` for a group of class III or higher.
+    ``branches`` gives the branch of every group of class III or higher, and of one with the drive inside it.
     """
-    check_solvable(structure)
-    steps = tuple(build(mechanism, group, variants.get(group.name, 1)) for group in structure.groups)
-    return Chain(mechanism, structure, steps)
+    steps: list[Step | LoopStep] = []
+    for group in structure.groups:
+        if group.kind:
+            steps.append(build(mechanism, group, variants.get(group.name, 1)))
+        else:
+            steps.append(_on_branch(mechanism, group, variants[group.name], (branches or {})[group.name]))
+    return Chain(mechanism, structure, tuple(steps))
+
+
+def _on_branch(mechanism: Mechanism, group: Group, variant: int, branch: Branch) -> LoopStep:
+    from tmmcalc.linkage.loops.equations import equations_of  # only groups of class III and higher need them
+    from tmmcalc.linkage.loops.step import LoopStep
+
+    return LoopStep(group, variant, equations_of(mechanism, group), branch)
+
+
+def chain_of(mechanism: Mechanism, kinematics: Kinematics) -> Chain:
+    """The chain that a kinematics result was found with."""
+    return compile_chain(mechanism, kinematics.structure, kinematics.variants, kinematics.branches)

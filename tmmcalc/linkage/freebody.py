@@ -65,7 +65,7 @@ class Couple:
 
 @record
 class FreeBody:
-    """A group, or the input link, cut out: forces in the order of the polygon, couples.
+    """A dyad, a link of a higher group, or the input link, cut out: forces in the order of the polygon, couples.
 
     ``inner`` is the reaction of link a on link b of a group; its chord leads from the vertex after ``closing``
     forces to the vertex after ``parting`` forces.
@@ -86,10 +86,17 @@ class FreeBody:
 
 
 def free_bodies(statics: Statics, theta: float, side: float) -> tuple[FreeBody, ...]:
-    """The input link and every group at theta; where friction jumps, ``side`` -1 is the limit before, +1 after."""
+    """The input link, every dyad and every link of higher groups at theta.
+
+    Where friction jumps, ``side`` -1 is the limit before, +1 after.
+    """
     place = statics.scene.place(np.array([theta]), side)
     cut = _Cut(statics, place, statics.solve(place, side))
-    return cleared((cut.input_link(), *(cut.group(group) for group in statics.scene.chain.structure.groups)), NOTHING)
+    structure = statics.scene.chain.structure
+    bodies = [] if structure.driven else [cut.input_link()]
+    for group in structure.groups:
+        bodies += [cut.dyad(group)] if group.kind else [cut.link(group, k) for k in group.links]
+    return cleared(bodies, NOTHING)
 
 
 def cleared(bodies: Sequence[FreeBody], part: float) -> tuple[FreeBody, ...]:
@@ -137,7 +144,26 @@ class _Cut:
         own = [self.state.reactions[joint.name].seat.r for joint in self.mechanism.joints if link in joint.links]
         return sum(map(_one, own)) / len(own)
 
-    def group(self, group: Group) -> FreeBody:
+    def link(self, group: Group, link: int) -> FreeBody:
+        """A link of a higher group with its loads, all its reactions, and the drive if it acts on it."""
+        parts = self._loads(link, set())
+        if group.drive:
+            parts += self._push(link)
+        forces = tuple(x for x in parts if isinstance(x, Acting))
+        return FreeBody(f"{group.name}, {link}", (link,), forces, tuple(x for x in parts if isinstance(x, Couple)))
+
+    def _push(self, link: int) -> list[Acting | Couple]:
+        """What the drive of a driven length does to a link: it pushes the slider ahead, and the guide back."""
+        joint = self.statics.scene.chain.input_joint
+        if link not in joint.links:
+            return []
+        seat = self.state.reactions[joint.name].seat
+        assert isinstance(seat, Slideway)
+        ahead = 1.0 if link == joint.links[0] else -1.0
+        force = ahead * float(np.ravel(self.state.drive)[0]) * _one(seat.e)
+        return [Acting("F", "d", "drive", link, _one(seat.r), force)]
+
+    def dyad(self, group: Group) -> FreeBody:
         """A dyad with the loads of its links, the reactions of what hangs on them, and its outer reactions."""
         a, b = group.links
         inner = self.mechanism.joint(group.inner[0])

@@ -1,4 +1,4 @@
-"""Kinematics of class II mechanisms: one mechanism in, all positions with their derivatives out.
+"""Kinematics of planar linkages: one mechanism in, all positions with their derivatives out.
 
 Order of the work: structure and assembly variants; the intervals where the mechanism assembles; position
 0 (a number, or the dead centre before the working stroke); a dense survey of the asked range for dead points,
@@ -18,8 +18,8 @@ import numpy as np
 
 from tmmcalc.errors import AssemblyError, NoSolutionError, SingularityError
 from tmmcalc.linkage import solvers
-from tmmcalc.linkage.assembly import TURN, check_range, coordinate, find_domain
-from tmmcalc.linkage.chain import Chain, compile_chain
+from tmmcalc.linkage.assembly import TURN, check_range, coordinate
+from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.differentiation import (
     STEPS_DEG,
     DifferenceError,
@@ -30,9 +30,10 @@ from tmmcalc.linkage.differentiation import (
 from tmmcalc.linkage.grid import analysed_range, positions
 from tmmcalc.linkage.model import Mechanism, Output
 from tmmcalc.linkage.outputs import default_outputs, summarise, working_start
+from tmmcalc.linkage.placing import assembled, chosen_at, domain_of
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.quality import assess, check_regular, grade
-from tmmcalc.linkage.results import Domain, Kinematics, Method, Trace
+from tmmcalc.linkage.results import Domain, Grade, Kinematics, Method, Trace
 from tmmcalc.linkage.rounding import estimate
 from tmmcalc.linkage.structure import Structure, solve_structure
 from tmmcalc.linkage.survey import survey
@@ -40,21 +41,21 @@ from tmmcalc.linkage.trace import continuous, trace
 from tmmcalc.linkage.variants import candidates, distance, given_variants, nearest, sketch_grades, sketched_groups
 
 BOOK_STEP = math.radians(1.5)  # recommended for positions with six decimals
-SEAM = 0.01  # the search for assembly intervals starts at an angle where nothing special happens [rad]
 
 
 def solve_kinematics(
     mechanism: Mechanism, structure: Structure | None = None, method: Method | None = None
 ) -> Kinematics:
-    """Positions, velocities, accelerations and transfer functions of a class II mechanism.
+    """Positions, velocities, accelerations and transfer functions of a mechanism of any class.
 
     Raises `StructureError`, `AssemblyError`, `SingularityError`, `NoSolutionError` (exit code 3) with the
     group, the lengths and the input coordinate at fault.
     """
     structure = structure or solve_structure(mechanism)
     method = method or Method()
-    chain, domain, start = _placed(mechanism, structure)
+    chain, domain, start = placed(mechanism, structure)
     signs = {step.group.name: step.variant for step in chain.steps}
+    branches = {step.group.name: step.branch for step in chain.steps if not step.group.kind}  # type: ignore[union-attr]
     sketched_at = start if mechanism.assembly.at is None else mechanism.assembly.at
     low, high = analysed_range(mechanism, start)
     check_range(chain, domain, low, high)
@@ -74,6 +75,7 @@ def solve_kinematics(
     return Kinematics(
         structure=structure,
         variants=signs,
+        branches=branches,
         input_joint=mechanism.input.joint,
         turns=chain.turns,
         speed=mechanism.input.speed,
@@ -91,39 +93,41 @@ def solve_kinematics(
         domain=domain,
         summaries=summaries,
         qualities=qualities,
-        grades=(*sketch_grades(mechanism, structure, signs, sketched_at), *grade(chain, qualities)),
+        grades=(
+            *sketch_grades(mechanism, structure, signs, branches, sketched_at),
+            *grade(chain, qualities),
+            *_method_grades(chain, method, dense.x),
+        ),
         method=method,
         error=estimate(chain, x, evaluate, [q.regularity_at for q in qualities if q.regularity_at is not None]),
-        counters={"positions": len(x), "survey_positions": len(dense.x), "dyads": len(chain.steps)},
+        counters={"positions": len(x), "survey_positions": len(dense.x), "groups": len(chain.steps)},
     )
 
 
-def _placed(mechanism: Mechanism, structure: Structure) -> tuple[Chain, Domain, float]:
+def placed(mechanism: Mechanism, structure: Structure) -> tuple[Chain, Domain, float]:
     """The chain with its variants, where it assembles, and the input coordinate of position 0.
 
-    A sketch of an "extreme" start is compared with each candidate at that candidate's own extreme.
+    A sketch of an "extreme" start is compared with each candidate at that candidate's own extreme. With higher groups
+    every group is chosen in turn, where the assembly is chosen: a branch is followed for the choice alone.
     """
     given = given_variants(mechanism, structure)
+    if any(not group.kind for group in structure.groups) and chosen_at(mechanism) is not None:
+        from tmmcalc.linkage.listing import list_assemblies  # only groups of class III and higher need it
+
+        given |= {one.group: one.variant for one in list_assemblies(mechanism, structure).assemblies if one.taken}
     groups = sketched_groups(mechanism, structure, given)
     tried = []
-    for signs in candidates(groups, given):
-        chain = compile_chain(mechanism, structure, signs)
+    for signs in candidates(groups, given) if groups else ():
+        chain = assembled(mechanism, structure, signs)
         at = mechanism.assembly.at if mechanism.assembly.at is not None else mechanism.input.start
-        if groups and at is None:
+        if at is None:
             at = _start_or_none(chain)
-        if groups and at is not None:
+        if at is not None:
             tried.append((distance(chain, at), signs))
     # where no candidate has an extreme to start from, the first one tells why
-    chain = compile_chain(mechanism, structure, nearest(tried, groups) if tried else given)
-    domain = _domain(chain)
+    chain = assembled(mechanism, structure, nearest(tried, groups) if tried else given)
+    domain = domain_of(chain)
     return chain, domain, _start(chain, domain)
-
-
-def _domain(chain: Chain) -> Domain:
-    drive = chain.mechanism.input
-    if chain.turns:
-        return find_domain(chain, SEAM - math.pi, SEAM + math.pi)
-    return find_domain(chain, *analysed_range(chain.mechanism, drive.start or 0.0))
 
 
 def _start(chain: Chain, domain: Domain) -> float:
@@ -140,7 +144,7 @@ def _start(chain: Chain, domain: Domain) -> float:
 def _start_or_none(chain: Chain) -> float | None:
     """The extreme start of a candidate variant, None if that variant does not turn or never reverses."""
     try:
-        return _start(chain, _domain(chain))
+        return _start(chain, domain_of(chain))
     except (AssemblyError, SingularityError, NoSolutionError):
         return None
 
@@ -164,7 +168,20 @@ def _evaluate(chain: Chain, x: Real, method: Method, unit: float) -> Trace:
     if method.name == "differences":
         step = method.step or (BOOK_STEP if chain.turns else (chain.mechanism.grid.span or 1.0) / 240)
         return differentiate(chain, x, step, method.decimals, unit)
+    if method.name == "splitting":
+        from tmmcalc.linkage.loops.splitstep import split_chain
+
+        return trace(split_chain(chain), x)
     return trace(chain, x, solvers.projection if method.name == "projection" else solvers.closed)
+
+
+def _method_grades(chain: Chain, method: Method, x: Real) -> tuple[Grade, ...]:
+    """What the method has to tell of the way it took."""
+    if method.name != "splitting":
+        return ()
+    from tmmcalc.linkage.loops.flips import split_grades
+
+    return split_grades(chain, x)
 
 
 def _check_positions(chain: Chain, x: Real, values: Trace) -> None:
@@ -212,7 +229,7 @@ def step_study(mechanism: Mechanism, result: Kinematics, decimals: int = 6) -> l
     double precision. The steps are those of the textbook's range, as parts of a turn or of the range. Raises
     `NoSolutionError` if the mechanism has no output.
     """
-    chain = compile_chain(mechanism, result.structure, result.variants)
+    chain = chain_of(mechanism, result)
     if not result.outputs:
         raise NoSolutionError(
             "there is no output whose differences could be studied",

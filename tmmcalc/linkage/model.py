@@ -54,7 +54,7 @@ class Joint:
 
 @record
 class Input:
-    """The input link, by its joint with the frame, and its motion.
+    """The input link, by its joint with the frame, and its motion; or a driven length between two moving links.
 
     Revolute: the coordinate is the angle of the input link [rad]; prismatic: the coordinate of the joint [m].
     """
@@ -105,12 +105,13 @@ class Grid:
 class Assembly:
     """Which of the assembly variants: a sketch (approximate points [m]), or signs by group.
 
-    ``variants`` maps the two link numbers of a dyad, in the order that defines its sign, to +1 or -1.
+    ``variants`` maps the two link numbers of a dyad, in the order that defines its sign, to +1 or -1, and the links of
+    a higher group to the number of its assembly among all there are at that input coordinate, from 1 on.
     ``at`` is the input coordinate at which the sketch was read; None: position 0.
     """
 
     sketch: dict[str, complex] = field(default_factory=dict)
-    variants: dict[tuple[int, int], int] = field(default_factory=dict)
+    variants: dict[tuple[int, ...], int] = field(default_factory=dict)
     at: float | None = None
 
 

@@ -50,13 +50,13 @@ class Mount(Protocol):
         """Add the motions of the group's links, and its sliding coordinates."""
 
 
-def _carried(guide: LinkMotion, turn: complex, base: complex, at: Point) -> LinkMotion:
+def carried(guide: LinkMotion, turn: complex, base: complex, at: Point) -> LinkMotion:
     """Motion of a link that keeps the constant turn (unit) to the guide's link."""
     turned = (guide.u, guide.u1, guide.u2) if turn == 1 else (guide.u * turn, guide.u1 * turn, guide.u2 * turn)
     return LinkMotion(base, *at, *turned, guide.omega, guide.eps)
 
 
-def _slid(guide: Guide, s: Real, rate: Real, rate2: Real) -> Point:
+def slid(guide: Guide, s: Real, rate: Real, rate2: Real) -> Point:
     """State of the point at the coordinate s on a moving guide line (Coriolis term included)."""
     x = s * guide.e
     v = guide.v + 1j * guide.omega * x + rate * guide.e
@@ -100,7 +100,7 @@ class RRPMount(NamedTuple):
         a, b = at.links
         motions[a] = rotated(self.pin_a, at.port1, placed.a / self.vector_a, rates.x, rates.xx)
         pin = motions[a].point(self.inner_a)
-        motions[b] = _carried(motions[at.sources[1]], self.turn, self.inner_b, pin)
+        motions[b] = carried(motions[at.sources[1]], self.turn, self.inner_b, pin)
         slides[self.outer] = _signed(self.sign, placed.s - self.shift, rates.y, rates.yy)
 
 
@@ -120,7 +120,7 @@ class RPRMount(NamedTuple):
         a, b = at.links
         u = placed.e if self.axis_b == 1 else placed.e / self.axis_b
         motions[b] = rotated(self.pin_b, at.port2, u, rates.x, rates.xx)
-        motions[a] = _carried(motions[b], self.turn, self.pin_a, at.port1)
+        motions[a] = carried(motions[b], self.turn, self.pin_a, at.port1)
         slides[self.inner] = _signed(self.sign, placed.s - self.shift, rates.y, rates.yy)
 
 
@@ -140,9 +140,9 @@ class PRPMount(NamedTuple):
         """The inner pin slides on the first guide."""
         a, b = at.links
         on_guide = Guide(*_offset(at.port1, placed.offset1 - placed.s1 * placed.e1), *at.port1[3:])
-        pin = _slid(on_guide, placed.s1, rates.x, rates.xx)
-        motions[a] = _carried(motions[at.sources[0]], self.turn_a, self.inner_a, pin)
-        motions[b] = _carried(motions[at.sources[1]], self.turn_b, self.inner_b, pin)
+        pin = slid(on_guide, placed.s1, rates.x, rates.xx)
+        motions[a] = carried(motions[at.sources[0]], self.turn_a, self.inner_a, pin)
+        motions[b] = carried(motions[at.sources[1]], self.turn_b, self.inner_b, pin)
         slides[self.outer[0]] = _signed(self.signs[0], placed.s1 - self.shift_a, rates.x, rates.xx)
         slides[self.outer[1]] = _signed(self.signs[1], placed.s2 - self.shift_b, rates.y, rates.yy)
 
@@ -174,7 +174,7 @@ class RPPMount(NamedTuple):
         a, b = at.links
         guide = motions[at.sources[1]]
         s1 = placed.s1 - self.shift_b
-        motions[a] = _carried(guide, self.turn_a, self.pin_a, at.port1)
-        motions[b] = _carried(guide, self.turn_b, self.line_b, _slid(at.port2, s1, rates.x, rates.xx))
+        motions[a] = carried(guide, self.turn_a, self.pin_a, at.port1)
+        motions[b] = carried(guide, self.turn_b, self.line_b, slid(at.port2, s1, rates.x, rates.xx))
         slides[self.outer] = _signed(self.signs[1], s1, rates.x, rates.xx)
         slides[self.inner] = _signed(self.signs[0], placed.s2 - self.shift_a, rates.y, rates.yy)

@@ -19,10 +19,10 @@ from typing import Literal
 
 import numpy as np
 
-from tmmcalc.linkage.chain import compile_chain
+from tmmcalc.linkage.chain import chain_of
+from tmmcalc.linkage.instant import State, in_time, turning_links
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
 from tmmcalc.linkage.pins import Pin, find_pins
-from tmmcalc.linkage.plane import LinkMotion
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.structure import Group
 from tmmcalc.records import record
@@ -68,12 +68,12 @@ class VectorPolygons:
 def polygons(mechanism: Mechanism, result: Kinematics, position: int) -> VectorPolygons:
     """The polygons of the position with this index, at the speed and acceleration of the result.
 
-    Every dyad of a class II mechanism is covered. Derivatives are the exact ones of the chain, whatever the method
+    Derivatives are the exact ones of the chain, whatever the method
     of the result. Raises `IndexError` for an index that the result does not have.
     """
-    chain = compile_chain(mechanism, result.structure, result.variants)
+    chain = chain_of(mechanism, result)
     motions = chain.evaluate(np.atleast_1d(result.x[position])).motions
-    plan = _Plan(mechanism, result, {k: _in_time(motion, result) for k, motion in motions.items()})
+    plan = _Plan(mechanism, result, {k: in_time(motion, result) for k, motion in motions.items()})
     plan.name_vertices()
     for group in result.structure.groups:
         plan.add_group(group)
@@ -83,47 +83,15 @@ def polygons(mechanism: Mechanism, result: Kinematics, position: int) -> VectorP
     return plan.finished(position)
 
 
-@record
-class _State:
-    """Motion of a link in time: place, velocity, acceleration of its base point and its rotation."""
-
-    base: complex
-    r: complex
-    v: complex
-    a: complex
-    u: complex
-    omega: float
-    eps: float
-
-    def arm(self, p: complex) -> complex:
-        return (p - self.base) * self.u
-
-    def point(self, p: complex) -> tuple[complex, complex]:
-        """Velocity and acceleration of the point p of the link."""
-        d = self.arm(p)
-        return self.v + 1j * self.omega * d, self.a + (1j * self.eps - self.omega**2) * d
-
-    def own(self, place: complex) -> complex:
-        """The point of the link that lies at this place, in the link's axes."""
-        return self.base + (place - self.r) / self.u
-
-
-def _in_time(motion: LinkMotion, result: Kinematics) -> _State:
-    r, u = (complex(np.ravel(z)[0]) for z in (motion.r, motion.u))
-    v, a = (complex(np.ravel(z)[0]) for z in result.in_time(motion.v, motion.a))
-    omega, eps = (float(np.ravel(z)[0]) for z in result.in_time(motion.omega, motion.eps))
-    return _State(motion.base, r, v, a, u, omega, eps)
-
-
 class _Plan:
     """The two polygons while they grow."""
 
-    def __init__(self, mechanism: Mechanism, result: Kinematics, states: dict[int, _State]) -> None:
+    def __init__(self, mechanism: Mechanism, result: Kinematics, states: dict[int, State]) -> None:
         self.mechanism = mechanism
         self.result = result
         self.states = states
         self.pins = find_pins(mechanism)
-        self.turning = _turning(mechanism)
+        self.turning = turning_links(mechanism)
         self.sliding = [j for j in mechanism.joints if j.kind == "prismatic" and FRAME not in j.links]
         self.names: dict[Pin, str] = {}
         self.guides: dict[str, tuple[Pin, str]] = {}  # joint -> the slider's pin, the vertex of the guide's point
@@ -169,7 +137,10 @@ class _Plan:
         self.velocity[vertex], self.acceleration[vertex] = self.states[link].point(pin.at[link])
 
     def add_group(self, group: Group) -> None:
-        """The turning links of a dyad: from the attachment point to the inner joint."""
+        """The turning links of a group: of a dyad from the attachment point to the inner joint."""
+        if not group.kind:
+            self._add_higher(group)
+            return
         inner = self.mechanism.joint(group.inner[0])
         for link, outer in zip(group.links, (self.mechanism.joint(name) for name in group.outer), strict=True):
             if link not in self.turning or outer.kind != "revolute":
@@ -181,6 +152,15 @@ class _Plan:
             elif link == inner.links[1]:
                 pin, vertex = self.guides[inner.name]
                 self._turn(link, base, vertex, self.states[link].own(self._place(pin)))
+
+    def _add_higher(self, group: Group) -> None:
+        """The turning links of a higher group: each from its attachment point, or its first pin, to its next pin."""
+        outer = set(group.outer)
+        for link in group.links:
+            own = [pin for pin in self.pins if link in pin.at and pin.joints]
+            own.sort(key=lambda pin: not outer & set(pin.joints))
+            if link in self.turning and len(own) > 1:
+                self._turn(link, own[0], self.names[own[1]], own[1].at[link])
 
     def add_crank(self) -> None:
         """The parts of the acceleration of the crank pin, which are two only if the crank is accelerated."""
@@ -262,16 +242,6 @@ class _Plan:
             {link: self.states[link].omega for link in links},
             {link: self.states[link].eps for link in links},
         )
-
-
-def _turning(mechanism: Mechanism) -> set[int]:
-    """Links that can turn: all that prismatic joints alone do not tie to the frame."""
-    still, grown = {FRAME}, True
-    while grown:
-        ties = [set(j.links) for j in mechanism.joints if j.kind == "prismatic" and set(j.links) & still]
-        grown = bool(set().union(*ties) - still)
-        still = still.union(*ties)
-    return {link.id for link in mechanism.links} - still
 
 
 def _free(name: str, taken: set[str], otherwise: str = "") -> str:

@@ -19,6 +19,7 @@ from tmmcalc.linkage.assembly import coordinate
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.plane import Real, square
 from tmmcalc.linkage.results import Extreme, Grade, GroupQuality
+from tmmcalc.linkage.steps import Step
 from tmmcalc.linkage.survey import Survey, along_motion
 from tmmcalc.numerics.extrema import around, refine, turning
 
@@ -30,9 +31,10 @@ CONSTANT = 1e-14  # a squared sine that varies less has no minimum to refine
 
 
 class _Measure(NamedTuple):
-    """One squared sine to minimise: of the transmission angle, or of the regularity, of dyad ``k``.
+    """One squared sine to minimise: of the transmission angle, or of the regularity, of group ``k``.
 
-    The margin of a dyad is the squared sine of its transmission angle, smooth through the change points too.
+    The margin of a dyad is the squared sine of its transmission angle, smooth through the change points too. A higher
+    group has no transmission angle: of it the square of the smallest singular value of its equations is taken.
     """
 
     k: int
@@ -40,8 +42,10 @@ class _Measure(NamedTuple):
     reach: float  # largest distance of the pivots of an RPR dyad [m]
 
     def __call__(self, chain: Chain, configuration: Configuration, x: Real) -> Real:
-        dyad, ports = chain.steps[self.k].dyad, configuration.ports[self.k]
-        sine2 = dyad.margin(*ports)
+        step, ports = chain.steps[self.k], configuration.ports[self.k]
+        if not isinstance(step, Step):
+            return np.broadcast_to(step.regularity(configuration.placed[self.k]) ** 2, x.shape)
+        sine2 = step.dyad.margin(*ports)
         if self.regularity:
             sine2 = sine2 * square(ports[0].r - ports[1].r) / self.reach**2
         return np.broadcast_to(sine2, x.shape)
@@ -51,7 +55,7 @@ def _measures(chain: Chain, configuration: Configuration) -> list[_Measure]:
     """Transmission of every dyad; its regularity is the same number but for RPR."""
     measures = []
     for k, (step, placed) in enumerate(zip(chain.steps, configuration.placed, strict=True)):
-        measures.append(_Measure(k, False, 0.0))
+        measures.append(_Measure(k, not step.group.kind, 0.0))
         if step.group.kind == "RPR":
             measures.append(_Measure(k, True, float(np.max(np.abs(placed.q)))))
     return measures
@@ -103,9 +107,12 @@ def _quality(
     angles = [Extreme(_angle(sine2), x) for sine2, x in minima[rows[0]]]
     sines = [Extreme(math.sqrt(sine2), x) for sine2, x in minima[rows[-1]]]
     constant_angle, constant_sine = (max(float(squares[m, 0]), 0.0) for m in (rows[0], rows[-1]))
+    group = chain.steps[k].group
+    if not group.kind:
+        angles, constant_angle = [], 1.0
     return GroupQuality(
-        chain.steps[k].group.name,
-        angles[0].value if angles else _angle(constant_angle),
+        group.name,
+        (angles[0].value if angles else _angle(constant_angle)) if group.kind else None,
         angles[0].x if angles else None,
         sines[0].value if sines else math.sqrt(constant_sine),
         sines[0].x if sines else None,
@@ -126,8 +133,9 @@ def check_regular(chain: Chain, qualities: tuple[GroupQuality, ...]) -> None:
             continue
         dead = [e.x for e in quality.singular if e.value < SINGULAR]
         places = f"at {coordinate(chain, *dead)}" if dead else "at every position"
+        what = "dead point" if step.group.kind else "singular position"
         raise SingularityError(
-            f"dead point {places}: {_CAUSES[step.group.kind]}; velocities are not defined "
+            f"{what} {places}: {_CAUSES[step.group.kind]}; velocities are not defined "
             f"(regularity {quality.regularity:.3g}, limit {SINGULAR:g})",
             where=f"kinematics, group {quality.group}",
             value=quality.regularity,
@@ -137,6 +145,7 @@ def check_regular(chain: Chain, qualities: tuple[GroupQuality, ...]) -> None:
 
 
 _CAUSES = {
+    "": "the links of the group come to a limit position, or can go on in two ways",
     "RRR": "both links stand in line, a change point from which the motion can go on in two ways",
     "RRP": "the rod stands across the guide, a change point from which the motion can go on in two ways",
     "RPR": "the pivots come as near as the guide's offset allows, which leaves its direction open",
@@ -159,7 +168,7 @@ def grade(chain: Chain, qualities: tuple[GroupQuality, ...]) -> tuple[Grade, ...
             at = coordinate(chain, weak.x)
             text = f"transmission angle {math.degrees(weak.value):.4g} deg at {at}, below {limit} deg"
             grades.append(Grade("warning" if weak.value < POOR else "note", where, text))
-        if quality.transmission_at is None and quality.transmission < MODEST:
+        if quality.transmission is not None and quality.transmission_at is None and quality.transmission < MODEST:
             text = f"transmission angle {math.degrees(quality.transmission):.4g} deg at every position, below 30 deg"
             grades.append(Grade("warning" if quality.transmission < POOR else "note", where, text))
     return tuple(grades)

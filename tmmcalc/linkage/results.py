@@ -15,8 +15,8 @@ from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.structure import Structure
 from tmmcalc.records import record
 
-MethodName = Literal["closed", "projection", "differences"]
-METHODS = ("closed", "projection", "differences")
+MethodName = Literal["closed", "projection", "differences", "splitting"]
+METHODS = ("closed", "projection", "differences", "splitting")
 
 
 @record
@@ -26,7 +26,8 @@ class Method:
     ``closed``: elimination by cross products (default). ``projection``: the vector equations projected on
     two axes and solved as 2x2 systems. ``differences``: central differences of positions with ``step`` [rad or
     m] (by default 1.5 degrees, or 1/240 of a slider's range), of positions rounded to ``decimals`` of the crank
-    length if given (textbook (2.62), (2.63)).
+    length if given (textbook (2.62), (2.63)). ``splitting``: positions, too, of higher groups by removing a binary link
+    and trying the angle of another one, so that the rest is dyads.
     """
 
     name: MethodName = "closed"
@@ -62,6 +63,24 @@ class Interval:
         slack = 1e-9 * (self.high - self.low)
         shift = turn * math.floor((low - self.low + slack) / turn) if turn else 0.0
         return self.low - slack <= low - shift and high - shift <= self.high + slack
+
+
+@record
+class Branch:
+    """One assembly of a group of class III or higher, followed along the input from where it was chosen.
+
+    The unknowns of its loops stand at m places with equal steps of a parameter t from 0 to 1, in which they are smooth
+    up to the limits: x = low + (high - low) t, with t^2 from a limit at ``low``, and alike at ``high``.
+    """
+
+    group: str
+    at: float  # input coordinate where it was chosen [rad or m]
+    low: float
+    high: float
+    limits: tuple[Limit, ...]
+    period: float | None  # after which it comes back [rad]; None: it does not
+    q: Real  # (N, m) unknowns: angles [rad], then coordinates of prismatic joints [m]
+    dq: Real  # (N, m) their derivative by t
 
 
 @record
@@ -111,10 +130,10 @@ class OutputSummary:
 
 @record
 class GroupQuality:
-    """Transmission and regularity of one dyad over the analysed range."""
+    """Transmission and regularity of one group over the analysed range."""
 
     group: str
-    transmission: float  # smallest transmission angle [rad]
+    transmission: float | None  # smallest transmission angle [rad]; None: a higher group, which has none
     transmission_at: float | None  # input coordinate there [rad or m]; None: the same everywhere
     regularity: float  # smallest regularity [-]
     regularity_at: float | None
@@ -122,13 +141,13 @@ class GroupQuality:
     singular: tuple[Extreme, ...]  # every local minimum of the regularity below 0.05
 
     @property
-    def pressure(self) -> float:
+    def pressure(self) -> float | None:
         """Largest pressure angle [rad]."""
-        return math.pi / 2 - self.transmission
+        return None if self.transmission is None else math.pi / 2 - self.transmission
 
     @property
     def amplification(self) -> float:
-        """Largest factor by which the dyad amplifies errors and velocities [-]."""
+        """Largest factor by which the group amplifies errors and velocities [-]."""
         return 1 / self.regularity
 
 
@@ -180,7 +199,8 @@ class Kinematics:
     """
 
     structure: Structure
-    variants: dict[str, int]  # sign by group name
+    variants: dict[str, int]  # by group name: the sign of a dyad, the number of an assembly of a higher group
+    branches: dict[str, Branch]  # by group name, of groups of class III and higher
     input_joint: str
     turns: bool  # crank (True) or driven slider
     speed: float  # [rad/s] or [m/s]

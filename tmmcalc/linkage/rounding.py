@@ -10,13 +10,11 @@ are compared with the exact derivatives the same way.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.linkage.chain import Chain
-from tmmcalc.linkage.dyads.rpr import RPRPlaced
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.results import ErrorEstimate, Trace
 from tmmcalc.linkage.trace import TURN, trace
@@ -56,13 +54,8 @@ def _relative(found: Plane, exact: Plane) -> float:
 
 def _regularity(chain: Chain, x: Real) -> Real:
     placed = chain.evaluate(x, order=0).placed
-    rows = [step.dyad.regularity(p, _reach(p)) for step, p in zip(chain.steps, placed, strict=True)]
+    rows = [step.regularity(p) for step, p in zip(chain.steps, placed, strict=True)]
     return np.min([np.broadcast_to(row, x.shape) for row in rows], axis=0) if rows else np.ones_like(x)
-
-
-def _reach(placed: Any) -> float:
-    """Largest distance of the pivots of an RPR dyad [m]; of no meaning to the other kinds."""
-    return float(np.max(np.abs(placed.q))) if isinstance(placed, RPRPlaced) else 0.0
 
 
 def _choice(chain: Chain, x: Real, weakest: Sequence[float]) -> NDArray[np.intp]:

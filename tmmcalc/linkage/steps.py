@@ -10,7 +10,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from tmmcalc.linkage import solvers
 from tmmcalc.linkage.dyads import PRP, RPP, RPR, RRP, RRR, Dyad
+from tmmcalc.linkage.dyads.rpr import RPRPlaced
 from tmmcalc.linkage.model import Joint, Mechanism
 from tmmcalc.linkage.mounts import (
     Motions,
@@ -24,7 +26,7 @@ from tmmcalc.linkage.mounts import (
     Sites,
     Slides,
 )
-from tmmcalc.linkage.plane import Guide, Point
+from tmmcalc.linkage.plane import Guide, Point, Real
 from tmmcalc.linkage.structure import Group
 
 
@@ -72,10 +74,30 @@ class Step(NamedTuple):
         kind = self.group.kind
         return self.port1.port(kind[0], motions), self.port2.port(kind[2], motions)
 
-    def move(self, motions: Motions, slides: Slides, ports: tuple[Any, Any], placed: Any, rates: Rates) -> None:
-        """Add the motions of the group's links, and its sliding coordinates."""
+    def advance(
+        self, motions: Motions, slides: Slides, x: Real, order: int, method: solvers.Method
+    ) -> tuple[tuple[Any, Any], Any]:
+        """Place the dyad and add the motions of its links; its ports, and its placement."""
+        ports = self.ports(motions)
+        placed = self.dyad.place(*ports)
         sites = Sites(self.group.links, (self.port1.link, self.port2.link), *ports)
-        self.mount.move(sites, motions, slides, placed, rates)
+        self.mount.move(sites, motions, slides, placed, rates(self.dyad, ports, placed, method) if order else _STILL)
+        return ports, placed
+
+    def regularity(self, placed: Any) -> Real:
+        """Distance (n,) from a dead point: 1 the best, 0 singular."""
+        reach = float(np.max(np.abs(placed.q))) if isinstance(placed, RPRPlaced) else 0.0
+        return self.dyad.regularity(placed, reach)
+
+
+_STILL = Rates(*(np.zeros(()) for _ in range(4)))
+
+
+def rates(dyad: Dyad, ports: tuple[Any, Any], placed: Any, method: solvers.Method) -> Rates:
+    """Stages 2 and 3 of a dyad: its two rates and their derivatives."""
+    solve = method(*dyad.columns(placed))
+    x, y = solve(dyad.velocity(*ports, placed))
+    return Rates(x, y, *solve(dyad.acceleration(*ports, placed, x, y)))
 
 
 class _Sides(NamedTuple):

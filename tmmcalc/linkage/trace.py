@@ -32,7 +32,8 @@ class Layout(NamedTuple):
 def layout(chain: Chain) -> Layout:
     """All named points of moving links that are not pins of the frame, each once; links and joints in order."""
     owners: dict[str, tuple[int, complex]] = {}
-    order = (chain.structure.input_link, *(k for group in chain.structure.groups for k in group.links))
+    links = (chain.structure.input_link, *(k for group in chain.structure.groups for k in group.links))
+    order = tuple(dict.fromkeys(links))
     for k in order:
         for name, p in chain.mechanism.link(k).points.items():
             if name not in chain.mechanism.frame.points:

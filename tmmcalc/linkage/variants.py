@@ -8,7 +8,7 @@ ahead of the guide link's pivot. PRP and RPP have one assembly only. Without a w
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import product
 
 import numpy as np
@@ -17,7 +17,7 @@ from tmmcalc.errors import NoSolutionError, UsageError
 from tmmcalc.linkage.assembly import reach_of
 from tmmcalc.linkage.chain import Chain, compile_chain
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.results import Grade
+from tmmcalc.linkage.results import Branch, Grade
 from tmmcalc.linkage.structure import Group, Structure
 
 ONE_ASSEMBLY = ("PRP", "RPP")
@@ -27,14 +27,14 @@ def given_variants(mechanism: Mechanism, structure: Structure) -> dict[str, int]
     """Signs by group name from ``assembly.variants``; raises `UsageError` for what names no dyad."""
     signs: dict[str, int] = {}
     for links, sign in mechanism.assembly.variants.items():
-        key = f"mechanism.assembly.variants.{links[0]}-{links[1]}"
+        key = f"mechanism.assembly.variants.{'-'.join(map(str, links))}"
         group = next((g for g in structure.groups if set(g.links) == set(links)), None)
         if group is None:
             known = ", ".join("-".join(map(str, g.links)) for g in structure.groups)
             raise UsageError(
-                f"links {links[0]} and {links[1]} are not a dyad of {structure.formula}",
+                f"links {', '.join(map(str, links[:-1]))} and {links[-1]} are not a group of {structure.formula}",
                 where=key,
-                remedy=f"the dyads are {known}",
+                remedy=f"the groups are {known}",
             )
         if group.kind in ONE_ASSEMBLY and sign < 0:
             raise UsageError(
@@ -50,7 +50,8 @@ def sketched_groups(mechanism: Mechanism, structure: Structure, given: dict[str,
     return [
         group
         for group in structure.groups
-        if group.kind not in ONE_ASSEMBLY
+        if group.kind
+        and group.kind not in ONE_ASSEMBLY
         and group.name not in given
         and any(name in mechanism.assembly.sketch for k in group.links for name in _placed(mechanism, group, k))
     ]
@@ -105,16 +106,18 @@ def nearest(found: list[tuple[float, dict[str, int]]], groups: list[Group]) -> d
     return found[0][1]
 
 
-def sketch_grades(mechanism: Mechanism, structure: Structure, signs: dict[str, int], at: float) -> tuple[Grade, ...]:
+def sketch_grades(
+    mechanism: Mechanism, structure: Structure, signs: dict[str, int], branches: Mapping[str, Branch], at: float
+) -> tuple[Grade, ...]:
     """What is odd about the sketch: far from the mechanism, against the given signs, or of no use."""
     if not mechanism.assembly.sketch:
         return ()
     where = "assembly.sketch"
     sketched = sketched_groups(mechanism, structure, {})
-    if not sketched:
+    if not sketched and not branches:
         text = "decides nothing: none of its points moves with a dyad that has two variants"
         return (Grade("note", where, text),)
-    gap, size = distance(compile_chain(mechanism, structure, signs), at), reach_of(mechanism)
+    gap, size = distance(compile_chain(mechanism, structure, signs, branches), at), reach_of(mechanism)
     if not np.isfinite(gap):
         return (Grade("note", where, "was not compared: the mechanism does not assemble where it was read"),)
     grades = []
@@ -123,7 +126,7 @@ def sketch_grades(mechanism: Mechanism, structure: Structure, signs: dict[str, i
         grades.append(Grade("warning", where, text))
     for group in sketched:
         other = -signs[group.name]
-        if distance(compile_chain(mechanism, structure, {**signs, group.name: other}), at) < gap * (1 - 1e-6):
+        if distance(compile_chain(mechanism, structure, {**signs, group.name: other}, branches), at) < gap * (1 - 1e-6):
             text = f"stands nearer to the variant {other:+d} of {group.name}, which is not the one taken"
             grades.append(Grade("warning", where, text))
     return tuple(grades)

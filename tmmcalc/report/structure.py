@@ -2,8 +2,15 @@
 
 from __future__ import annotations
 
+import math
+from typing import TYPE_CHECKING
+
 from tmmcalc.linkage.structure import ROMAN, Structure
 from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.numbers import number
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.listing import Listing
 
 
 def structure_document(result: Structure, title: str) -> Document:
@@ -32,3 +39,41 @@ def structure_document(result: Structure, title: str) -> Document:
         ],
     )
     return Document(title, facts, (), view)
+
+
+def assemblies_document(listing: Listing, structure: Structure, title: str) -> Document:
+    """All assemblies of every group, one row each, with the places of their points."""
+    place = f"{number(math.degrees(listing.x))} deg" if listing.turns else f"{number(listing.x)} m"
+    counts = {group.name: sum(one.group == group.name for one in listing.assemblies) for group in structure.groups}
+    unit, key = ("deg", math.degrees(listing.x)) if listing.turns else ("m", listing.x)
+    facts = (
+        Fact("structural formula", structure.formula, {"formula": structure.formula}),
+        Fact("at the input coordinate", place, {f"x[{unit}]": key}),
+        Fact("assemblies", ", ".join(f"{name} {count}" for name, count in counts.items()), {"assemblies": counts}),
+    )
+    notes = []
+    if listing.undecided:
+        notes.append(
+            f"nothing tells which assembly of {listing.undecided} is meant: groups after it are not listed; "
+            "sketch its points in assembly.sketch, or number it in assembly.variants"
+        )
+    rows = listing.assemblies
+    size = max((abs(z) * 1e3 for one in rows for z in one.points.values()), default=0.0)
+    view = View(
+        ["group", "variant", "taken", "regularity", "determinant", "points[mm]"],
+        [
+            [one.group for one in rows],
+            [f"{one.variant:+d}" if one.determinant is None else str(one.variant) for one in rows],
+            ["*" if one.taken else "" for one in rows],
+            [one.regularity for one in rows],
+            ["" if one.determinant is None else number(one.determinant) for one in rows],
+            [_places(one.points, size) for one in rows],
+        ],
+    )
+    return Document(title, facts, tuple(notes), view)
+
+
+def _places(points: dict[str, complex], size: float) -> str:
+    """Points with their coordinates in millimetres; what is noise against ``size`` is zero."""
+    told = ((name, *(number(part * 1e3, 6, peak=size) for part in (z.real, z.imag))) for name, z in points.items())
+    return "  ".join(f"{name} ({x}, {y})" for name, x, y in told)

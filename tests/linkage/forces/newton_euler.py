@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from reference import Motion, Placements, Reference, solve
 
-from tmmcalc.linkage.chain import compile_chain
+from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.loading import (
     Constant,
     GearDrive,
@@ -101,7 +101,7 @@ class Motions:
 
 def placements(mechanism: Mechanism, kinematics: Kinematics) -> Placements:
     """Where the links stand at the first position, to start the independent solver from."""
-    chain = compile_chain(mechanism, kinematics.structure, kinematics.variants)
+    chain = chain_of(mechanism, kinematics)
     placed = chain.evaluate(kinematics.x[:1]).motions
     return {
         link.id: (complex(np.ravel(placed[link.id].point(0j).r)[0]), float(np.angle(np.ravel(placed[link.id].u)[0])))

@@ -18,7 +18,7 @@ from tmmcalc.linkage.balance.schemes import (
     with_weights,
 )
 from tmmcalc.linkage.balance.shaking import Shaking, shaking
-from tmmcalc.linkage.chain import compile_chain
+from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.loading import Body
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Kinematics
@@ -76,7 +76,7 @@ def solve_balance(mechanism: Mechanism, bodies: Sequence[Body], kinematics: Kine
 
     Raises `NoSolutionError` for a mechanism without masses or without a crank that turns fully.
     """
-    chain = compile_chain(mechanism, kinematics.structure, kinematics.variants)
+    chain = chain_of(mechanism, kinematics)
     x, speed, acceleration = kinematics.x, kinematics.speed, kinematics.acceleration
     found = shaking(chain, bodies, x, speed, acceleration, about=task.point)
     mass, radius = task.mass, task.radius

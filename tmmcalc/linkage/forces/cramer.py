@@ -1,18 +1,21 @@
-"""Systems of up to three equations, many at once."""
+"""Systems of few equations, many at once."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from tmmcalc.linkage.plane import Real
+from tmmcalc.numerics.systems import solve
 
 
 def cramer(matrix: Real, right: Real) -> tuple[Real, Real]:
-    """Solve the k x k systems (k, k, n), k <= 3, of right sides (k, n); and the determinants (n,).
+    """Solve the k x k systems (k, k, n) of right sides (k, n); and the determinants (n,).
 
-    A library call a position would cost ten times these few products.
+    Up to three equations, as those of dyads are, cost a fraction of a library call.
     """
     k = len(right)
+    if k > 3:
+        return solve(matrix, right), np.linalg.det(np.moveaxis(matrix, -1, 0))
     if k == 1:
         return right / matrix[0], matrix[0, 0]
     if k == 2:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from tmmcalc.linkage.forces.dyad import FRICTIONLESS, Balance, Friction, Reactions
+from tmmcalc.linkage.forces.dyad import FRICTIONLESS, Balance, Dyad, Friction, Reactions
 from tmmcalc.linkage.forces.wrench import NOTHING, Wrench
 from tmmcalc.linkage.loading import Pair
 from tmmcalc.linkage.model import Joint, Mechanism
@@ -31,15 +31,11 @@ class Post(NamedTuple):
 
 
 class Plan(NamedTuple):
-    """A dyad with its three joints: outer of a, inner, outer of b; reactions act on a, a, b."""
+    """A group with its joints; of a dyad they are the outer one of a, the inner one, the outer one of b."""
 
     group: Group
-    posts: tuple[Post, Post, Post]
-
-    @property
-    def rubbing(self) -> list[int]:
-        """Which of the three joints have friction."""
-        return [k for k, post in enumerate(self.posts) if post.coefficient > 0]
+    posts: tuple[Post, ...]
+    driven: int | None = None  # the joint of the drive, if it acts inside the group
 
 
 def post_of(joint: Joint, receiver: int, pairs: dict[str, Pair]) -> Post:
@@ -53,10 +49,28 @@ def post_of(joint: Joint, receiver: int, pairs: dict[str, Pair]) -> Post:
 
 
 def plan_of(mechanism: Mechanism, group: Group, pairs: dict[str, Pair]) -> Plan:
-    """The plan of a dyad."""
+    """The plan of a group: reactions act on a, a, b of a dyad, on the links of another group.
+
+    Inner ones of another group act on the link that the joint names first.
+    """
+    if not group.kind:
+        joints = [mechanism.joint(name) for name in (*group.outer, *group.inner)]
+        receivers = [next(k for k in joint.links if k in group.links) for joint in joints]
+        posts = tuple(post_of(joint, k, pairs) for joint, k in zip(joints, receivers, strict=True))
+        names = [joint.name for joint in joints]
+        return Plan(group, posts, names.index(group.drive) if group.drive else None)
     a, b = group.links
     outer_a, inner, outer_b = (mechanism.joint(name) for name in (group.outer[0], group.inner[0], group.outer[1]))
     return Plan(group, (post_of(outer_a, a, pairs), post_of(inner, a, pairs), post_of(outer_b, b, pairs)))
+
+
+class Held(NamedTuple):
+    """What holds a group: reactions on the receivers about each joint's own point, and the friction in them."""
+
+    reactions: Reactions | tuple[Wrench, ...]
+    friction: Friction | tuple[Real, ...]
+    solution: Solution | None  # None where nothing rubs
+    drive: Real | None  # force (n,) of the drive on its slider along the line, if it acts inside the group
 
 
 class Cut(NamedTuple):
@@ -67,11 +81,16 @@ class Cut(NamedTuple):
     loads: tuple[Wrench, Wrench]
     c: dict[int, Real]  # of every rubbing joint: coefficient times the sense of the receiver's motion in it, (n,)
 
-    def solve(self, n: int) -> tuple[Reactions, Friction, Solution | None]:
-        """Reactions at n positions, the friction in them, and how it came out; None where nothing rubs."""
+    @property
+    def seats(self) -> Dyad:
+        """Where its joints stand."""
+        return self.balance.dyad
+
+    def solve(self, n: int) -> Held:
+        """Reactions at n positions with the friction in them."""
         inner = self.balance.inner(*self.loads)
         if not self.c:
-            return self.balance.outer(*self.loads, inner), FRICTIONLESS, None
+            return Held(self.balance.outer(*self.loads, inner), FRICTIONLESS, None, None)
         from tmmcalc.linkage.forces.friction import Rubbing, solve  # only what rubs needs it
 
         responses = [self.balance.response(k) for k in self.c]
@@ -91,7 +110,12 @@ class Cut(NamedTuple):
         for response, value in zip(responses, solution.values, strict=True):
             inner = inner.plus(response.times(value))
         friction = self.given(solution.values)
-        return self.balance.outer(load_a, load_b, inner, friction), friction, solution
+        return Held(self.balance.outer(load_a, load_b, inner, friction), friction, solution, None)
+
+    def under(self, values: Real) -> Held:
+        """Reactions under friction values (k, n) of the joints that rub."""
+        friction = self.given(values)
+        return Held(self.balance.reactions(*self.loads, friction), friction, None, None)
 
     def _about(self, k: int, wrench: Wrench) -> Wrench:
         """A wrench about the inner joint's point, about that of joint ``k`` if its moment counts there."""

@@ -6,6 +6,8 @@ never settles beyond a loop gain of one, where `friction` still has the solution
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from tmmcalc.linkage.forces.cut import Cut
@@ -16,6 +18,11 @@ from tmmcalc.linkage.forces.wrench import Seat, Slideway, Wrench
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.records import record
 
+if TYPE_CHECKING:
+    from tmmcalc.linkage.forces.web import Web
+
+Found = Reactions | tuple[Wrench, ...]
+
 STOP = 0.03  # relative change at which the textbook stops
 
 
@@ -24,22 +31,22 @@ class Iteration:
     """The history of friction in one group at one position, over m solutions.
 
     Friction values are what each joint does to the link of the group that is named first: in the outer joint of a and
-    the inner one on link a, in the outer joint of b on link b. The six unknowns are two a joint: T and N of an outer
-    revolute pair, x and y of an inner one; N and the arm h of a prismatic pair.
+    the inner one on link a, in the outer joint of b on link b. The u unknowns are two a joint: T and N of an outer
+    revolute pair of a dyad, x and y of another one; N and the arm h of a prismatic pair.
     """
 
     group: str
     acting: tuple[
         tuple[str, int], ...
-    ]  # (3,) its joints, outer of a, inner, outer of b, and the link that each acts on
+    ]  # its joints, of a dyad outer of a, inner, outer of b, and the link that each acts on
     joints: tuple[str, ...]  # (k,) that rub
     units: tuple[str, ...]  # (k,) "N" of a prismatic pair, "N*m" of a revolute one
     friction: Real  # (m + 1, k) friction in every solution; last: what the last reactions give
-    names: tuple[str, ...]  # (6,) of the unknowns, such as "A.T"
-    unknowns: Real  # (m, 6) [N], arms [m]
+    names: tuple[str, ...]  # (u,) of the unknowns, such as "A.T"
+    unknowns: Real  # (m, u) [N], arms [m]
     change: Real  # (m,) largest relative change of an unknown from the solution before; the first is 1
     stopped: bool  # whether the rule stopped it; False: it did not settle
-    exact: Real | None  # (6,) the unknowns of the solution that `friction` finds; None if the group locks itself
+    exact: Real | None  # (u,) the unknowns of the solution that `friction` finds; None if the group locks itself
     exact_friction: Real | None  # (k,) and its friction
 
     @property
@@ -60,7 +67,7 @@ def textbook_iteration(
     friction: list[Real] = [np.zeros(len(cut.c))]
     unknowns, change = list[Real](), list[float]()
     while len(unknowns) < most and not (change and change[-1] <= stop):
-        found = cut.balance.reactions(*cut.loads, cut.given(friction[-1][:, None]))
+        found = cut.under(friction[-1][:, None]).reactions
         now = _unknowns(cut, found)
         if not np.all(np.isfinite(now)):
             break
@@ -84,12 +91,12 @@ def textbook_iteration(
     )
 
 
-def _exact(cut: Cut) -> tuple[Real, Real] | None:
-    """The six unknowns and the friction (k,) of the solution; None if the group locks itself."""
-    found, friction, solution = cut.solve(1)
-    if solution is not None and solution.locked.any():
+def _exact(cut: Cut | Web) -> tuple[Real, Real] | None:
+    """The unknowns and the friction (k,) of the solution; None if the group locks itself."""
+    held = cut.solve(1)
+    if held.solution is not None and held.solution.locked.any():
         return None
-    return _unknowns(cut, found), np.array([_one(friction[k]).real for k in cut.c])
+    return _unknowns(cut, held.reactions), np.array([_one(held.friction[k]).real for k in cut.c])
 
 
 def _change(before: Real, now: Real) -> float:
@@ -98,34 +105,35 @@ def _change(before: Real, now: Real) -> float:
     return float(np.max(np.where(nothing, 0.0, np.abs(now - before) / np.where(nothing, 1.0, np.abs(now)))))
 
 
-def _friction(cut: Cut, found: Reactions) -> Real:
+def _friction(cut: Cut | Web, found: Found) -> Real:
     """Friction (k,) under these reactions: (3.27), (3.28)."""
-    values = [-c * size_of(cut.balance.dyad[k], found[k], cut.plan.posts[k].half) for k, c in cut.c.items()]
+    values = [-c * size_of(cut.seats[k], found[k], cut.plan.posts[k].half) for k, c in cut.c.items()]
     return np.array([_one(value).real for value in values])
 
 
-def _names(cut: Cut) -> tuple[str, ...]:
-    """Names of the six unknowns."""
+def _names(cut: Cut | Web) -> tuple[str, ...]:
+    """Names of the unknowns."""
     names = []
     for k, post in enumerate(cut.plan.posts):
-        pair = ("N", "h") if post.joint.kind == "prismatic" else ("x", "y") if k == 1 else ("T", "N")
+        plain = k == 1 or not cut.plan.group.kind
+        pair = ("N", "h") if post.joint.kind == "prismatic" else ("x", "y") if plain else ("T", "N")
         names += [f"{post.joint.name}.{part}" for part in pair]
     return tuple(names)
 
 
-def _unknowns(cut: Cut, found: Reactions) -> Real:
-    """The six unknowns (6,)."""
-    inner = cut.balance.dyad.inner
-    return np.concatenate([_pair(seat, wrench, inner) for seat, wrench in zip(cut.balance.dyad, found, strict=True)])
+def _unknowns(cut: Cut | Web, found: Found) -> Real:
+    """The unknowns (u,)."""
+    inner = cut.seats.inner if isinstance(cut, Cut) else None
+    return np.concatenate([_pair(seat, wrench, inner) for seat, wrench in zip(cut.seats, found, strict=True)])
 
 
-def _pair(seat: Seat, wrench: Wrench, inner: Seat) -> Real:
-    """T and N of an outer revolute pair, N to the inner hinge or normal to the inner guide; x, y; or N and h."""
+def _pair(seat: Seat, wrench: Wrench, inner: Seat | None) -> Real:
+    """T and N of an outer pin of a dyad, N to its inner hinge or normal to its inner guide; x, y; or N and h."""
     force, moment = _one(wrench.force), _one(wrench.moment).real
     if isinstance(seat, Slideway):
         normal = (np.conj(1j * _one(seat.e)) * force).real
         return np.array([normal, moment / normal if normal else 0.0])
-    if seat is inner:
+    if inner is None or seat is inner:
         return np.array([force.real, force.imag])
     axis = 1j * _one(inner.e) if isinstance(inner, Slideway) else _one(inner.r - seat.r)
     along = np.conj(axis / abs(axis)) * force

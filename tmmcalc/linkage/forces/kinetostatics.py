@@ -15,7 +15,7 @@ from tmmcalc.errors import UsageError
 from tmmcalc.linkage.chain import Configuration
 from tmmcalc.linkage.crossings import STILL
 from tmmcalc.linkage.forces import drive as driving
-from tmmcalc.linkage.forces.cut import Cut, Plan, Post, plan_of, post_of
+from tmmcalc.linkage.forces.cut import Cut, Held, Plan, Post, plan_of, post_of
 from tmmcalc.linkage.forces.dyad import Dyad
 from tmmcalc.linkage.forces.wrench import NOTHING, Seat, Slideway, Wrench, seat_of, sliding
 from tmmcalc.linkage.loading import Pair
@@ -28,6 +28,7 @@ from tmmcalc.numerics.memory import keep_pages
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.forces.friction import Solution
+    from tmmcalc.linkage.forces.web import Web
 
 REST = 1e-9  # a relative velocity below this part of the largest is rest
 
@@ -85,10 +86,14 @@ class Statics(NamedTuple):
         carried = dict(given.loads)
         reactions: dict[str, Reaction] = {}
         solutions: dict[str, Solution] = {}
+        drive: Real | None = None
         for plan in self.plans:
-            solution = self._solve(plan, place, side, pole, carried, reactions)
-            if solution is not None:
-                solutions[plan.group.name] = solution
+            held = self._solve(plan, place, side, pole, carried, reactions)
+            if held.solution is not None:
+                solutions[plan.group.name] = held.solution
+            drive = held.drive if held.drive is not None else drive
+        if drive is not None:
+            return State(reactions, drive, None, solutions, given, pole)
         driven = self._drive(place, side, carried, pole, reactions)
         if driven.solution is not None:
             solutions[self.driver.joint.name] = driven.solution
@@ -121,21 +126,26 @@ class Statics(NamedTuple):
         moves = np.abs(acceleration) > scale * travel.speed**2  # more than rounding, so that it has a sign
         return np.sign(np.where(rest, side * np.where(moves, acceleration, 0.0), rate * travel.sense))
 
-    def cut(self, plan: Plan, place: Place, side: Real | float, pole: complex, carried: dict[int, Wrench]) -> Cut:
-        """A dyad with the wrenches ``carried`` on its links: its own loads, and what the groups after it hand on."""
+    def cut(self, plan: Plan, place: Place, side: Real | float, pole: complex, carried: dict[int, Wrench]) -> Cut | Web:
+        """A group with the wrenches ``carried`` on its links: its own loads, and what the groups after it hand on."""
         configuration = place.configuration
-        dyad = Dyad(*(seat_of(post.joint, configuration) for post in plan.posts))
-        a, b = plan.group.links
-        d = dyad.inner.r - pole
+        seats = tuple(seat_of(post.joint, configuration) for post in plan.posts)
         c = {
             k: (post.coefficient * post.sign) * self.sense(post.joint, configuration, side)
             for k, post in enumerate(plan.posts)
             if post.coefficient > 0
         }
+        if not plan.group.kind:
+            from tmmcalc.linkage.forces.web import Web  # only groups of class III and higher need it
+
+            return Web(plan, seats, {k: carried[k] for k in plan.group.links}, c, pole)
+        dyad = Dyad(*seats)
+        a, b = plan.group.links
+        d = dyad.inner.r - pole
         return Cut(plan, dyad.balance(), (carried[a].about(d), carried[b].about(d)), c)
 
-    def cut_out(self, name: str, place: Place, side: Real | float = 1.0) -> Cut:
-        """The dyad of this name, with the reactions of the groups after it, their friction solved."""
+    def cut_out(self, name: str, place: Place, side: Real | float = 1.0) -> Cut | Web:
+        """The group of this name, with the reactions of the groups after it, their friction solved."""
         pole = self.pole(place)
         carried, reactions = self.given(place, pole).loads, dict[str, Reaction]()
         for plan in self.plans:
@@ -156,16 +166,16 @@ class Statics(NamedTuple):
         pole: complex,
         carried: dict[int, Wrench],
         reactions: dict[str, Reaction],
-    ) -> Solution | None:
-        """Solve one dyad and hand its reactions on to the links that carry it."""
+    ) -> Held:
+        """Solve one group and hand its reactions on to the links that carry it."""
         cut = self.cut(plan, place, side, pole, carried)
-        found, friction, solution = cut.solve(len(place.theta))
-        for post, wrench, value, seat in zip(plan.posts, found, friction, cut.balance.dyad, strict=True):
+        held = cut.solve(len(place.theta))
+        for post, wrench, value, seat in zip(plan.posts, held.reactions, held.friction, cut.seats, strict=True):
             on_higher = (wrench, value) if post.sign > 0 else (wrench.reversed(), -value)
             reactions[post.joint.name] = Reaction(*on_higher, seat)
             if post.giver not in (FRAME, *plan.group.links):
                 carried[post.giver] = carried[post.giver].plus(wrench.reversed().about(pole - seat.r))
-        return solution
+        return held
 
     def _drive(
         self,
@@ -209,7 +219,7 @@ def compile_statics(scene: Scene, with_inertia: bool = True) -> Statics:
     pairs = {pair.joint: pair for pair in loading.pairs}
     plans = tuple(plan_of(chain.mechanism, group, pairs) for group in reversed(chain.structure.groups))
     driver = post_of(chain.input_joint, chain.structure.input_link, pairs)
-    posts = (driver, *(post for plan in plans for post in plan.posts))
+    posts = (*(() if chain.structure.driven else (driver,)), *(post for plan in plans for post in plan.posts))
     scales = {post.joint.name: _scale(post.joint, scene) for post in posts if post.coefficient > 0}
     return Statics(scene, (*scene.sources, *dynamic), pairs, scales, plans, driver)
 

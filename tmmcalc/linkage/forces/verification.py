@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
-from tmmcalc.linkage.forces.wrench import NOTHING, Wrench, sliding
+from tmmcalc.linkage.forces.wrench import NOTHING, Slideway, Wrench, seat_of, sliding
 from tmmcalc.linkage.loading import GearDrive
 from tmmcalc.linkage.loads.sources import Place
 from tmmcalc.linkage.model import FRAME
@@ -14,7 +14,7 @@ from tmmcalc.linkage.plane import Real, cross, square
 
 def residuals(statics: Statics, state: State, place: Place) -> tuple[Real, Real]:
     """Largest residual of force and moment of a link (n,), each against the largest of its kind."""
-    chain, n = statics.scene.chain, len(place.theta)
+    n = len(place.theta)
     total = dict(state.given.loads)
     forces, moments = np.zeros(n), np.zeros(n)
     for joint in statics.joints:
@@ -26,13 +26,25 @@ def residuals(statics: Statics, state: State, place: Place) -> tuple[Real, Real]
         total[high] = total[high].plus(wrench)
         if low != FRAME:
             total[low] = total[low].minus(wrench)
-    k = chain.structure.input_link
-    total[k] = total[k].plus(_drive_wrench(statics, state, place))
+    for k, wrench in _drive_wrenches(statics, state, place):
+        total[k] = total[k].plus(wrench)
     force, moment = np.zeros(n), np.zeros(n)
     for wrench in total.values():
         np.maximum(force, square(wrench.force), out=force)
         np.maximum(moment, np.abs(wrench.moment), out=moment)
     return np.sqrt(force / (np.max(forces) or 1.0)), moment / (np.max(moments) or 1.0)
+
+
+def _drive_wrenches(statics: Statics, state: State, place: Place) -> list[tuple[int, Wrench]]:
+    """What the drive does to links, about the pole: to the input link, or to both links of a driven length."""
+    chain = statics.scene.chain
+    slider, guide = chain.input_joint.links
+    if chain.structure.driven is None:
+        return [(chain.structure.input_link, _drive_wrench(statics, state, place))]
+    seat = seat_of(chain.input_joint, place.configuration)
+    assert isinstance(seat, Slideway)
+    push = Wrench(state.drive * seat.e, np.zeros(())).about(state.pole - seat.r)
+    return [(slider, push), (guide, push.reversed())]
 
 
 def _drive_wrench(statics: Statics, state: State, place: Place) -> Wrench:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError
-from tmmcalc.linkage.chain import Chain, Configuration, compile_chain
+from tmmcalc.linkage.chain import Chain, Configuration, chain_of
 from tmmcalc.linkage.crossings import crossings
 from tmmcalc.linkage.loading import Load, Loading, Quadratic, Viscous
 from tmmcalc.linkage.loads.sources import Place, Source, resisting, springs, technological, weights
@@ -67,7 +67,7 @@ class _Part(NamedTuple):
 
 def compile_scene(mechanism: Mechanism, loading: Loading, kinematics: Kinematics) -> Scene:
     """The scene of a mechanism whose kinematics is solved; raises `NoSolutionError` for a load without a place."""
-    compiled = compile_chain(mechanism, kinematics.structure, kinematics.variants)
+    compiled = chain_of(mechanism, kinematics)
     travel = travel_of(compiled, kinematics, loading.loads)
     dense = surveyed(compiled, travel)
     acting = [load for load in loading.loads if load.factor]

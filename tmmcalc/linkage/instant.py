@@ -1,0 +1,54 @@
+"""The motion of links at one position, in time."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tmmcalc.linkage.model import FRAME, Mechanism
+from tmmcalc.linkage.plane import LinkMotion
+from tmmcalc.linkage.results import Kinematics
+from tmmcalc.records import record
+
+
+@record
+class State:
+    """Motion of a link in time: place, velocity, acceleration of its base point and its rotation."""
+
+    base: complex
+    r: complex
+    v: complex
+    a: complex
+    u: complex
+    omega: float
+    eps: float
+
+    def arm(self, p: complex) -> complex:
+        """The vector from the base point to the point p of the link."""
+        return (p - self.base) * self.u
+
+    def point(self, p: complex) -> tuple[complex, complex]:
+        """Velocity and acceleration of the point p of the link."""
+        d = self.arm(p)
+        return self.v + 1j * self.omega * d, self.a + (1j * self.eps - self.omega**2) * d
+
+    def own(self, place: complex) -> complex:
+        """The point of the link that lies at this place, in the link's axes."""
+        return self.base + (place - self.r) / self.u
+
+
+def in_time(motion: LinkMotion, result: Kinematics) -> State:
+    """The motion of a link at one position, at the speed and acceleration of the result."""
+    r, u = (complex(np.ravel(z)[0]) for z in (motion.r, motion.u))
+    v, a = (complex(np.ravel(z)[0]) for z in result.in_time(motion.v, motion.a))
+    omega, eps = (float(np.ravel(z)[0]) for z in result.in_time(motion.omega, motion.eps))
+    return State(motion.base, r, v, a, u, omega, eps)
+
+
+def turning_links(mechanism: Mechanism) -> set[int]:
+    """Links that can turn: all that prismatic joints alone do not tie to the frame."""
+    still, grown = {FRAME}, True
+    while grown:
+        ties = [set(j.links) for j in mechanism.joints if j.kind == "prismatic" and set(j.links) & still]
+        grown = bool(set().union(*ties) - still)
+        still = still.union(*ties)
+    return {link.id for link in mechanism.links} - still

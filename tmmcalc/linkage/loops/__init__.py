@@ -1,0 +1,1 @@
+"""Assur groups of any class by the closure of their loops: equations, branches, assemblies."""

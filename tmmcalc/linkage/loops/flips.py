@@ -1,0 +1,69 @@
+"""The trap of the splitting: where a dyad changes its sign while the group goes on regularly."""
+
+from __future__ import annotations
+
+from typing import cast
+
+import numpy as np
+
+from tmmcalc.linkage import solvers
+from tmmcalc.linkage.assembly import coordinate
+from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.loops.splitstep import SplitStep, split_chain
+from tmmcalc.linkage.loops.step import LoopStep
+from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.results import Grade
+
+ZOOMS = 4  # that narrow down where a sign changes
+PARTS = 16  # of the interval, by each
+
+
+def split_grades(chain: Chain, x: Real) -> tuple[Grade, ...]:
+    """How the groups of a chain are split, and every change of sign of a dyad between the coordinates x (n,)."""
+    split = split_chain(chain)
+    placed = split.evaluate(x, order=0).placed
+    found = list[Grade]()
+    for k, step in enumerate(split.steps):
+        if not step.group.kind:
+            found += _grades(split, k, x, placed[k])
+    return tuple(found)
+
+
+def _grades(chain: Chain, k: int, x: Real, way: np.ndarray) -> list[Grade]:
+    """How one group is split, and its changes of sign."""
+    step = cast(SplitStep, chain.steps[k])
+    split, where = step.split, f"splitting of {step.group.name}"
+    dyads = ", ".join(group.name for group in split.dyads)
+    how = f"link {split.removed} is removed, the angle of link {split.trial} is tried, dyads {dyads}"
+    found = [Grade("note", where, how)]
+    for i in np.flatnonzero(np.diff(way)):
+        at = _change(chain, k, float(x[i]), float(x[i + 1]))
+        changed = [
+            f"{one.group.name} from {one.variant:+d} to {other.variant:+d}"
+            for one, other in zip(split.ways[way[i]], split.ways[way[i + 1]], strict=True)
+            if one.variant != other.variant
+        ]
+        regularity = _regularity(chain, k, step.loops, at)
+        message = (
+            f"the sign of {', '.join(changed)} changes at {coordinate(chain, at)}, where the group itself is regular "
+            f"({regularity:.2g}): with frozen signs the iteration ends there or jumps; both signs were tried"
+        )
+        found.append(Grade("warning", where, message))
+    return found
+
+
+def _change(chain: Chain, k: int, low: float, high: float) -> float:
+    """The coordinate between two at which the signs change."""
+    for _ in range(ZOOMS):
+        x = np.linspace(low, high, PARTS + 1)
+        way = chain.evaluate(x, order=0, steps=k + 1).placed[k]
+        i = int(np.argmax(way[1:] != way[0]))
+        low, high = float(x[i]), float(x[i + 1])
+    return (low + high) / 2
+
+
+def _regularity(chain: Chain, k: int, step: LoopStep, at: float) -> float:
+    """How regular the group itself is there."""
+    x = np.array([at])
+    _, placed = step.advance(chain.evaluate(x, order=0, steps=k).motions, {}, x, 0, solvers.closed)
+    return float(step.regularity(placed)[0])
