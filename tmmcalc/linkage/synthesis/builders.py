@@ -1,0 +1,125 @@
+"""Mechanisms from sizes: the linkages that a synthesis finds, as the kinematics room reads them.
+
+Points keep their letters: of four-bar and slider-crank A the crank's pivot, B its pin, C the end of the coupler, D the
+rocker's pivot, P the coupler point; of slotted links A and C the pivots, B the block, D the end of the arm, E the
+slider. The own x axis of a link runs along it, so the input coordinate is the angle of the crank.
+"""
+
+from __future__ import annotations
+
+import cmath
+
+from tmmcalc.linkage.model import FRAME, Assembly, Grid, Input, Joint, Link, Mechanism, Output
+from tmmcalc.records import record
+
+
+@record
+class Scene:
+    """Motion of the crank, positions and outputs of a mechanism."""
+
+    speed: float  # [rad/s]
+    start: float | None = None  # [rad]; None: the dead centre before the working stroke
+    grid: Grid = Grid(extremes=True)
+    outputs: tuple[Output, ...] = ()
+
+
+@record
+class FourBar:
+    """Sizes of a four-bar: pivots A and D, lengths, coupler point in the axes of BC, variant of the dyad."""
+
+    pivot: complex
+    crank: float
+    coupler: float
+    rocker: float
+    fixed: complex  # D
+    point: complex | None = None
+    variant: int = 1  # +1: C to the left of B -> D
+
+
+@record
+class SliderCrank:
+    """Sizes of a slider-crank: pivot A, lengths, a point and the angle of the guide, coupler point, variant."""
+
+    pivot: complex
+    crank: float
+    coupler: float
+    guide: complex
+    angle: float = 0.0  # [rad]
+    point: complex | None = None
+    variant: int = 1  # +1: C ahead of B along the guide
+
+
+def _revolute(name: str, first: Link, second: Link) -> Joint:
+    return Joint(name, "revolute", (first.id, second.id), (first.points[name], second.points[name]))
+
+
+def _crank(sizes: FourBar | SliderCrank) -> Link:
+    return Link(1, {"A": 0j, "B": complex(sizes.crank)}, "crank")
+
+
+def _coupler(sizes: FourBar | SliderCrank) -> Link:
+    extra = {} if sizes.point is None else {"P": sizes.point}
+    return Link(2, {"B": 0j, "C": complex(sizes.coupler), **extra}, "coupler")
+
+
+def four_bar(sizes: FourBar, scene: Scene) -> Mechanism:
+    """The four-bar A B C D with its coupler point P."""
+    frame = Link(FRAME, {"A": sizes.pivot, "D": sizes.fixed}, "frame")
+    crank, coupler = _crank(sizes), _coupler(sizes)
+    rocker = Link(3, {"D": 0j, "C": complex(sizes.rocker)}, "rocker")
+    joints = (
+        _revolute("A", frame, crank),
+        _revolute("B", crank, coupler),
+        _revolute("C", coupler, rocker),
+        _revolute("D", frame, rocker),
+    )
+    return _mechanism(frame, (crank, coupler, rocker), joints, scene, {(2, 3): sizes.variant})
+
+
+def slider_crank(sizes: SliderCrank, scene: Scene) -> Mechanism:
+    """The slider-crank A B C with its coupler point P; the guide of the joint C0 is named by G."""
+    frame = Link(FRAME, {"A": sizes.pivot, "G": sizes.guide}, "frame")
+    crank, coupler = _crank(sizes), _coupler(sizes)
+    slider = Link(3, {"C": 0j}, "slider")
+    joints = (
+        _revolute("A", frame, crank),
+        _revolute("B", crank, coupler),
+        _revolute("C", coupler, slider),
+        _guided("C0", slider, "C", frame, sizes.guide, cmath.rect(1.0, sizes.angle)),
+    )
+    return _mechanism(frame, (crank, coupler, slider), joints, scene, {(2, 3): sizes.variant})
+
+
+def slotted_link(crank: float, centres: float, arm: float, rod: float, guide: float, scene: Scene) -> Mechanism:
+    """Slotted link about C = 0, crank about A = i ``centres``, rod DE, slider E on the line y = ``guide``."""
+    frame = Link(FRAME, {"C": 0j, "A": 1j * centres, "G": 1j * guide}, "frame")
+    links = (
+        Link(1, {"A": 0j, "B": complex(crank)}, "crank"),
+        Link(2, {"B": 0j}, "block"),
+        Link(3, {"C": 0j, "D": complex(arm)}, "slotted link"),
+        Link(4, {"D": 0j, "E": complex(rod)}, "connecting rod"),
+        Link(5, {"E": 0j}, "slider"),
+    )
+    joints = (
+        _revolute("A", frame, links[0]),
+        _revolute("B", links[0], links[1]),
+        _guided("B3", links[1], "B", links[2], 0j),
+        _revolute("C", frame, links[2]),
+        _revolute("D", links[2], links[3]),
+        _revolute("E", links[3], links[4]),
+        _guided("E0", links[4], "E", frame, 1j * guide),
+    )
+    return _mechanism(frame, links, joints, scene, {(2, 3): 1, (4, 5): 1})
+
+
+def _guided(name: str, slider: Link, pin: str, guide: Link, through: complex, direction: complex = 1 + 0j) -> Joint:
+    points = (slider.points[pin], through)
+    return Joint(name, "prismatic", (slider.id, guide.id), points, (1 + 0j, direction))
+
+
+def _mechanism(
+    frame: Link, links: tuple[Link, ...], joints: tuple[Joint, ...], scene: Scene, variants: dict[tuple[int, int], int]
+) -> Mechanism:
+    drive = Input("A", scene.speed, 0.0, scene.start)
+    signs: dict[tuple[int, ...], int] = dict(variants.items())
+    return Mechanism(frame, links, joints, drive, scene.outputs, scene.grid, Assembly(variants=signs))

@@ -1,0 +1,61 @@
+"""What is worth knowing about a six-bar with a dwell, after the conclusions of Zinchenko, with its figures."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from tmmcalc.linkage.synthesis.dwell.exact import Figures
+from tmmcalc.linkage.synthesis.dwell.task import DwellTask
+
+HIGH = 2.0  # of a bar force on the working stroke, against the resistance
+LONG = 0.02  # of max |S| over the dwell, against the stroke
+STEEP = math.radians(60)  # pressure angle
+
+
+def advice(asked: DwellTask, found: Figures, n: float | None) -> Iterator[str]:
+    """Remarks on forces, dwell, division of time and sense."""
+    working, idle = (math.sqrt(float(part[0])) for part in (found.criteria.f4, found.criteria.f5))
+    unit = "" if asked.output == "slider" else "/l_OB"
+    figures = f"sqrt(f4) = {working:.3g}{unit} on the working stroke, sqrt(f5) = {idle:.3g}{unit} on the idle one"
+    if idle < 0.9 * working:
+        other = "away" if asked.working == "towards" else "towards"
+        yield (
+            f"note: the bars carry less on the idle stroke ({figures}): the working stroke should be the one with the "
+            f'least forces; write working = "{other}", or mount the linkage so that it drives on that stroke'
+        )
+    elif working > HIGH and asked.output == "slider":
+        yield f"note: bar forces above the resistance are acceptable on the idle stroke only: {figures}"
+    else:
+        yield f"note: bar forces for a unit resistance: {figures}"
+    ratio = found.dwell[0] / found.stroke
+    if ratio > LONG:
+        yield (
+            f"note: the output leaves its dwell by {100 * ratio:.3g} % of the stroke; a smaller dwell angle than "
+            f"{math.degrees(asked.dwell):.4g} deg gives a more exact dwell"
+        )
+    yield from _division(asked, found, n)
+    steepest, at = found.largest["delta"]
+    if steepest > STEEP:
+        yield (
+            f"warning: the pressure angle reaches {math.degrees(steepest):.4g} deg at {math.degrees(at):.4g} deg "
+            "of the crank from position 1"
+        )
+
+
+def _division(asked: DwellTask, found: Figures, n: float | None) -> Iterator[str]:
+    """How the turn divides into the two strokes and the dwell, and what changes it."""
+    towards, away = (
+        (found.far - asked.dwell, 2 * math.pi - found.far)
+        if asked.clockwise
+        else (2 * math.pi - found.far, found.far - asked.dwell)
+    )
+    text = (
+        f"note: stroke towards the dwell {math.degrees(towards):.5g} deg, dwell {math.degrees(asked.dwell):.5g} deg, "
+        f"stroke away {math.degrees(away):.5g} deg"
+    )
+    if n is not None:
+        text += (
+            "; n moves the division, the sense of the crank exchanges both strokes, k only turns the sign of S about"
+        )
+    yield text

@@ -1,0 +1,206 @@
+"""Crank-rocker from its swing 2 phi and time ratio, scaled by one length, with a second size or the best transmission.
+
+The ends B1 (stretched, A B1 = l + r) and B2 (folded, A B2 = l - r) of the rocker pin are seen from the crank's pivot A
+under the overlap angle psi. With the chord c = 2 R sin(phi), the triangle A B1 B2 gives
+
+    (l sin(psi/2))^2 + (r cos(psi/2))^2 = (c/2)^2
+
+so the coupler l, between c/2 and c/(2 sin(psi/2)), is the one free size; 1/l is the parameter, for K = 1 has l endless.
+A stands 2 l r/c along the chord from its middle, and (l^2 - r^2) sin(psi)/c off it, on either side.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.linkage.model import Grid, Output
+from tmmcalc.linkage.plane import Plane, Real, cross
+from tmmcalc.linkage.synthesis.builders import FourBar, Scene, four_bar
+from tmmcalc.linkage.synthesis.designs import Closed, closed_form, speed_of
+from tmmcalc.linkage.synthesis.results import Check, Size, Synthesis
+from tmmcalc.linkage.synthesis.simulation import Simulation, check, simulate
+from tmmcalc.linkage.synthesis.strokes import overlap
+from tmmcalc.linkage.synthesis.task import CrankRockerTask, SynthesisTask
+from tmmcalc.numerics.roots import bracketed
+
+KIND = "crank_rocker"
+RULE = "the greatest least transmission angle"
+SAMPLES = 4000
+GOLDEN = (math.sqrt(5) - 1) / 2
+LENGTHS = ("crank", "coupler", "rocker", "frame")
+
+
+class Family(NamedTuple):
+    """Crank-rockers of rocker length 1 with one swing and overlap, by x = c/(2 l) (m,), on one side of the chord."""
+
+    crank: Real
+    coupler: Real
+    frame: Real
+    pivot: Plane  # A, with the rocker's pivot at 0 and its swing about the y axis
+    transmission: Real  # least transmission angle [rad]; negative where it is no crank-rocker
+
+
+def solve(task: SynthesisTask) -> Synthesis:
+    """All crank-rockers with the swing and time ratio asked for; raises `NoSolutionError` if none is."""
+    asked: CrankRockerTask = task.asked
+    half, psi = asked.swing / 2, overlap(asked.time_ratio)
+    found = [(x, side) for side in ((1,) if psi == 0 else (1, -1)) for x in _places(asked, half, psi, side)]
+    if not found:
+        raise _none(asked, half, psi)
+    designs = [_closed(task, asked, family(np.array([x]), half, psi, side)) for x, side in found]
+    designs.sort(key=lambda design: -design.merits["transmission_min[deg]"])
+    return closed_form(task, KIND, RULE, designs)
+
+
+def family(x: Real, half: float, psi: float, side: int) -> Family:
+    """The crank-rockers at x = c/(2 l) in (sin(psi/2), 1) with the half swing and overlap angle [rad]."""
+    c = 2 * math.sin(half)
+    s, k = math.sin(psi / 2), math.cos(psi / 2)
+    l = c / 2 / x
+    r = l * np.sqrt(np.maximum((x - s) * (x + s), 0)) / k
+    off = (l - r) * (l + r) * math.sin(psi) / c
+    pivot = 2 * l * r / c + 1j * (math.cos(half) + side * off)
+    ends = np.exp(1j * (math.pi / 2 + half)), np.exp(1j * (math.pi / 2 - half))
+    frame = np.abs(pivot)
+    sizes = np.array([r, l, np.ones_like(l), frame])
+    shortest = np.all(r[None, :] <= sizes[1:], axis=0)
+    turns = r + sizes.max(axis=0) < sizes.sum(axis=0) - r - sizes.max(axis=0)
+    same = cross(pivot, np.asarray(ends[0])) * cross(pivot, np.asarray(ends[1])) > 0
+    worst = np.max(np.abs([(l**2 + 1 - (frame + sign * r) ** 2) / (2 * l) for sign in (1, -1)]), axis=0)
+    angle = np.arccos(np.clip(worst, 0, 1))
+    return Family(r, l, frame, pivot, np.where(shortest & turns & same, angle, -1.0))
+
+
+def _grid(psi: float) -> Real:
+    """Values of x, denser towards both ends."""
+    s = math.sin(psi / 2)
+    u = (1 - np.cos(np.linspace(0, np.pi, SAMPLES + 2)[1:-1])) / 2
+    return s + (1 - s) * u
+
+
+def _places(asked: CrankRockerTask, half: float, psi: float, side: int) -> list[float]:
+    """Where the second size holds, or where the transmission is best."""
+    x = _grid(psi)
+
+    def residual(at: Real) -> Real:
+        return _residual(asked, family(at, half, psi, side))
+
+    if _second(asked) is None:
+        return _best(asked.largest_ratio, x, half, psi, side)
+    values = residual(x)
+    change = np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))
+    roots = bracketed(lambda at, which: residual(at), x[change], x[change + 1])
+    good = family(roots, half, psi, side).transmission > 0
+    if asked.transmission is not None:
+        good &= np.abs(residual(roots)) < 1e-9
+    return [float(root) for root in roots[good]]
+
+
+def _second(asked: CrankRockerTask) -> str | None:
+    """The second size by name: the transmission angle, or the ratio of two lengths."""
+    given = [name for name in LENGTHS if getattr(asked, name) is not None]
+    return "transmission" if asked.transmission is not None else given[1] if len(given) > 1 else None
+
+
+def _residual(asked: CrankRockerTask, found: Family) -> Real:
+    if asked.transmission is not None:
+        return found.transmission - asked.transmission
+    one, two = (name for name in LENGTHS if getattr(asked, name) is not None)
+    lengths = {
+        "crank": found.crank,
+        "coupler": found.coupler,
+        "rocker": np.ones_like(found.crank),
+        "frame": found.frame,
+    }
+    return lengths[one] * getattr(asked, two) - lengths[two] * getattr(asked, one)
+
+
+def _best(ratio: float, x: Real, half: float, psi: float, side: int) -> list[float]:
+    """The place of the greatest least transmission angle, by golden section: it may stand on a kink."""
+
+    def angles_at(at: Real) -> Real:
+        found = family(at, half, psi, side)
+        longest = np.maximum(np.maximum(found.coupler, found.frame), 1.0)
+        return np.where(longest <= ratio * found.crank, found.transmission, -1.0)
+
+    angles = angles_at(x)
+    k = int(np.argmax(angles))
+    if angles[k] <= 0:
+        return []
+    low, high = x[max(k - 1, 0)], x[min(k + 1, len(x) - 1)]
+    for _ in range(100):
+        inner = np.array([high - GOLDEN * (high - low), low + GOLDEN * (high - low)])
+        one, two = angles_at(inner)
+        low, high = (low, inner[1]) if one >= two else (inner[0], high)
+    best = np.array([low, (low + high) / 2, high])
+    return [float(best[np.argmax(angles_at(best))])]
+
+
+def _none(asked: CrankRockerTask, half: float, psi: float) -> NoSolutionError:
+    best = max(float(family(_grid(psi), half, psi, side).transmission.max()) for side in (1, -1))
+    swing, ratio = math.degrees(asked.swing), asked.time_ratio
+    if best <= 0:
+        return NoSolutionError(
+            f"no crank-rocker swings by {swing:.6g} deg with K = {ratio:g}",
+            where=f"synthesis.{KIND}",
+            value=asked.swing,
+            limit=math.pi - psi,
+            remedy="ask for a smaller swing, or a time ratio nearer to 1",
+        )
+    return NoSolutionError(
+        f"no crank-rocker of swing {swing:.6g} deg and K = {ratio:g} has the second size asked for; "
+        f"the best one has a least transmission angle of {math.degrees(best):.5g} deg",
+        where=f"synthesis.{KIND}",
+        value=best,
+        remedy="leave the second size out to see the best one, and take its sizes as a guide",
+    )
+
+
+def _closed(task: SynthesisTask, asked: CrankRockerTask, found: Family) -> Closed:
+    """The design in its own axes: crank's pivot at 0, rocker's pivot to the right of it."""
+    ones = {"crank": found.crank[0], "coupler": found.coupler[0], "rocker": 1.0, "frame": found.frame[0]}
+    base = next(name for name in LENGTHS if getattr(asked, name) is not None)
+    scale = getattr(asked, base) / ones[base]
+    r, l, rocker, frame = (float(scale * ones[name]) for name in LENGTHS)
+    pivot = complex(found.pivot[0])
+    turn = -pivot / abs(pivot)  # A to D along x
+    above = (np.exp(1j * (math.pi / 2 + asked.swing / 2)) / turn).imag
+    speed = speed_of(task, asked.swing * rocker, asked.time_ratio)
+    scene = Scene(speed, None, Grid(task.positions, extremes=True), (Output(link=3),))
+    sizes4 = FourBar(0j, r, l, rocker, complex(frame), variant=1 if above > 0 else -1)
+    mechanism = four_bar(sizes4, scene)
+    simulation = simulate(mechanism)
+    transmission = simulation.result.qualities[0].transmission or 0.0
+    sizes = (
+        Size("r", r, "m", "crank AB"),
+        Size("l", l, "m", "coupler BC"),
+        Size("R", rocker, "m", "rocker DC"),
+        Size("L", frame, "m", "frame AD"),
+        Size("two_phi", asked.swing, "rad", "swing of the rocker"),
+        Size("psi", overlap(asked.time_ratio), "rad", "overlap angle"),
+        Size("grashof", sum((r, l, rocker, frame)) - 2 * (r + max(l, rocker, frame)), "m", "Grashof's margin"),
+    )
+    checks = tuple(_checks(asked, simulation, (r, l, rocker, frame), transmission))
+    merits = {"transmission_min[deg]": math.degrees(transmission), "r/L": r / frame}
+    return Closed("crank-rocker", sizes, checks, merits, mechanism, simulation, tuple(_notes(transmission)))
+
+
+def _checks(
+    asked: CrankRockerTask, found: Simulation, lengths: tuple[float, ...], transmission: float
+) -> Iterator[Check]:
+    yield check("swing", found.stroke, "rad", asked.swing)
+    yield check("K", found.time_ratio, "-", asked.time_ratio)
+    yield check("least transmission angle", transmission, "rad", asked.transmission)
+    for symbol, name, value in zip("rlRL", LENGTHS, lengths, strict=True):
+        if getattr(asked, name) is not None:
+            yield check(symbol, value, "m", getattr(asked, name))
+
+
+def _notes(transmission: float) -> Iterator[str]:
+    if transmission < math.radians(30):
+        yield f"warning: the least transmission angle is {math.degrees(transmission):.4g} deg, below 30 deg"

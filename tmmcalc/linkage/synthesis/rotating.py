@@ -1,0 +1,136 @@
+"""Rotating slotted link with a rod and a slider, the crank longer than the line of centres (r > L).
+
+      A                    A straight above C, the guide y = e' to the right of C
+      |` . r               e' = 0: the slotted link has turned by half a turn between the extremes, so
+    L |    ` B             L = r cos(alpha_x/2), R = S/2, l = R/sin(nu_max)
+      C-----/--D           e' not 0: R of the stroke, then L of the time ratio, each as the root of
+           ` . l           the exact relation; l = (R + |e'|)/sin(nu_max)
+-------------[E]---
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.linkage.model import Grid, Output
+from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.synthesis.builders import Scene, slotted_link
+from tmmcalc.linkage.synthesis.designs import Closed, closed_form, speed_of
+from tmmcalc.linkage.synthesis.results import Check, Size, Synthesis
+from tmmcalc.linkage.synthesis.simulation import Tilt, check, simulate, tilts
+from tmmcalc.linkage.synthesis.strokes import TURN, overlap
+from tmmcalc.linkage.synthesis.task import RotatingTask, SynthesisTask
+from tmmcalc.numerics.roots import bracketed
+
+RULE = "the shortest line of centres"
+KIND = "rotating_slotted_link"
+SAMPLES = 2000  # of a size between which roots are sought
+
+
+def solve(task: SynthesisTask) -> Synthesis:
+    """All rotating slotted links with the stroke and time ratio asked for; raises `NoSolutionError` if none is."""
+    asked: RotatingTask = task.asked
+    arms = _arms(asked)
+    found = [(arm, rod, ratio) for arm, rod in arms for ratio in _ratios(asked, arm, rod)]
+    if not found:
+        raise NoSolutionError(
+            f"no slotted link that turns round has this stroke and K = {asked.time_ratio:g}"
+            + (f" with the guide {1e3 * asked.guide:.6g} mm off its pivot" if asked.guide else ""),
+            where=f"synthesis.{KIND}",
+            value=asked.time_ratio,
+            limit=1.0,
+            remedy="ask for K > 1, a smaller guide offset, or a larger pressure angle",
+        )
+    designs = [_closed(task, asked, *each) for each in sorted(found, key=lambda each: each[2])]
+    return closed_form(task, KIND, RULE, designs)
+
+
+def _rod(asked: RotatingTask, arm: Real) -> Real:
+    if asked.rod is not None:
+        return np.full_like(arm, asked.rod)
+    return (arm + abs(asked.guide)) / math.sin(asked.pressure or math.nan)
+
+
+def _arms(asked: RotatingTask) -> list[tuple[float, float]]:
+    """Arms R with their rods l that give the stroke: S/2, but for an offset guide."""
+    if asked.guide == 0:
+        arm = asked.stroke / 2
+        rod = float(_rod(asked, np.array([arm]))[0])
+        return [(arm, rod)] if rod > arm else []
+
+    def residual(arm: Real) -> Real:
+        rod, e = _rod(asked, arm), abs(asked.guide)
+        far, near = (rod + arm - e) * (rod + arm + e), (rod - arm - e) * (rod - arm + e)
+        inside = rod > arm + e
+        return np.where(inside, np.sqrt(np.maximum(far, 0)) - np.sqrt(np.maximum(near, 0)), 4 * arm) - asked.stroke
+
+    arms = _roots(residual, asked.stroke / 2 * np.linspace(1e-4, 1.0 + 1e-9, SAMPLES))
+    pairs = [(float(arm), float(_rod(asked, np.array([arm]))[0])) for arm in arms]
+    return [(arm, rod) for arm, rod in pairs if rod > arm + abs(asked.guide)]
+
+
+def _ratios(asked: RotatingTask, arm: float, rod: float) -> list[float]:
+    """L/r of the time ratio: the crank turns by alpha_p while the slotted link goes from extreme to extreme."""
+    e = asked.guide
+    if e == 0:
+        value = math.cos(math.pi / (asked.time_ratio + 1))
+        return [value] if value > 0 else []
+    far, near = math.asin(e / (rod + arm)), math.pi + math.asin(e / (rod - arm))
+
+    def residual(x: Real) -> Real:
+        return _crank_angle(near, x) - _crank_angle(far, x) - (math.pi + overlap(asked.time_ratio))
+
+    return [float(x) for x in _roots(residual, np.linspace(1e-6, 1 - 1e-6, SAMPLES))]
+
+
+def _crank_angle(theta: float, x: Real) -> Real:
+    """Angle of the crank [rad] about A = i L with the slotted link at ``theta``, for L = x r; continuous in theta.
+
+    The ray from C at theta meets the crank's circle once, for C lies inside it.
+    """
+    along = x * math.sin(theta) + np.sqrt(1 - (x * math.cos(theta)) ** 2)  # C to B, in cranks
+    local = along * np.exp(1j * theta) - 1j * x
+    return theta + np.angle(local * np.exp(-1j * theta))
+
+
+def _roots(f: Callable[[Real], Real], x: Real) -> Real:
+    values = f(x)
+    change = np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))
+    return bracketed(lambda at, which: f(at), x[change], x[change + 1])
+
+
+def _closed(task: SynthesisTask, asked: RotatingTask, arm: float, rod: float, ratio: float) -> Closed:
+    crank = asked.crank if asked.crank is not None else (asked.centres or math.nan) / ratio
+    centres = asked.centres if asked.centres is not None else crank * ratio
+    speed = speed_of(task, asked.stroke, asked.time_ratio)
+    scene = Scene(speed, None, Grid(task.positions, extremes=True), (Output("E", resistance="positive"),))
+    mechanism = slotted_link(crank, centres, arm, rod, asked.guide, scene)
+    found = simulate(mechanism)
+    both = tilts(found, 4, 1 + 0j)
+    second = (found.first + found.working) % TURN
+    sizes = (
+        Size("r", crank, "m", "crank AB"),
+        Size("L", centres, "m", "line of centres CA"),
+        Size("R", arm, "m", "arm CD of the slotted link"),
+        Size("l", rod, "m", "connecting rod DE"),
+        Size("e", asked.guide, "m", "guide over the pivot C"),
+        Size("psi", overlap(asked.time_ratio), "rad", "overlap angle"),
+        Size("phi_zero", found.first, "rad", "crank at the far end of the stroke"),
+        Size("phi_second", second, "rad", "crank at the near end of the stroke"),
+    )
+    merits = {"pressure_max[deg]": math.degrees(max(tilt.largest for tilt in both)), "L/r": centres / crank}
+    checks = tuple(_checks(asked, found.stroke, found.time_ratio, both))
+    return Closed("rotating slotted link", sizes, checks, merits, mechanism, found)
+
+
+def _checks(asked: RotatingTask, stroke: float, ratio: float, both: tuple[Tilt, Tilt]) -> Iterator[Check]:
+    working, idle = both
+    yield check("S", stroke, "m", asked.stroke)
+    yield check("K", ratio, "-", asked.time_ratio)
+    yield check("nu_max", max(working.largest, idle.largest), "rad", asked.pressure)
+    yield check("largest pressure angle working", working.largest, "rad")
+    yield check("largest pressure angle idle", idle.largest, "rad")
