@@ -1,0 +1,38 @@
+"""The record that the unsteady stage leaves."""
+
+from __future__ import annotations
+
+from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.results import ErrorEstimate, Grade, Trace
+from tmmcalc.numerics.roots import Indices
+from tmmcalc.records import record
+from tmmcalc.timelaw import TimeLaw
+from tmmcalc.timerows import TimedExtreme
+
+
+@record
+class Unsteady:
+    """A motion from rest to rest at n rows; all derivatives are by the time.
+
+    A jump of the acceleration inside the motion has two rows: 4- is the limit before a jump at row 4. The first and the
+    last row are the limits inside the motion.
+    """
+
+    law: TimeLaw  # of the input coordinate
+    input_link: int | None  # the driven link; None where the drive acts between two moving links
+    input_joint: str
+    turns: bool  # a crank [rad], else a driven slider or length [m]
+    start: float  # input coordinate at the begin [rad or m]
+    end: float
+    labels: tuple[str, ...]  # (n,)
+    t: Real  # (n,) [s]
+    side: Indices  # (n,) -1: the limit from before, +1: from after
+    drive: Real  # (3, n) input coordinate [rad or m], its speed and acceleration
+    trace: Trace  # points, links, prismatic joints; derivatives by the time
+    outputs: tuple[str, ...]  # (O,)
+    angular: tuple[bool, ...]  # (O,) whether the output is an angle
+    coordinate: Real  # (3, O, n) output coordinate [m or rad], its velocity and acceleration
+    extremes: tuple[TimedExtreme, ...]  # of speeds and accelerations
+    grades: tuple[Grade, ...]
+    error: ErrorEstimate  # of transfer functions; relative
+    counters: dict[str, int]

@@ -1,0 +1,177 @@
+"""Obstacles: whether the path, the straight line or the arm crosses a polygon, in space a prism.
+
+The path is cut where it meets the lines (in space the planes) of all faces, in closed form; between two cuts it is
+inside or outside as a whole. The arm is looked at densely, and its times of contact are narrowed down by halving.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.linkage.results import Grade
+from tmmcalc.manipulators.results import Contact
+from tmmcalc.manipulators.routes import Piece
+from tmmcalc.manipulators.task import Obstacle
+from tmmcalc.numerics.panels import Values
+
+Flags = NDArray[np.bool_]
+Segments = Callable[[Values], Sequence[tuple[Values, Values]]]  # ends (D, n) of the arms at times (n,)
+
+NEAR = 1e-12  # of the obstacle's size: what is nearer to its border touches it
+SAMPLES = 1441  # instants at which the arm is looked at
+HALVINGS = 40
+
+
+def inside(obstacle: Obstacle, p: Values) -> Flags:
+    """Whether points (D, n) are inside of an obstacle or on its border."""
+    z = p[0] + 1j * p[1]
+    corners = np.array(obstacle.corners)
+    follow = np.roll(corners, -1)
+    size = float(np.max(np.abs(corners - corners[0])))
+    a, b = corners[:, None], follow[:, None]
+    upright = (a.imag > z.imag) != (b.imag > z.imag)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        right = z.real < a.real + (z.imag - a.imag) * (b.real - a.real) / (b.imag - a.imag)
+    odd = np.count_nonzero(upright & right, axis=0) % 2 == 1
+    along = np.clip(((z - a) * np.conj(b - a)).real / np.abs(b - a) ** 2, 0.0, 1.0)
+    on_border = np.any(np.abs(z - a - along * (b - a)) <= NEAR * size, axis=0)
+    flat = odd | on_border
+    return flat if len(p) == 2 else flat & (p[2] >= obstacle.low - NEAR * size) & (p[2] <= obstacle.high + NEAR * size)
+
+
+def crossed(piece: Piece, obstacle: Obstacle) -> list[tuple[float, float]]:
+    """Intervals of the way along a piece [m] that are inside of an obstacle; of no length where it is only touched."""
+    cuts = _apart([0.0, piece.length, *_cuts(piece, obstacle)], piece.length)
+    if len(cuts) < 2:
+        return [(0.0, 0.0)] if inside(obstacle, piece.at(np.zeros(1))[0])[0] else []
+    ends = np.array(cuts)
+    within = inside(obstacle, piece.at((ends[1:] + ends[:-1]) / 2)[0])
+    touched = inside(obstacle, piece.at(ends)[0])
+    return joined([*_runs(cuts, within), *((s, s) for s, on in zip(cuts, touched.tolist(), strict=True) if on)])
+
+
+def joined(intervals: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Intervals that meet or overlap as one."""
+    found: list[tuple[float, float]] = []
+    for low, high in sorted(intervals):
+        if found and low <= found[-1][1]:
+            found[-1] = (found[-1][0], max(found[-1][1], high))
+        else:
+            found.append((low, high))
+    return found
+
+
+def _runs(cuts: list[float], within: Flags) -> list[tuple[float, float]]:
+    return [(a, b) for (a, b), hit in zip(pairwise(cuts), within.tolist(), strict=True) if hit]
+
+
+def _apart(cuts: list[float], length: float) -> list[float]:
+    kept: list[float] = []
+    for s in sorted(cuts):
+        if not kept or s - kept[-1] > NEAR * length:
+            kept.append(s)
+    return kept
+
+
+def _cuts(piece: Piece, obstacle: Obstacle) -> list[float]:
+    """Ways [m] at which a piece meets the lines or planes of all faces."""
+    dimensions = len(piece.start)
+    faces: list[tuple[Values, float]] = []
+    for a, b in zip(obstacle.corners, (*obstacle.corners[1:], obstacle.corners[0]), strict=True):
+        normal = np.zeros(dimensions)
+        normal[:2] = (a - b).imag, (b - a).real
+        faces.append((normal, float(normal[0] * a.real + normal[1] * a.imag)))
+    if dimensions == 3:
+        up = np.array([0.0, 0.0, 1.0])
+        faces += [(up, obstacle.low), (up, obstacle.high)]
+    return [s for normal, level in faces for s in _meet(piece, normal, level)]
+
+
+def _meet(piece: Piece, normal: Values, level: float) -> list[float]:
+    """Ways at which normal . p = level."""
+    if piece.radius is None or piece.centre is None:
+        slope = float(normal @ piece.e1)
+        s = (level - float(normal @ piece.start)) / slope if slope else math.inf
+        return [s] if 0 <= s <= piece.length else []
+    a, b = (piece.radius * float(normal @ e) for e in (piece.e1, piece.e2))
+    reach, rest = math.hypot(a, b), level - float(normal @ piece.centre)
+    if reach == 0 or abs(rest) > reach * (1 + NEAR):
+        return []
+    half = math.acos(max(-1.0, min(1.0, rest / reach)))
+    found = []
+    for theta in (math.atan2(b, a) + half, math.atan2(b, a) - half):
+        s = piece.radius * ((piece.sense * (theta - piece.theta)) % (2 * math.pi))
+        found += [s] if s <= piece.length else []
+    return found
+
+
+def arm_contacts(segments: Segments, obstacle: Obstacle, duration: float) -> list[tuple[float, float]]:
+    """Intervals of time [s] in which a part of the arm crosses an obstacle."""
+    t = np.linspace(0.0, duration, SAMPLES) if duration else np.zeros(1)
+
+    def hit(at: Values) -> Flags:
+        flags = [_segment_hits(obstacle, a, b) for a, b in segments(at)]
+        return np.any(flags, axis=0)
+
+    within = hit(t)
+    change = np.flatnonzero(within[1:] != within[:-1])
+    low, high = t[change].copy(), t[change + 1].copy()
+    for _ in range(HALVINGS if change.size else 0):
+        middle = (low + high) / 2
+        same = hit(middle) == within[change]
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    edges = [0.0, *((low + high) / 2).tolist(), duration]
+    return [(a, b) for k, (a, b) in enumerate(pairwise(edges)) if within[0] == (k % 2 == 0)]
+
+
+def _segment_hits(obstacle: Obstacle, a: Values, b: Values) -> Flags:
+    """Whether the segments from a to b (D, n) have a point in an obstacle."""
+    flat = np.ones(a.shape[1], bool)
+    if len(a) == 3:
+        a, b, flat = _between_heights(obstacle, a, b)
+    p, q = a[0] + 1j * a[1], b[0] + 1j * b[1]
+    corners = np.array(obstacle.corners)
+    c, d = corners[:, None], np.roll(corners, -1)[:, None]
+
+    def side(u: NDArray[np.complex128], v: NDArray[np.complex128], w: NDArray[np.complex128]) -> Values:
+        return np.asarray(((v - u).conj() * (w - u)).imag)
+
+    crosses = (side(p, q, c) * side(p, q, d) <= 0) & (side(c, d, p) * side(c, d, q) <= 0) & (np.abs(q - p) > 0)
+    middle = np.stack((p.real, p.imag))
+    ends = inside(Obstacle(obstacle.name, obstacle.corners), middle)
+    return flat & (ends | np.any(crosses, axis=0))
+
+
+def _between_heights(obstacle: Obstacle, a: Values, b: Values) -> tuple[Values, Values, Flags]:
+    """The parts of segments between the heights of a prism, and whether there is one."""
+    rise = b[2] - a[2]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        low, high = (obstacle.low - a[2]) / rise, (obstacle.high - a[2]) / rise
+    level = rise == 0
+    among = (a[2] >= obstacle.low) & (a[2] <= obstacle.high)
+    first = np.where(level, np.where(among, 0.0, 2.0), np.clip(np.minimum(low, high), 0.0, 2.0))
+    last = np.where(level, np.where(among, 1.0, -1.0), np.clip(np.maximum(low, high), -1.0, 1.0))
+    there = first <= last
+    first, last = np.where(there, first, 0.0), np.where(there, last, 0.0)
+    return a + first * (b - a), a + last * (b - a), there
+
+
+def contact_grades(contacts: Sequence[Contact]) -> tuple[Grade, ...]:
+    """A warning where path or arm crosses an obstacle; what the straight line does is no fault."""
+    return tuple(
+        Grade("warning", f"obstacle {each.obstacle}", f"the {each.what} {_words(each)}")
+        for each in contacts
+        if each.what != "straight line" and each.intervals
+    )
+
+
+def _words(each: Contact) -> str:
+    if all(a == b for a, b in each.intervals):
+        return f"touches it at t = {', '.join(f'{a:.6g}' for a, _ in each.intervals)} s"
+    shown = " and ".join(f"from t = {a:.6g} to {b:.6g} s" for a, b in each.intervals)
+    return f"crosses it {shown}"

@@ -1,0 +1,216 @@
+"""Routes of the gripper as pieces: straight lines and circular arcs that the way s [m] runs along.
+
+    line    p = p_1 + s u
+    arc     p = c + R (cos θ e_1 + sin θ e_2),  θ = θ_1 + q s/R                        (2.96)
+
+In the plane e_1 and e_2 are the axes, so that θ is the polar angle. Pieces that follow each other smoothly make a leg;
+between two legs the gripper stands still.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.manipulators.task import ArcRoute, ArcThrough, Place, PolyRoute, Route
+from tmmcalc.numerics.panels import Values
+from tmmcalc.records import record
+
+WHERE = "manipulator, path"
+SAME = 1e-12  # of the route's size: nearer points are one, and turns by a smaller angle are none
+
+
+@record
+class Piece:
+    """A straight line, or an arc where ``radius`` is given; vectors are (D,)."""
+
+    start: Values  # p_1 [m]
+    end: Values
+    length: float  # [m]
+    e1: Values  # of a line its direction
+    e2: Values
+    centre: Values | None = None  # [m]
+    radius: float | None = None  # [m]
+    theta: float = 0.0  # θ_1 [rad]
+    sense: int = 0  # q
+
+    @property
+    def theta_end(self) -> float:
+        """θ_2 [rad], continuous from θ_1."""
+        return self.theta + (self.sense * self.length / self.radius if self.radius else 0.0)
+
+    def at(self, s: Values) -> Values:
+        """Place, unit tangent and curvature vector, (3, D, n), at the ways s (n,) ((2.96) to (2.99))."""
+        if self.radius is None or self.centre is None:
+            place = self.start[:, None] + self.e1[:, None] * s
+            return np.stack((place, np.broadcast_to(self.e1[:, None], place.shape), np.zeros_like(place)))
+        theta = self.theta + self.sense * s / self.radius
+        out = np.cos(theta) * self.e1[:, None] + np.sin(theta) * self.e2[:, None]
+        along = self.sense * (np.cos(theta) * self.e2[:, None] - np.sin(theta) * self.e1[:, None])
+        return np.stack((self.centre[:, None] + self.radius * out, along, -out / self.radius))
+
+
+Leg = tuple[Piece, ...]
+
+
+def legs_of(route: Route) -> tuple[Leg, ...]:
+    """The legs of a route; raises `NoSolutionError` for an arc or a corner that cannot be."""
+    if isinstance(route, ArcRoute):
+        return ((_arc_of_radius(route),),)
+    if isinstance(route, ArcThrough):
+        return ((_arc_through(route),),)
+    return _polyline(route)
+
+
+def chord(route: Route) -> Piece:
+    """The straight line from the start of a route to its end."""
+    points = route.points if isinstance(route, PolyRoute) else (route.start, route.end)
+    return line(_vector(points[0]), _vector(points[-1]))
+
+
+def line(start: Values, end: Values) -> Piece:
+    """The straight line between two points."""
+    length = float(np.linalg.norm(end - start))
+    direction = (end - start) / length if length else np.eye(len(start))[0]
+    return Piece(start, end, length, direction, np.zeros_like(start))
+
+
+def _vector(place: Place) -> Values:
+    return np.array(place, float)
+
+
+def _axes(direction: Values, left: Values) -> tuple[Values, Values]:
+    """The axes from which θ is counted: those of the plane, or the direction and its left side in space."""
+    return (np.array([1.0, 0.0]), np.array([0.0, 1.0])) if len(direction) == 2 else (direction, left)
+
+
+def _arc(start: Values, end: Values, centre: Values, axes: tuple[Values, Values], turn: float) -> Piece:
+    """The arc about a centre by the signed angle ``turn`` [rad]."""
+    e1, e2 = axes
+    out = start - centre
+    radius = float(np.linalg.norm(out))
+    theta = math.atan2(float(out @ e2), float(out @ e1))
+    sense = 1 if turn >= 0 else -1
+    return Piece(start, end, radius * abs(turn), e1, e2, centre, radius, theta, sense)
+
+
+def _arc_of_radius(route: ArcRoute) -> Piece:
+    """The shorter arc with its centre on the side K ((2.90) to (2.95))."""
+    start, end = _vector(route.start), _vector(route.end)
+    between = end - start
+    d = float(np.linalg.norm(between))
+    if d == 0:
+        remedy = "write two points"
+        raise NoSolutionError("the arc begins where it ends", where=WHERE, value=d, remedy=remedy)
+    if route.radius < d / 2 * (1 - SAME):
+        raise NoSolutionError(
+            f"the radius {route.radius:.9g} m is less than half the distance of the ends, {d / 2:.9g} m",
+            where=WHERE,
+            value=route.radius,
+            limit=d / 2,
+            remedy="write a larger radius",
+        )
+    direction = between / d
+    left = _left(direction, route.normal)
+    away = math.sqrt(max(route.radius**2 - (d / 2) ** 2, 0.0))
+    centre = (start + end) / 2 + route.side * away * left
+    turn = 2 * math.atan2(d / 2, away) * route.side
+    return _arc(start, end, centre, _axes(direction, left), turn)
+
+
+def _left(direction: Values, normal: Place) -> Values:
+    """The unit vector to the left of a direction, seen against the normal."""
+    if len(direction) == 2:
+        return np.array([-direction[1], direction[0]])
+    left = np.cross(np.array(normal, float), direction)
+    size = float(np.linalg.norm(left))
+    if size <= 1e-9 * float(np.linalg.norm(normal)):
+        raise NoSolutionError(
+            "the normal of the arc's plane is parallel to the line from start to end",
+            where=WHERE,
+            value=size,
+            remedy="give another normal, across that line",
+        )
+    return np.asarray(left / size)
+
+
+def _arc_through(route: ArcThrough) -> Piece:
+    """The circle through three points, from the first by the second to the third."""
+    start, via, end = (_vector(point) for point in (route.start, route.via, route.end))
+    d = float(np.linalg.norm(end - start))
+    along = (end - start) / d if d else np.zeros_like(start)
+    a = float((via - start) @ along)
+    off = via - start - a * along
+    b = float(np.linalg.norm(off))
+    if not d or b <= 1e-9 * d:
+        raise NoSolutionError(
+            "the three points of the arc lie on one line",
+            where=WHERE,
+            value=b,
+            limit=0.0,
+            remedy='move via off that line, or write kind = "line"',
+        )
+    left = off / b
+    height = (a * a - a * d + b * b) / (2 * b)
+    centre = (start + end) / 2 + height * left
+    turn = -2 * math.atan2(d / 2, -height)  # clockwise, seen with via above the chord
+    if len(start) == 2 and float(along[0] * left[1] - along[1] * left[0]) < 0:
+        turn = -turn
+    return _arc(start, end, centre, _axes(along, left), turn)
+
+
+def _polyline(route: PolyRoute) -> tuple[Leg, ...]:
+    """Lines between the points, rounded or with a stop at every corner."""
+    points = [_vector(point) for point in route.points]
+    size = max(float(np.linalg.norm(point - points[0])) for point in points)
+    points = [p for k, p in enumerate(points) if k == 0 or np.linalg.norm(p - points[k - 1]) > SAME * size]
+    if len(points) < 2:
+        return ((line(points[0], points[0]),),)
+    sides = [line(a, b) for a, b in pairwise(points)]
+    legs: list[list[Piece]] = [[]]
+    begin, used = points[0], 0.0
+    for k, (side, after) in enumerate(pairwise(sides), 1):
+        turn = _turn(side.e1, after.e1)
+        rounded = SAME < turn < math.pi - 1e-9 and route.corner > 0
+        cut = route.corner * math.tan(turn / 2) if rounded else 0.0
+        _check_corner(k, cut, side.length - used, after.length)
+        legs[-1].append(line(begin, points[k] - cut * side.e1))
+        if rounded:
+            legs[-1].append(_fillet(points[k], side.e1, after.e1, cut, turn))
+        elif turn > SAME:
+            legs.append([])
+        begin, used = points[k] + cut * after.e1, cut
+    legs[-1].append(line(begin, points[-1]))
+    kept = [tuple(piece for piece in leg if piece.length > SAME * size) for leg in legs]
+    return tuple(leg for leg in kept if leg)
+
+
+def _turn(before: Values, after: Values) -> float:
+    """Angle [rad] between two unit vectors."""
+    return 2 * math.atan2(float(np.linalg.norm(after - before)), float(np.linalg.norm(after + before)))
+
+
+def _check_corner(k: int, cut: float, before: float, after: float) -> None:
+    if cut > min(before, after) * (1 + SAME):
+        left = min(before, after)
+        raise NoSolutionError(
+            f"the rounding of corner {k + 1} takes {cut:.9g} m of its sides, which have {left:.9g} m left",
+            where=WHERE,
+            value=cut,
+            limit=left,
+            remedy="write a smaller corner_radius, or points farther apart",
+        )
+
+
+def _fillet(corner: Values, before: Values, after: Values, cut: float, turn: float) -> Piece:
+    """The arc that touches both sides of a corner."""
+    radius = cut / math.tan(turn / 2)
+    inward = after - float(after @ before) * before
+    inward = inward / np.linalg.norm(inward)
+    start, end = corner - cut * before, corner + cut * after
+    plane = len(corner) == 2
+    sense = 1.0 if not plane or before[0] * inward[1] - before[1] * inward[0] > 0 else -1.0
+    return _arc(start, end, start + radius * inward, _axes(before, inward), sense * turn)
