@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmmcalc.errors import AccuracyError, TmmError, UsageError
+from tmmcalc.expression import parse
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.diagram import (
     balanced,
@@ -23,7 +24,6 @@ from tmmcalc.machine.diagram import (
     from_table,
     superposed,
 )
-from tmmcalc.machine.diagram.expression import parse
 from tmmcalc.machine.flywheel.positional import positional_flywheels
 
 TURN = 2 * math.pi

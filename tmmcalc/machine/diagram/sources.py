@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 import numpy as np
 
 from tmmcalc.errors import AccuracyError, UsageError
+from tmmcalc.expression import parse
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.machine.diagram.expression import parse
 from tmmcalc.numerics.panels import Panels, Values, panels, resolved
 
 TURN = 2 * math.pi

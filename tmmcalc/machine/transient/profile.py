@@ -17,7 +17,8 @@ import numpy as np
 
 from tmmcalc.errors import UsageError
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.numerics.panels import Panels, Values, rule
+from tmmcalc.numerics.gauss import rule
+from tmmcalc.numerics.panels import Panels, Values
 
 PARTS = 4  # pieces of a panel: they need fewer coefficients than the panel, and reading costs by coefficients
 CUT = 1e-15  # a last coefficient that is smaller everywhere, relative to its function, is left out

@@ -1,0 +1,83 @@
+"""How finely the rod is divided: elements that close in on its layers, and a degree that no longer changes the answer.
+
+A soft rod under its weight hangs as a chain but for thin layers at its ends, where bending counts: at the joint over
+sqrt(E I/N), at the lower end over the length on which the tension grows enough.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import sqrt
+
+import numpy as np
+
+from tmmcalc.errors import AccuracyError
+from tmmcalc.machine.vibration.pendulum.basis import Basis, graded
+from tmmcalc.machine.vibration.pendulum.task import PendulumTask
+from tmmcalc.numerics.panels import Values
+
+LAYERED = 0.05  # part of the length: thinner layers get elements of their own
+WEAK, STRONG = 1e-3, 1e-7  # thinnest that are followed: of an end without a moment, and of one that has it
+DEGREES = (11, 16, 21, 26, 31, 36, 41, 46)  # that are tried on one element
+FEWER = (6, 8, 10, 12, 14, 16, 20, 24)  # on several
+AGREED = 1e-11  # of a frequency: two degrees that agree so well are fine enough
+ALLOWED = 1e-6  # a larger change of the last degree is a failure
+MOST = 220  # functions
+
+
+def resolved(task: PendulumTask, frequencies: Callable[[Basis], Values], plane: int) -> tuple[Basis, float]:
+    """The basis in which ``frequencies(basis)`` (n,) no longer change, and by how much (relative) they last did.
+
+    A mesh that the task gives is taken as it is, its error by halving the elements. Raises `AccuracyError`.
+    """
+    tilts = task.pivot is not None
+    if task.mesh.elements is not None:
+        given, halved = (_even(many, task.mesh.degree, tilts) for many in (task.mesh.elements, 2 * task.mesh.elements))
+        return given, _change(frequencies(halved), frequencies(given))
+    edges = graded(*_layers(task, plane))
+    nodal = len(edges) > 2
+    first, *others = FEWER if nodal else DEGREES
+    basis = Basis(edges, first, tilts, nodal)
+    found, change = frequencies(basis), np.inf
+    for degree in others:
+        finer = Basis(edges, degree, tilts, nodal)
+        if finer.count > MOST:
+            break
+        better = frequencies(finer)
+        basis, change, found = finer, _change(better, found), better
+        if change < AGREED:
+            return basis, float(change)
+    if change > ALLOWED:
+        raise AccuracyError(
+            f"{basis.count} functions leave an error of {change:.2g} in the natural frequencies",
+            where="pendulum",
+            value=float(change),
+            limit=ALLOWED,
+            remedy="ask for fewer modes, or for a rod that is less soft",
+        )
+    return basis, float(change)
+
+
+def _even(many: int, degree: int, tilts: bool) -> Basis:
+    return Basis(tuple(np.linspace(0.0, 1.0, many + 1).tolist()), degree, tilts)
+
+
+def _change(better: Values, found: Values) -> float:
+    return float(np.max(np.abs(found / better - 1))) if found.shape == better.shape else np.inf
+
+
+def _layers(task: PendulumTask, plane: int) -> tuple[float, float]:
+    """Thickness of the layers at the joint and at the lower end, parts of the length; 1 where there is none."""
+    rod, g = task.rod, task.gravity
+    if g == 0:
+        return 1.0, 1.0
+    bending = rod.bending[plane]
+    top = sqrt(bending / (g * (rod.density * rod.length + task.disc.mass))) / rod.length
+    tension = g * task.disc.mass + (rod.density * g) ** (2 / 3) * bending ** (1 / 3)
+    bottom = sqrt(bending / tension) / rod.length
+    turned = task.disc.diametral[plane] > 0 or task.disc.polar > 0
+    return _followed(top, task.pivot == 0), _followed(bottom, not turned)
+
+
+def _followed(thickness: float, weak: bool) -> float:
+    return max(thickness, WEAK if weak else STRONG) if thickness < LAYERED else 1.0

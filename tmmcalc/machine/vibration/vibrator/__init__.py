@@ -1,0 +1,1 @@
+"""The vibratory assembly device: ring on rods, gripper on flat springs, exciter on an elastic plate."""

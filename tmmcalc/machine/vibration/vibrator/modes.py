@@ -1,0 +1,68 @@
+"""Natural frequencies and modes of the device, and everything in the coordinates of its modes.
+
+With q = F eta, F' M F = 1, F' C F = w^2, the equations are eta'' + B eta' + w^2 eta = F' P.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tmmcalc.errors import UsageError
+from tmmcalc.machine.vibration.pencil import definite_pencil, scaled_factor
+from tmmcalc.machine.vibration.vibrator.energies import COUNT
+from tmmcalc.machine.vibration.vibrator.task import Damping
+from tmmcalc.numerics.panels import Values
+from tmmcalc.records import record
+
+NOISE = 1e-12  # of the largest displacement of a mode: less is none
+
+
+@record
+class Modes:
+    """The linear device in the coordinates of its modes."""
+
+    frequency: Values  # w (7,) ascending [rad/s]
+    shapes: Values  # F (7, 7), a mode in each column, F' M F = 1
+    damping: Values  # F' B F (7, 7) [1/s]
+    weight: Values  # (7,) what makes lengths of the coordinates: 1, of turns the rods' radius [m]
+    error: float  # bound of the relative error of the frequencies
+
+
+def modes_of(mass: Values, stiffness: Values, damping: Damping, arm: float) -> Modes:
+    """Natural frequencies, modes and damping of M, C (7, 7); ``arm`` [m] is what turns are compared by.
+
+    Raises `NoSolutionError` if M or C is not positive definite, `UsageError` for a negative damping.
+    """
+    scaled_factor(stiffness, "stiffness matrix of the device")
+    pencil = definite_pencil(stiffness, mass, "mass matrix of the device")
+    frequency = np.sqrt(pencil.mu)
+    if damping.direct:
+        shape: Values = pencil.y.T @ np.diag(damping.direct) @ pencil.y
+    else:
+        shape = np.diag(2 * damping.ratio * frequency)
+    least = min((damping.ratio, *damping.direct))
+    if least < 0:
+        raise UsageError(
+            f"a damping of {least:.6g} gives energy to the device",
+            where="vibrator",
+            value=least,
+            limit=0.0,
+            remedy="write a damping of at least 0",
+        )
+    weight = np.array([1.0, 1.0, arm, arm, arm, 1.0, arm])
+    return Modes(frequency, pencil.y, shape, weight, float(np.max(pencil.error / pencil.mu)) / 2)
+
+
+def damping_matrix(modes: Modes, mass: Values) -> Values:
+    """B (7, 7) in the coordinates of the device [N*s/m] and [N*m*s/rad]."""
+    back = mass @ modes.shapes
+    found: Values = back @ modes.damping @ back.T
+    return (found + found.T) / 2
+
+
+def shown_shapes(modes: Modes) -> Values:
+    """Modes (7, 7) with their largest displacement 1; turns count by the arm that carries them."""
+    sizes = np.abs(modes.shapes * modes.weight[:, None])
+    at, columns = np.argmax(sizes, axis=0), np.arange(COUNT)
+    found: Values = modes.shapes / (np.sign(modes.shapes[at, columns]) * sizes[at, columns])
+    return np.where(sizes > NOISE * sizes[at, columns], found, 0.0)

@@ -1,0 +1,1 @@
+"""Reports of the vibratory device and of the pendulum-rotor."""
