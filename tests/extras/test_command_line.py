@@ -1,0 +1,64 @@
+"""``tmmcalc extra`` on the ready specs: documents, formats, stored results, pictures."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import tmmcalc
+from tmmcalc.cli.app import app
+from tmmcalc.spec import templates
+from tmmcalc.stages.conversion import to_record
+
+SPECS = {  # command -> stage, words that people read
+    "contact": ("contact", "p_max/p0"),
+    "reliability": ("reliability", "r = 2.559414288"),
+    "tie-down": ("tie_down", "14287.23"),
+    "ball": ("falling_ball", "tau* = 3.739921"),
+    "bearing": ("bearing", "BPFO = 4.496355"),
+}
+RUNNER = CliRunner()
+
+
+def file_of(command: str) -> str:
+    return str(templates.path(f"extra-{command}"))
+
+
+@pytest.mark.parametrize("command", SPECS)
+def test_documents(command: str) -> None:
+    words = SPECS[command][1]
+    people = RUNNER.invoke(app, ["extra", command, file_of(command), "--no-store", "-q"])
+    assert people.exit_code == 0, people.output
+    assert words in people.stdout
+    programs = RUNNER.invoke(app, ["extra", command, file_of(command), "--no-store", "-q", "--format", "json"])
+    assert json.loads(programs.stdout)
+
+
+@pytest.mark.parametrize("command", SPECS)
+def test_what_is_stored_is_what_was_found(command: str, tmp_path: Path) -> None:
+    stage = SPECS[command][0]
+    scene = tmmcalc.load_spec(file_of(command))
+    first, second = (tmmcalc.run(scene, out=tmp_path).results[stage] for _ in range(2))
+    a, b = to_record(first), to_record(second)
+    assert a.scalars == b.scalars
+    assert all(np.array_equal(a.arrays[name], b.arrays[name]) for name in a.arrays)
+    assert [*tmmcalc.run(scene).outcomes] == [stage]
+    assert (tmp_path / f"{stage}.csv").exists() == (command not in ("tie-down", "bearing"))
+
+
+@pytest.mark.parametrize("command", ["contact", "reliability", "ball"])
+def test_columns_and_pictures(command: str, tmp_path: Path) -> None:
+    done = RUNNER.invoke(
+        app, ["extra", command, file_of(command), "--no-store", "-q", "--columns", "S" if command == "ball" else "x"]
+    )
+    assert done.exit_code == 0, done.output
+    picture = tmp_path / "a.svg"
+    scene = tmp_path / "scene.toml"
+    scene.write_text(Path(file_of(command)).read_text())
+    done = RUNNER.invoke(app, ["plot", str(scene), SPECS[command][0], "-o", str(picture)])
+    assert done.exit_code == 0, done.output
+    assert picture.stat().st_size > 10_000

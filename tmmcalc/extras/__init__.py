@@ -1,0 +1,1 @@
+"""Small calculators of neighbouring fields: elastic contact, reliability, tie-down, a falling ball, bearings."""

@@ -1,0 +1,86 @@
+"""Rolling bearing of a wheel: speeds and the frequencies at which its defects are heard; crest factors of vibration.
+
+The inner ring turns by n with the wheel's shaft, the outer ring stands. Rolling bodies of diameter d are on the mean
+diameter Dm at the contact angle phi.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi
+
+from tmmcalc.records import record
+
+SOUND = 3.0  # crest factor of a sound bearing, about
+HIGH = 5.0  # a defect that has begun
+
+
+@record
+class BearingTask:
+    """A bearing, its speed, and readings of its vibration."""
+
+    omega: float  # of the shaft [rad/s]
+    inner: float  # bore or raceway [m]
+    outer: float  # [m]
+    roller: float  # d [m]
+    count: int  # z
+    angle: float = 0.0  # phi [rad]
+    peak: tuple[float, ...] = ()  # of the vibration, in any unit
+    rms: tuple[float, ...] = ()  # the same unit
+
+
+@record
+class Bearing:
+    """Frequencies of defects in 1/s."""
+
+    omega: float  # [rad/s]
+    turns: float  # n [1/s]
+    width: float  # between inner and outer radius, R_n [m]
+    half: float  # half of it [m]
+    mean_radius: float  # [m]
+    cage: float  # FTF [1/s]
+    outer_race: float  # BPFO
+    inner_race: float  # BPFI
+    roller: float  # BSF: turns of a rolling body; a defect on it strikes twice
+    raceway_speed: float  # of the inner ring [m/s]
+    crest: tuple[float, ...] = ()  # peak/RMS of the readings
+    notes: tuple[str, ...] = ()
+
+
+def solve_bearing(task: BearingTask) -> Bearing:
+    """Frequencies of the cage, the raceways and the rolling bodies, crest factors of the readings.
+
+    >>> found = solve_bearing(BearingTask(4.8, 0.15, 0.34, 0.039, 14))
+    >>> round(found.outer_race, 6), round(found.inner_race, 6), round(found.roller, 6), round(found.cage, 6)
+    (4.496355, 6.198858, 2.338763, 0.321168)
+    """
+    n, mean = task.omega / (2 * pi), (task.inner + task.outer) / 2
+    part = task.roller / mean * cos(task.angle)
+    crest = tuple(peak / rms for peak, rms in zip(task.peak, task.rms, strict=True))
+    return Bearing(
+        omega=task.omega,
+        turns=n,
+        width=(task.outer - task.inner) / 2,
+        half=(task.outer - task.inner) / 4,
+        mean_radius=mean / 2,
+        cage=n / 2 * (1 - part),
+        outer_race=task.count * n / 2 * (1 - part),
+        inner_race=task.count * n / 2 * (1 + part),
+        roller=n * mean / (2 * task.roller) * (1 - part**2),
+        raceway_speed=task.omega * task.inner / 2,
+        crest=crest,
+        notes=tuple(_notes(crest)),
+    )
+
+
+def _notes(crest: tuple[float, ...]) -> list[str]:
+    if not crest:
+        return []
+    found = ["note: the trend of the crest factor tells, not one value: peaks rise first, the RMS later"]
+    top = max(crest)
+    if top >= HIGH and crest[-1] < top:
+        found.append(f"warning: the crest factor fell from {top:.4g} to {crest[-1]:.4g}: wear spreads, the end is near")
+    elif top >= HIGH:
+        found.append(
+            f"warning: the crest factor of {top:.4g} tells of a defect; of a sound bearing it is about {SOUND:g}"
+        )
+    return found

@@ -1,0 +1,257 @@
+"""Fall of a ball whose radius decreases as r = r0 e^(-lambda t), with the reaction of the mass that separates.
+
+dv/dt = g - (alpha/r) v|v| + 3 s lambda V, positive downwards; s = 1 accelerates, -1 brakes. V is constant, the relative
+speed of the separated mass, or it is v: that mass then has no speed of its own. With xi = e^(lambda t) and a driving
+acceleration a the speed is a quotient of Bessel functions of eta = 2 sqrt(alpha |a| xi/r0)/lambda.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import exp, expm1, log, log1p, pi, sqrt
+
+import numpy as np
+
+from tmmcalc.errors import AccuracyError
+from tmmcalc.numerics.panels import Panels, Values, panels, resolved
+from tmmcalc.records import record
+
+BALANCED = 1e-13  # of gravity and reaction: a smaller difference is none
+LONG = 80.0  # lambda t after which nothing moves
+HALVED = 40  # times that the first panel of the time is halved
+SHOWN = 5.0  # lambda t of the table of a ball that does not stop
+RESOLVED = 1e-13
+LARGE = 1e7  # argument of Bessel functions
+NEAR, FAR = 0.05, 3.4  # steps of tau, and reach, within which a cylinder function of order 0 changes its sign
+
+
+@record
+class BallTask:
+    """A ball and its fall."""
+
+    radius: float  # r0 [m]
+    drag: float  # alpha
+    decay: float  # lambda [1/s]
+    gravity: float = 9.81  # g [m/s^2]
+    sign: int = 1  # s: 1 accelerates, -1 brakes
+    relative: float | None = 0.0  # V = |v_r| [m/s]; None: V = v
+    initial: float = 0.0  # v0 [m/s], downwards
+    times: tuple[float, ...] = ()  # [s] at which speed and way are asked for
+    duration: float | None = None  # [s] of the table; None: to the stop, or as long as the ball moves fast
+    rows: int = 200
+
+
+@record
+class Moment:
+    """An instant of the fall."""
+
+    t: float  # [s]
+    v: float  # [m/s]
+    way: float  # from the beginning, downwards [m]
+
+
+@record
+class Ball:
+    """The fall of the ball."""
+
+    drive: float  # g + 3 s lambda V with constant V, else g [m/s^2]
+    argument: float  # eta0 or tau0, of the Bessel functions at t = 0
+    fastest: Moment | None  # where the speed is largest, if it has a maximum inside
+    stop: Moment | None  # where the ball stops; then it moves upwards
+    stop_argument: float | None  # tau* of that instant
+    total: float | None  # way that it never exceeds, if it does not stop [m]
+    asked: tuple[Moment, ...]
+    labels: tuple[str, ...]
+    t: Values  # (n,) [s]
+    radius: Values  # (n,) [m]
+    v: Values  # (n,) [m/s]
+    a: Values  # (n,) [m/s^2]
+    way: Values  # (n,) [m]
+    error: float  # of the way, relative to its largest value
+    notes: tuple[str, ...] = ()
+
+
+@record
+class _Fall:
+    """A fall that never turns back, from t = 0: v0 >= 0, a driving acceleration, the radius it begins with."""
+
+    radius: float
+    drag: float
+    decay: float
+    drive: float
+    orders: tuple[int, int]  # of the Bessel functions above and below
+    initial: float
+
+    def argument(self, t: Values) -> Values:
+        """eta (n,), or tau of a braked ball."""
+        begun = 2 * sqrt(self.drag * abs(self.drive) / self.radius) / self.decay
+        return np.asarray(begun * np.exp(self.decay * t / 2))
+
+
+def solve_falling_ball(task: BallTask) -> Ball:
+    """Speed over the time in closed form; its maximum, the stop, the way by quadrature of the speed."""
+    own = task.relative is None
+    push = 0.0 if task.relative is None else 3 * task.sign * task.decay * task.relative
+    drive = task.gravity + push
+    if abs(drive) <= BALANCED * max(task.gravity, abs(push)):
+        drive = 0.0
+    orders = (0, 1) if not own else (3, 4) if task.sign > 0 else (3, 2)
+    fall = _Fall(task.radius, task.drag, task.decay, drive, orders, task.initial)
+    stop = stop_time(fall) if drive < 0 else None
+    speed = _course(fall, stop)
+    end = task.duration if task.duration is not None else stop if stop else SHOWN / task.decay
+    fastest = _fastest(fall, speed, 3 * task.sign * task.decay if own else 0.0)
+    on, values, tail = _resolved(speed, max(end, *task.times, fastest or 0.0, stop or 0.0), stop)
+
+    def way(t: Values) -> Values:
+        return on.primitive_at(values[0], t)
+
+    def moment(t: float) -> Moment:
+        at = np.array([t])
+        return Moment(t, 0.0 if t == stop else float(speed(at)[0]), float(way(at)[0]))
+
+    t = end * np.arange(task.rows + 1) / task.rows
+    v, s = speed(t), way(t)
+    radius = task.radius * np.exp(-task.decay * t)
+    return Ball(
+        drive=drive,
+        argument=float(fall.argument(np.zeros(1))[0]),
+        fastest=None if fastest is None else moment(fastest),
+        stop=None if stop is None else moment(stop),
+        stop_argument=None if stop is None else float(fall.argument(np.array([stop]))[0]),
+        total=_total(fall, speed) if stop is None else None,
+        asked=tuple(map(moment, task.times)),
+        labels=tuple(map(str, range(len(t)))),
+        t=t,
+        radius=radius,
+        v=v,
+        a=drive - task.drag / radius * v * np.abs(v) + (3 * task.sign * task.decay * v if own else 0.0),
+        way=s,
+        error=tail,
+    )
+
+
+def falling_speed(fall: _Fall, t: Values) -> Values:
+    """v (n,) [m/s] at t (n,) [s]; of a braked ball up to its stop."""
+    if fall.drive == 0:
+        k = fall.drag * fall.initial / (fall.decay * fall.radius)
+        return np.asarray(fall.initial / (1 + k * np.expm1(fall.decay * t)))
+    above, below = _quotient(fall, t)
+    return np.asarray(2 * abs(fall.drive) / fall.decay / fall.argument(t) * above / below)
+
+
+def _quotient(fall: _Fall, t: Values) -> tuple[Values, Values]:
+    """Numerator and denominator of the speed; scaled, so that neither overflows."""
+    from scipy.special import jv, yv
+
+    first, second = (_rising, _fading) if fall.drive > 0 else (jv, yv)
+    n, m = fall.orders
+    begun, eta = fall.argument(np.zeros(1)), fall.argument(t)
+    g, u = 2 * abs(fall.drive), fall.decay * fall.initial * begun
+    if fall.drive < 0:
+        c, d = u * second(m, begun) - g * second(n, begun), g * first(n, begun) - u * first(m, begun)
+        return c * first(n, eta) + d * second(n, eta), c * first(m, eta) + d * second(m, eta)
+    c, d = g * second(n, begun) + u * second(m, begun), g * first(n, begun) - u * first(m, begun)
+    faded = d * np.exp(-2 * (eta - begun))
+    return c * first(n, eta) - faded * second(n, eta), c * first(m, eta) + faded * second(m, eta)
+
+
+def _rising(order: int, x: Values) -> Values:
+    """I_n(x) e^-x, by its asymptotic series where the library has no more digits."""
+    from scipy.special import ive
+
+    return np.where(
+        x < LARGE, ive(order, np.minimum(x, LARGE)), (1 - (4 * order**2 - 1) / (8 * x)) / np.sqrt(2 * pi * x)
+    )
+
+
+def _fading(order: int, x: Values) -> Values:
+    """K_n(x) e^x, likewise."""
+    from scipy.special import kve
+
+    return np.where(
+        x < LARGE, kve(order, np.minimum(x, LARGE)), (1 + (4 * order**2 - 1) / (8 * x)) * np.sqrt(pi / (2 * x))
+    )
+
+
+def stop_time(fall: _Fall) -> float:
+    """The time [s] at which a braked ball stops: the first root of c J0 + Y0 behind tau0 (16)."""
+    from scipy.optimize import brentq
+
+    if fall.initial == 0:
+        return 0.0
+    begun = float(fall.argument(np.zeros(1))[0])
+    if begun > LARGE:
+        raise AccuracyError(
+            f"tau0 = {begun:.4g}: Bessel functions have no digits left there",
+            where="falling_ball",
+            value=begun,
+            limit=LARGE,
+            remedy="write a larger decay, or a smaller drag",
+        )
+
+    def above(tau: Values) -> Values:
+        return _quotient(fall, 2 / fall.decay * np.log(tau / begun))[0]
+
+    tau = begun + np.arange(0.0, FAR, NEAR)
+    values = above(tau)
+    k = int(np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))[0])
+    root = brentq(lambda x: float(above(np.array([x]))[0]), tau[k], tau[k + 1], xtol=1e-15 * begun, rtol=1e-15)
+    return 2 / fall.decay * log(root / begun)
+
+
+def _course(fall: _Fall, stop: float | None) -> Callable[[Values], Values]:
+    """The speed at any time: behind the stop a ball that rises and is driven upwards."""
+    if stop is None:
+        return lambda t: falling_speed(fall, t)
+    radius = fall.radius * exp(-fall.decay * stop)
+    back = _Fall(radius, fall.drag, fall.decay, -fall.drive, fall.orders, 0.0)
+
+    def speed(t: Values) -> Values:
+        down = falling_speed(fall, np.minimum(t, stop))
+        return np.where(t < stop, down, -falling_speed(back, np.maximum(t - stop, 0.0)))
+
+    return speed
+
+
+def _resolved(speed: Callable[[Values], Values], end: float, stop: float | None) -> tuple[Panels, Values, float]:
+    """Panels of the time on which the speed is resolved, narrow at the beginning, with an edge at the stop."""
+    edges = [end / 2**k for k in range(1, HALVED)] + ([stop] if stop else [])
+    return resolved(lambda t: speed(t)[None], panels(0.0, end, sorted(edges), end / 8), RESOLVED)
+
+
+def _fastest(fall: _Fall, speed: Callable[[Values], Values], own: float) -> float | None:
+    """Where dv/dt = 0; there d2v/dt2 < 0 always, so there is one such place at most."""
+    from scipy.optimize import brentq
+
+    def slope(t: float) -> float:
+        v = float(speed(np.array([t]))[0])
+        return fall.drive + own * v - fall.drag / fall.radius * exp(fall.decay * t) * v * v
+
+    if fall.drive <= 0 or slope(0.0) <= 0:
+        return None
+    high = 1 / fall.decay
+    while slope(high) > 0:
+        high *= 2
+    return float(brentq(slope, 0.0, high, xtol=1e-14 * high))
+
+
+def _total(fall: _Fall, speed: Callable[[Values], Values]) -> float:
+    """The way after a long time; without a drive in closed form."""
+    if not fall.drive:
+        return drag_way(fall, float("inf"))
+    on, values, _ = _resolved(speed, LONG / fall.decay, None)
+    return float(on.total(values)[0])
+
+
+def drag_way(fall: _Fall, t: float) -> float:
+    """The way [m] of a ball on which nothing but drag acts, S = r0/(alpha b) ln((1 - b e^(-lambda t))/(1 - b)).
+
+    >>> fall = _Fall(1e-3, 1e-4, 2 / 3, 0.0, (0, 1), 6.0)
+    >>> round(drag_way(fall, 1.5), 5), round(drag_way(fall, float("inf")), 6)
+    (5.87685, 9.482446)
+    """
+    k = fall.drag * fall.initial / (fall.decay * fall.radius)
+    part, past = k - 1, -expm1(-fall.decay * t)
+    size = fall.radius * k / fall.drag
+    return size * (log1p(part * past) / part if part else past)

@@ -1,0 +1,233 @@
+"""Reliability of a rotating product whose strength x(t) = r e^(-beta t) falls while shock loads strike it.
+
+Loads are uniform on [a, b], shocks come at a constant rate h. A shock stronger than x is a failure: its intensity is 0
+while x > b, h (b - x)/(b - a) on [a, b], h below a. Times are in any unit, rates in one over it; loads in any unit too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import exp, lgamma, log, pi, sqrt
+
+import numpy as np
+
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.numerics.panels import Values
+from tmmcalc.records import record
+
+STIRLING = 50.0  # from here the gamma function is that of Stirling's series
+SLOWEST, SCAN = 1e-12, 400  # of the search for beta: its lowest value over the highest, its steps
+LEFT = 1e-3  # reliability at the end of the table
+PARTS = (0.9, 0.5, 0.1)  # reliabilities whose lives are told
+
+
+@record
+class LifeTest:
+    """What a test of items tells: from it beta and r are estimated."""
+
+    items: int  # m
+    least: float  # t_(1), shortest life
+    mean: float  # mean life
+
+
+@record
+class ReliabilityTask:
+    """Loads, shocks, and the strength or the test that it is estimated from."""
+
+    low: float  # a
+    high: float  # b
+    rate: float  # h
+    strength: float | None = None  # r
+    decay: float | None = None  # beta
+    test: LifeTest | None = None
+    times: tuple[float, ...] = ()  # at which the reliability is asked for
+    until: float | None = None  # end of the table
+    rows: int = 100
+
+
+@record
+class Reliability:
+    """Reliability over the time."""
+
+    strength: float  # r
+    decay: float  # beta
+    low: float  # a
+    high: float  # b
+    threshold: float  # t0 = ln(r/b)/beta, up to which nothing fails; 0 if the strength begins below b
+    floor: float | None  # time from which every shock is a failure, None: never
+    mean: float  # mean life
+    lives: tuple[tuple[float, float], ...]  # reliability, life that it is kept for
+    asked: tuple[tuple[float, float], ...]  # time, reliability
+    labels: tuple[str, ...]
+    t: Values  # (n,)
+    kept: Values  # (n,) R
+    density: Values  # (n,) f
+    intensity: Values  # (n,) of failures
+    x: Values  # (n,) strength
+    notes: tuple[str, ...] = ()
+
+
+def load_range(readings: tuple[float, ...]) -> tuple[float, float]:
+    """Estimates a* and b* of a uniform load from n readings.
+
+    >>> load_range((2.0, 3.0, 2.5))
+    (1.5, 3.5)
+    """
+    n, least, largest = len(readings), min(readings), max(readings)
+    return (n * least - largest) / (n - 1), (n * largest - least) / (n - 1)
+
+
+def solve_reliability(task: ReliabilityTask) -> Reliability:
+    """Strength and decay, the reliability over the time, mean life and lives at given reliabilities.
+
+    Raises `NoSolutionError` if no decay gives the mean life of the test.
+    """
+    r, beta = _estimated(task)
+    law = _Law(task.low, task.high, task.rate, r, beta)
+    lives = tuple((part, life_at(law, part)) for part in PARTS)
+    end = task.until if task.until is not None else life_at(law, LEFT)
+    t = end * np.arange(task.rows + 1) / task.rows
+    kept, intensity = np.exp(-hazard(law, t)), failure_rate(law, t)
+    start, floor = span(law)
+    return Reliability(
+        strength=r,
+        decay=beta,
+        low=task.low,
+        high=task.high,
+        threshold=start,
+        floor=floor,
+        mean=mean_life(law),
+        lives=lives,
+        asked=tuple((each, float(np.exp(-hazard(law, np.array([each]))[0]))) for each in task.times),
+        labels=tuple(map(str, range(len(t)))),
+        t=t,
+        kept=kept,
+        density=kept * intensity,
+        intensity=intensity,
+        x=r * np.exp(-beta * t),
+        notes=_notes(task, r),
+    )
+
+
+@record
+class _Law:
+    """a, b, h, r, beta."""
+
+    low: float
+    high: float
+    rate: float
+    strength: float
+    decay: float
+
+
+def span(law: _Law) -> tuple[float, float | None]:
+    """Times at which the strength reaches b and a, at least 0; None: it never reaches a."""
+    start = max(log(law.strength / law.high) / law.decay, 0.0)
+    return start, max(log(law.strength / law.low) / law.decay, 0.0) if law.low > 0 else None
+
+
+def failure_rate(law: _Law, t: Values) -> Values:
+    """Intensity of failures (n,) at the times (n,)."""
+    x = law.strength * np.exp(-law.decay * t)
+    return np.asarray(law.rate * np.clip((law.high - x) / (law.high - law.low), 0.0, 1.0))
+
+
+def hazard(law: _Law, t: Values) -> Values:
+    """-ln R (n,) at the times (n,): the integral of the intensity from 0, (5) with both ends of the load."""
+    start, floor = span(law)
+    inside = np.maximum(t if floor is None else np.minimum(t, floor), start)
+    beyond = np.zeros_like(t) if floor is None else law.rate * np.maximum(t - floor, 0.0)
+    x = law.strength * np.exp(-law.decay * start)
+    tau = inside - start
+    fallen = x * (law.decay * tau + np.expm1(-law.decay * tau)) / law.decay
+    return np.asarray(law.rate / (law.high - law.low) * ((law.high - x) * tau + fallen) + beyond)
+
+
+def mean_life(law: _Law) -> float:
+    """The mean life (8) in closed form, with lower incomplete gamma functions.
+
+    With c = h b/((b - a) beta) and u = x/b: t0 + e^c c^-c [gamma(c, c u0) - gamma(c, c ua)]/beta + R(ta)/h.
+    """
+    from scipy.special import gammainc
+
+    start, floor = span(law)
+    c = law.rate * law.high / ((law.high - law.low) * law.decay)
+    begun = min(law.strength / law.high, 1.0)
+    if begun <= law.low / law.high:
+        return 1 / law.rate
+    shift = c * (begun - 1 - log(begun))  # -ln R from x = b to the beginning
+    inner = float(gammainc(c, c * begun) - gammainc(c, c * law.low / law.high)) * exp(_gamma_exponent(c) + shift)
+    after = 0.0 if floor is None else float(np.exp(-hazard(law, np.array([floor]))[0])) / law.rate
+    return start + inner / law.decay + after
+
+
+def _gamma_exponent(c: float) -> float:
+    """ln of e^c c^-c Gamma(c), without the cancellation of large terms.
+
+    >>> abs(_gamma_exponent(STIRLING) - (STIRLING + lgamma(STIRLING) - STIRLING * log(STIRLING))) < 1e-13
+    True
+    """
+    if c < STIRLING:
+        return c + lgamma(c) - c * log(c)
+    return 0.5 * log(2 * pi / c) + 1 / (12 * c) - 1 / (360 * c**3) + 1 / (1260 * c**5)
+
+
+def life_at(law: _Law, part: float) -> float:
+    """The time at which the reliability is ``part``."""
+    wanted = -log(part)
+    return _root(lambda t: float(hazard(law, np.array([t]))[0]) - wanted, *_around(law, wanted))
+
+
+def _around(law: _Law, wanted: float) -> tuple[float, float]:
+    start, _ = span(law)
+    high = start + wanted / law.rate
+    while hazard(law, np.array([high]))[0] < wanted:
+        high = start + 2 * (high - start)
+    return start, high
+
+
+def _estimated(task: ReliabilityTask) -> tuple[float, float]:
+    """r and beta, given or from the test: the shortest life is the mode of its distribution (10), the mean is (8)."""
+    if task.test is None:
+        assert task.strength is not None
+        assert task.decay is not None
+        return task.strength, task.decay
+    test, width = task.test, task.high - task.low
+
+    def strength(beta: float) -> float:
+        half = beta * width / (2 * task.rate * test.items)
+        root = sqrt(half * (2 * task.high + half))
+        return exp(beta * test.least) * (task.high - 2 * task.high * half / (half + root))  # b + half - root
+
+    def excess(log_beta: float) -> float:
+        beta = exp(log_beta)
+        return mean_life(_Law(task.low, task.high, task.rate, strength(beta), beta)) - test.mean
+
+    fastest = min(700 / test.least, task.rate * test.items * width / task.low if task.low > 0 else np.inf)
+    grid = np.linspace(log(SLOWEST * fastest), log(fastest), SCAN + 1)
+    found = np.array([excess(float(each)) for each in grid])
+    change = np.flatnonzero(np.signbit(found[1:]) != np.signbit(found[:-1]))
+    if not len(change):
+        raise NoSolutionError(
+            f"no decay of the strength gives a mean life of {test.mean:.6g}: with a shortest life of {test.least:.6g} "
+            f"it is between {test.mean + found.min():.6g} and {test.mean + found.max():.6g}",
+            where="reliability",
+            value=test.mean,
+            limit=float(test.mean + found.min()),
+            remedy="look at the lives, at their unit of time and at that of the rate",
+        )
+    k = int(change[-1])
+    beta = exp(_root(excess, float(grid[k]), float(grid[k + 1])))
+    return strength(beta), beta
+
+
+def _root(f: Callable[[float], float], low: float, high: float) -> float:
+    from scipy.optimize import brentq
+
+    return float(brentq(f, low, high, xtol=1e-300, rtol=4 * np.finfo(float).eps))
+
+
+def _notes(task: ReliabilityTask, r: float) -> tuple[str, ...]:
+    if r < task.high:
+        return (f"warning: the strength begins at {r:.6g}, below the largest load {task.high:.6g}: no life is certain",)
+    return ()

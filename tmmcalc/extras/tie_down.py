@@ -1,0 +1,135 @@
+"""Forces in the ties that hold a load on a vehicle against its inertia force along the way.
+
+Four ties, two along each direction of the way, elevation alpha, angle beta in plan; a load of weight G2 on a fixed
+cradle and, if there is one, on a sliding support. F moves the load, G presses it on the cradle; P0 is the preload.
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, sin, tan
+
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.records import record
+
+
+@record
+class Support:
+    """The sliding support of the load, and where the load stands on it."""
+
+    weight: float  # G_o [N]
+    friction: float  # mu_s
+    base: float  # L [m]
+    arm: float  # b [m], of the load, which loads the support by G2 b/L
+    cradle_arm: float  # a [m], which loads the cradle by G2 a/L
+    diameter: float  # D [m], the inertia force acts D/2 above the bearing
+
+
+@record
+class Thread:
+    """The thread by which ties are tightened, right- and left-handed at the two ends."""
+
+    moment: float  # M [N*m]
+    diameter: float  # d2, mean [m]
+    lead: float  # lambda [rad]
+    friction_angle: float  # rho' [rad]
+
+
+@record
+class TieDownTask:
+    """A load and its ties."""
+
+    weight: float  # G2 [N]
+    factor: float  # k, inertia force over weight
+    elevation: float  # alpha [rad]
+    plan: float  # beta [rad]
+    friction: float  # mu of the cradle
+    preload: float = 0.0  # P0 [N]
+    thread: Thread | None = None  # gives the preload
+    support: Support | None = None
+
+
+@record
+class TieDown:
+    """Forces of the ties."""
+
+    push: float  # F [N], moves the load
+    press: float  # G [N], on the cradle
+    preload: float  # P0 [N]
+    force: float  # R [N] of a tie that is stretched: (3), at least the preload
+    change: float  # dR = R - P0 [N]
+    opposite: float  # P0 - dR [N] of a tie that slackens, 0 once it is slack
+    vertical: float  # 4 P0 sin alpha [N]
+    balanced: float  # [N] R by the equilibrium of all ties, in which both pairs change by dR until one is slack
+    best_elevation: float  # [rad], of the least R
+    held: str  # "friction", "all ties", "two ties"
+    notes: tuple[str, ...] = ()
+
+
+def preload_of(thread: Thread) -> float:
+    """P0 = M/(d2 tan(lambda + rho')) [N] (8).
+
+    >>> round(preload_of(Thread(30.0, 0.014701, 0.0433, 0.2049)), 2)
+    8052.38
+    """
+    return thread.moment / (thread.diameter * tan(thread.lead + thread.friction_angle))
+
+
+def solve_tie_down(task: TieDownTask) -> TieDown:
+    """Forces of the ties by (3) with the loads of (7), and by the equilibrium of all ties.
+
+    Raises `NoSolutionError` where the inertia tips the load off the cradle.
+    """
+    preload = task.preload if task.thread is None else preload_of(task.thread)
+    push, own = _loads(task)
+    vertical = 4 * preload * sin(task.elevation)
+    press = own + vertical
+    if press <= 0:
+        raise NoSolutionError(
+            f"the load leaves its cradle: it presses on it by {press:.6g} N",
+            where="tie_down",
+            value=press,
+            limit=0.0,
+            remedy="tighten the ties more, or let the load stand lower",
+        )
+    mu, along = task.friction, cos(task.elevation) * cos(task.plan)
+    pull = 2 * (mu * sin(task.elevation) + along)
+    force = max((push - mu * press) / pull, preload)
+    change = force - preload
+    spread = max(push - mu * press, 0.0) / (4 * along)  # of both pairs
+    balanced = preload + spread if spread <= preload else (push - mu * own) / pull
+    held = "friction" if push <= mu * press else "all ties" if spread <= preload else "two ties"
+    return TieDown(
+        push=push,
+        press=press,
+        preload=preload,
+        force=force,
+        change=change,
+        opposite=max(preload - change, 0.0),
+        vertical=vertical,
+        balanced=balanced,
+        best_elevation=atan2(mu, cos(task.plan)),
+        held=held,
+        notes=tuple(_notes(force, preload, balanced)),
+    )
+
+
+def _loads(task: TieDownTask) -> tuple[float, float]:
+    """F, and what presses the load on its cradle without ties (7)."""
+    g, k, support = task.weight, task.factor, task.support
+    if support is None:
+        return k * g, g
+    tipped = k * g * support.diameter / (2 * support.base)
+    held = support.friction * (support.weight + g * support.arm / support.base + tipped)
+    return k * g - held, g * support.cradle_arm / support.base - tipped
+
+
+def _notes(force: float, preload: float, balanced: float) -> list[str]:
+    found = []
+    if force > 2 * preload > 0:
+        found.append(f"warning: R = {force:.6g} N is above 2 P0 = {2 * preload:.6g} N: the opposite ties are slack")
+    if balanced > force * (1 + 1e-9):
+        found.append(
+            f"note: (3) gives R = {force:.6g} N with the preload in the vertical load of two ties; the equilibrium of "
+            f"all four gives {balanced:.6g} N"
+        )
+    return found

@@ -1,0 +1,149 @@
+"""Constraints on named quantities, their margins, and whether all that is asked holds.
+
+A constraint holds its quantity between two limits, or on one side of one. Its margin is what is left to the nearer
+limit as a part of that limit (of one where the limit is zero): not negative where it holds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import reduce
+from typing import Literal
+
+import numpy as np
+
+from tmmcalc.feasibility.logic import Form, conjunction
+from tmmcalc.feasibility.rule import failing, function, holds
+from tmmcalc.records import record
+
+Of = Literal["max", "min", "range", "mean", "size", "first", "last"]
+OF = ("max", "min", "range", "mean", "size", "first", "last")
+ROWS = ("train", "criteria")  # stages whose rows are sets to choose from: a constraint on a column judges every row
+
+
+@record
+class Constraint:
+    """A named inequality on a fact of a stage's summary, or on a column of its table.
+
+    Limits are numbers in the unit in which the quantity is told, or texts with a unit.
+    """
+
+    name: str
+    stage: str
+    value: str | None = None  # a fact, without its unit
+    column: str | None = None  # a column, without its unit
+    of: Of = "max"  # what of the column; size: the largest magnitude
+    at_least: float | str | None = None
+    at_most: float | str | None = None
+
+    @property
+    def quantity(self) -> str:
+        """The quantity in words: ``kinematics stroke_D``, ``forces max R_A``, ``criteria mass``."""
+        if self.value:
+            return f"{self.stage} {self.value}"
+        return f"{self.stage} {self.column}" if self.stage in ROWS else f"{self.stage} {self.of} {self.column}"
+
+
+@record
+class FeasibilityTask:
+    """The constraints, the rule that combines them (empty: all must hold), and the form of its function."""
+
+    constraints: tuple[Constraint, ...]
+    rule: str = ""
+    form: Form = "minmax"
+    m: int = 1  # order of smoothness of Rm
+
+    @property
+    def combined(self) -> str:
+        """The rule, or that all must hold."""
+        return self.rule or " and ".join(constraint.name for constraint in self.constraints)
+
+
+@record
+class Verdict:
+    """A constraint at its value: limits in the value's unit, margin, whether it holds."""
+
+    name: str
+    quantity: str
+    value: float
+    unit: str
+    at_least: float | None
+    at_most: float | None
+    margin: float
+    holds: bool
+
+
+@record
+class Candidate:
+    """One of several designs, judged; ``refused`` says why one could not be, then nothing else is known of it."""
+
+    number: int  # among the designs, from 1
+    name: str
+    feasible: bool
+    function: float | None
+    failing: tuple[str, ...]
+    verdicts: tuple[Verdict, ...]
+    refused: str = ""
+
+
+@record
+class Feasibility:
+    """All verdicts, whether the rule holds, its function, and the constraints at fault.
+
+    A constraint is at fault if it does not hold and the rule asks for it, or if it holds and the rule excludes it.
+    Of several designs ``candidates`` are all, the best first, and the rest tells of the first of them.
+    """
+
+    verdicts: tuple[Verdict, ...]
+    rule: str
+    form: Form
+    feasible: bool
+    function: float
+    failing: tuple[str, ...]
+    candidates: tuple[Candidate, ...] = ()
+
+    @property
+    def chosen(self) -> int:
+        """Number of the best design, the first feasible one if there is any; 1 where nothing is chosen."""
+        return self.candidates[0].number if self.candidates else 1
+
+
+def margin(value: float, at_least: float | None, at_most: float | None) -> float:
+    """What is left to the nearer limit, as a part of it.
+
+    >>> margin(0.3, 0.2, 0.4)
+    0.25
+    """
+    return min(_margins(value, at_least, at_most))
+
+
+def _margins(value: float, at_least: float | None, at_most: float | None) -> list[float]:
+    """What is left to each limit that there is."""
+    parts = []
+    if at_least is not None:
+        parts.append((value - at_least) / (abs(at_least) or 1.0))
+    if at_most is not None:
+        parts.append((at_most - value) / (abs(at_most) or 1.0))
+    return parts
+
+
+def judge(task: FeasibilityTask, found: Mapping[str, tuple[float, str, float | None, float | None]]) -> Feasibility:
+    """Judge quantities by constraint name: value, unit, and both limits in that unit."""
+    verdicts, functions = [], {}
+    for constraint in task.constraints:
+        value, unit, low, high = found[constraint.name]
+        within = (low is None or value >= low) and (high is None or value <= high)
+        left = margin(value, low, high)
+        verdicts.append(Verdict(constraint.name, constraint.quantity, value, unit, low, high, left, within))
+        sides = map(np.asarray, _margins(value, low, high))
+        functions[constraint.name] = reduce(lambda f, g: conjunction(f, g, task.form, task.m), sides)
+    rule = task.combined
+    truths = {verdict.name: verdict.holds for verdict in verdicts}
+    return Feasibility(
+        tuple(verdicts),
+        rule,
+        task.form,
+        holds(rule, truths),
+        float(function(rule, functions, task.form, task.m)),
+        tuple(failing(rule, truths)),
+    )
