@@ -12,6 +12,8 @@ from timing import bar_text, median_time
 
 import tmmcalc
 from tmmcalc.cams.forces.solve import solve_forces
+from tmmcalc.cams.indexing import solve_indexing
+from tmmcalc.cams.indexing.compare import compare
 from tmmcalc.cams.lawresult import solve_law
 from tmmcalc.cams.optimum.solve import solve_optimum
 from tmmcalc.cams.pressure import solve_pressure
@@ -21,9 +23,10 @@ from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.synthesis.translating import lines_of, nearest
 from tmmcalc.cams.task import CamTask
 from tmmcalc.spec.cams import to_cam
+from tmmcalc.spec.indexings import to_indexing
 
 CONFIGS = Path(tmmcalc.__file__).parents[1] / "configs"
-FULL, LEAST, OPTIMUM = 100.0, 2.0, 300.0  # ms
+FULL, LEAST, OPTIMUM, INDEXING = 100.0, 2.0, 300.0, 100.0  # ms
 ROWS = 36_000
 
 
@@ -56,6 +59,9 @@ def cams() -> list[str]:
     for name, work in stages.items():
         _timed(f"{name}, {ROWS} positions", lambda work=work: work(task_of("cam-translating")))
     missed += _timed(f"all of them in one run, {ROWS} positions", lambda: _whole("cam-translating"), FULL)
+    drive = to_indexing(tmmcalc.load_spec(CONFIGS / "cam-lantern.toml"))
+    missed += _timed("indexing drive with its limits and efficiency", lambda: solve_indexing(drive), INDEXING)
+    missed += _timed("indexing: all numbers of rollers and laws", lambda: compare(drive), INDEXING)
     free = task_of("cam-synthesis")
     missed += _timed("least base circle with its offset", lambda: nearest(lines_of(free)), LEAST)
     asked = task_of("cam-translating", 360)

@@ -17,9 +17,12 @@ from tmmcalc._version import __version__
 
 if TYPE_CHECKING:
     from tmmcalc.api import (
+        list_assemblies,
         run,
         solve_balance,
+        solve_bearing,
         solve_blocking,
+        solve_cam_elastic,
         solve_cam_forces,
         solve_cam_law,
         solve_cam_optimum,
@@ -27,20 +30,31 @@ if TYPE_CHECKING:
         solve_cam_profile,
         solve_cam_strength,
         solve_cam_synthesis,
+        solve_contact,
         solve_criteria,
+        solve_falling_ball,
+        solve_feasibility,
         solve_flywheel,
         solve_forces,
         solve_gearing,
+        solve_indexing,
         solve_kinematics,
+        solve_manipulator,
         solve_motion,
         solve_pairs,
+        solve_pendulum,
         solve_power,
         solve_profiles,
         solve_reduction,
+        solve_reliability,
         solve_strength,
         solve_structure,
+        solve_synthesis,
+        solve_tie_down,
         solve_train,
         solve_transients,
+        solve_unsteady,
+        solve_vibrator,
     )
     from tmmcalc.errors import (
         AccuracyError,
@@ -53,6 +67,8 @@ if TYPE_CHECKING:
         TmmError,
         UsageError,
     )
+    from tmmcalc.feasibility.judge import Feasibility
+    from tmmcalc.feasibility.regions import characteristic, complement, conjunction, disjunction, negation
     from tmmcalc.gears.factors import euclid, prime_factors
     from tmmcalc.gears.gearing import Gearing
     from tmmcalc.gears.involute.internal.ring import Cutter
@@ -74,6 +90,7 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.dyad import DyadMotion, solve_dyad
     from tmmcalc.linkage.dyads import PRP, RPP, RPR, RRP, RRR
     from tmmcalc.linkage.forces.results import Forces
+    from tmmcalc.linkage.listing import Listing
     from tmmcalc.linkage.loading import (
         Body,
         Constant,
@@ -91,17 +108,21 @@ if TYPE_CHECKING:
         Window,
     )
     from tmmcalc.linkage.model import Assembly, Grid, Input, Joint, Link, Mechanism, Output
+    from tmmcalc.linkage.plan import position_plan
     from tmmcalc.linkage.plane import Guide, Point
     from tmmcalc.linkage.reduction.results import Reduction
     from tmmcalc.linkage.results import Kinematics, Method
     from tmmcalc.linkage.structure import Structure
+    from tmmcalc.linkage.unsteady.results import Unsteady
     from tmmcalc.machine.cycle import Cycle
     from tmmcalc.machine.flywheel.task import Flywheel
     from tmmcalc.machine.motion import Motion
     from tmmcalc.machine.power import Power
     from tmmcalc.machine.transient.timed import TimedMotions
+    from tmmcalc.manipulators.results import Manipulator
     from tmmcalc.spec import Spec, load_spec, parse_spec
     from tmmcalc.stages.balance import Balances
+    from tmmcalc.timelaw import TimeLaw
 
 __all__ = [
     "PRP",
@@ -123,6 +144,7 @@ __all__ = [
     "Demands",
     "DriveEfficiency",
     "DyadMotion",
+    "Feasibility",
     "Flywheel",
     "Forces",
     "GearDrive",
@@ -137,8 +159,10 @@ __all__ = [
     "LimitError",
     "Limits",
     "Link",
+    "Listing",
     "Load",
     "Loading",
+    "Manipulator",
     "Mechanism",
     "Mesh",
     "MeshPair",
@@ -168,28 +192,39 @@ __all__ = [
     "StructureError",
     "Synthesis",
     "Tabulated",
+    "TimeLaw",
     "TimedMotions",
     "TmmError",
     "ToothSets",
     "Train",
     "TrainTask",
     "Trains",
+    "Unsteady",
     "UsageError",
     "Viscous",
     "Window",
     "__version__",
     "bevel_differential",
+    "characteristic",
+    "complement",
+    "conjunction",
+    "disjunction",
     "efficiency_of",
     "euclid",
     "flow_of",
+    "list_assemblies",
     "load_spec",
+    "negation",
     "network_of",
     "parse_spec",
+    "position_plan",
     "prime_factors",
     "ratio_of",
     "run",
     "solve_balance",
+    "solve_bearing",
     "solve_blocking",
+    "solve_cam_elastic",
     "solve_cam_forces",
     "solve_cam_law",
     "solve_cam_optimum",
@@ -197,29 +232,44 @@ __all__ = [
     "solve_cam_profile",
     "solve_cam_strength",
     "solve_cam_synthesis",
+    "solve_contact",
     "solve_criteria",
     "solve_dyad",
+    "solve_falling_ball",
+    "solve_feasibility",
     "solve_flywheel",
     "solve_forces",
     "solve_gearing",
+    "solve_indexing",
     "solve_kinematics",
+    "solve_manipulator",
     "solve_motion",
     "solve_pair",
     "solve_pairs",
+    "solve_pendulum",
     "solve_power",
     "solve_profiles",
     "solve_reduction",
+    "solve_reliability",
     "solve_strength",
     "solve_structure",
+    "solve_synthesis",
+    "solve_tie_down",
     "solve_train",
     "solve_transients",
+    "solve_unsteady",
+    "solve_vibrator",
     "synthesise",
 ]
 
 _ELSEWHERE = ("solve_dyad", "solve_pair")  # functions of one part, not of a spec
 
 _HOMES = {
-    "tmmcalc.api": ("run", *(name for name in __all__ if name.startswith("solve_") and name not in _ELSEWHERE)),
+    "tmmcalc.api": (
+        "list_assemblies",
+        "run",
+        *(name for name in __all__ if name.startswith("solve_") and name not in _ELSEWHERE),
+    ),
     "tmmcalc.gears.factors": ("euclid", "prime_factors"),
     "tmmcalc.gears.gearing": ("Gearing",),
     "tmmcalc.gears.involute.internal.ring": ("Cutter",),
@@ -260,6 +310,7 @@ _HOMES = {
     "tmmcalc.linkage.dyad": ("DyadMotion", "solve_dyad"),
     "tmmcalc.linkage.dyads": ("PRP", "RPP", "RPR", "RRP", "RRR"),
     "tmmcalc.linkage.forces.results": ("Forces",),
+    "tmmcalc.linkage.listing": ("Listing",),
     "tmmcalc.linkage.loading": (
         "Body",
         "Constant",
@@ -277,6 +328,8 @@ _HOMES = {
         "Window",
     ),
     "tmmcalc.linkage.reduction.results": ("Reduction",),
+    "tmmcalc.feasibility.judge": ("Feasibility",),
+    "tmmcalc.feasibility.regions": ("characteristic", "complement", "conjunction", "disjunction", "negation"),
     "tmmcalc.machine.cycle": ("Cycle",),
     "tmmcalc.stages.balance": ("Balances",),
     "tmmcalc.machine.flywheel.task": ("Flywheel",),
@@ -284,9 +337,13 @@ _HOMES = {
     "tmmcalc.machine.power": ("Power",),
     "tmmcalc.machine.transient.timed": ("TimedMotions",),
     "tmmcalc.linkage.model": ("Assembly", "Grid", "Input", "Joint", "Link", "Mechanism", "Output"),
+    "tmmcalc.linkage.plan": ("position_plan",),
     "tmmcalc.linkage.plane": ("Guide", "Point"),
     "tmmcalc.linkage.results": ("Kinematics", "Method"),
     "tmmcalc.linkage.structure": ("Structure",),
+    "tmmcalc.linkage.unsteady.results": ("Unsteady",),
+    "tmmcalc.manipulators.results": ("Manipulator",),
+    "tmmcalc.timelaw": ("TimeLaw",),
     "tmmcalc.spec": ("Spec", "load_spec", "parse_spec"),
     "tmmcalc.errors": tuple(name for name in __all__ if name.endswith("Error")),
 }

@@ -45,3 +45,12 @@ def test_stages_that_the_shaper_has_are_drawn(cli: Cli, stage: str) -> None:
     assert cli("plot", "my.toml", stage, "-o", f"{stage}.svg", "-q") == (0, "", "")
     assert Path(f"{stage}.svg").read_bytes().startswith(b"<?xml")
     assert not Path("my.out").exists()
+
+
+def test_the_help_tells_every_picture_of_cams() -> None:
+    from tmmcalc.cli.plot import command
+    from tmmcalc.report.pictures.cams import FIGURES
+
+    told = command.__doc__ or ""
+    assert "cam_elastic" in FIGURES
+    assert [stage for stage in FIGURES if f"{stage}:" not in told] == []

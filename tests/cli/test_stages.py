@@ -33,16 +33,23 @@ def test_structure_of_the_shaper(cli: Cli) -> None:
     assert found["columns"]["class"] == ["II", "II"]
 
 
-def test_class_three_is_shown_and_refused(cli: Cli) -> None:
+def test_class_three_needs_a_word_on_its_assembly(cli: Cli) -> None:
     Path("p.toml").write_text(PLATFORM)
-    code, out, err = cli("structure", "p.toml")
-    assert code == 3
+    code, out, _ = cli("structure", "p.toml")
+    assert code == 0
     assert "I(0,1) -> III(2,3,4,5)" in out
-    assert "not solvable yet: III(2,3,4,5) of order 3" in err
     code, out, err = cli("kinematics", "p.toml")
     assert (code, out) == (3, "")
-    assert "III(2,3,4,5)" in err
+    assert "the assembly of III(2,3,4,5) is chosen at an input coordinate" in err
     assert "->" in err
+    code, out, _ = cli("structure", "p.toml", "--assemblies", "--set", 'mechanism.input.start="70 deg"')
+    assert code == 0
+    assert "nothing tells which assembly of III(2,3,4,5) is meant" in out
+    options = ("--set", 'mechanism.input.start="70 deg"', "--set", "mechanism.grid.span=0.1")
+    numbered = ("--set", 'mechanism.assembly.variants={ "2-3-4-5" = 1 }')
+    code, out, err = cli("kinematics", "p.toml", *options, *numbered)
+    assert code == 0, err
+    assert "III(2,3,4,5) assembly 1" in out
 
 
 def test_kinematics_gives_the_table_of_the_textbook(cli: Cli) -> None:

@@ -11,8 +11,9 @@ import pytest
 
 from tmmcalc.errors import AccuracyError
 from tmmcalc.numerics.collocation import Orbit, initial, solve
+from tmmcalc.numerics.gauss import rule
 from tmmcalc.numerics.newton import Ends, Rates
-from tmmcalc.numerics.panels import Panels, panels, rule
+from tmmcalc.numerics.panels import Panels, panels
 from tmmcalc.numerics.radau import radau
 
 TURN = 2 * math.pi

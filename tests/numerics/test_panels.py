@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmmcalc.numerics.panels import NARROWEST, ORDER, Panels, panels, resolved, rule
+from tmmcalc.numerics.gauss import ORDER, rule
+from tmmcalc.numerics.panels import NARROWEST, Panels, panels, resolved
 from tmmcalc.numerics.peaks import peaks
 
 TURN = 2 * math.pi
@@ -152,6 +153,17 @@ def test_extremes_are_not_beaten_by_a_dense_sample(seed: int) -> None:
     assert dense.max() + 1e-5 * size > high >= dense.max() - 1e-13 * size
     assert f(np.array(low_at)) == pytest.approx(low, abs=1e-13 * size)
     assert f(np.array(high_at)) == pytest.approx(high, abs=1e-13 * size)
+
+
+def test_extremes_of_several_functions_are_those_of_each() -> None:
+    """a + b cos(m x + p) lies between a - b and a + b, at angles in closed form."""
+    on = panels(0.0, TURN)
+    waves = [(0.3, 2.0, 1, 0.4), (-5.0, 0.1, 2, 2.0), (0.0, 7.0, 3, -1.0)]
+    found = on.extremes_of(np.stack([a + b * np.cos(m * on.x + p) for a, b, m, p in waves]))
+    for ((low, low_at), (high, high_at)), (a, b, m, p) in zip(found, waves, strict=True):
+        assert (low, high) == pytest.approx((a - b, a + b), rel=2e-15, abs=1e-14)
+        assert np.cos(m * low_at + p) == pytest.approx(-1, abs=1e-14)
+        assert np.cos(m * high_at + p) == pytest.approx(1, abs=1e-14)
 
 
 def test_a_constant_has_extremes() -> None:

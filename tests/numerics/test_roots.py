@@ -79,3 +79,24 @@ def test_rough_functions_end() -> None:
     """A jump has no root; the place of the change of sign is found all the same."""
     found = bracketed(lambda x, _: np.where(x < 0.7, -1.0, 2.0), np.array([0.0]), np.array([1.0]))
     assert abs(found[0] - 0.7) < 1e-14
+
+
+def test_known_ends_and_guesses_spare_calls() -> None:
+    calls: list[int] = []
+
+    def f(x: np.ndarray, which: np.ndarray) -> np.ndarray:
+        calls.append(len(x))
+        return np.exp(x) - 2 - which
+
+    low, high, roots, every = np.zeros(3), np.full(3, 2.0), np.log([2.0, 3.0, 4.0]), np.arange(3)
+    known = f(low, every), f(high, every), roots + 1e-3
+    calls.clear()
+    assert bracketed(f, low, high) == pytest.approx(roots, rel=1e-15)
+    plain = len(calls)
+    assert bracketed(f, low, high, known=known) == pytest.approx(roots, rel=1e-15)
+    assert len(calls) - plain < plain - 2
+
+
+def test_a_value_within_the_level_is_a_root() -> None:
+    found = bracketed(lambda x, _: x**3 - 2, np.zeros(1), np.full(1, 2.0), level=1e-3)
+    assert 0 < abs(found[0] ** 3 - 2) <= 1e-3

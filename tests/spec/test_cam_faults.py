@@ -488,6 +488,8 @@ FAULTS += [
         "it has no roller",
         "remove",
     ),
+    (f"{SEARCH}contacts = {{}}\n", "cam.optimum.contacts", "{} is empty: there is nothing to try", "write ["),
+    (f"{SEARCH}contacts = []\n", "cam.optimum.contacts", "[] is empty: there is nothing to try", "write ["),
     (
         SEARCH.replace("guide_pressure", 'pin_pressure = "5 MPa"\nguide_pressure') + 'roller_ratios = ["needel"]\n',
         "cam.optimum.roller_ratios",
@@ -686,5 +688,8 @@ def test_words_are_those_of_the_cams() -> None:
 def test_a_knife_edge_is_a_number_without_quotes() -> None:
     with pytest.raises(SpecError) as refused:
         parse_spec(f'{RT}roller_radius = "0"\n')
-    assert any("write roller_radius = 0" in fault.remedy for fault in refused.value.faults)
+    (fault,) = refused.value.faults
+    assert "has no unit" in fault.message
+    assert fault.remedy.startswith("write 0 without quotes")
     parse_spec(f"{RT}roller_radius = 0\n")
+    parse_spec(f'{RT}roller_radius = "0 mm"\n')

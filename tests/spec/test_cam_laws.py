@@ -86,6 +86,33 @@ def test_a_file_is_the_same_as_its_points(tmp_path: Path) -> None:
     assert values(found[0]) == pytest.approx(values(inside), rel=1e-12, abs=1e-11)
 
 
+PARTS = [(k, s) for k, s in zip(np.linspace(0, 1, 9), LAWS["shun"].at(np.linspace(0, 1, 9))[0], strict=True)]
+COLUMNS = {
+    "swapped": ("s,k", [(s, k) for k, s in PARTS], "shun"),
+    "swapped with units": ("S[mm],phi[deg]", [(30 * s, 60 * k) for k, s in PARTS], "shun"),
+    "no header": (None, PARTS, "shun"),
+    "acceleration": ("k,a", [(0, 7), (0.5, 7), (0.5, -7), (1, -7)], "const"),
+    "acceleration first": ("s'',phi[deg]", [(1, 0), (1, 30), (-1, 30), (-1, 60)], "const"),
+}
+
+
+@pytest.mark.parametrize("name", COLUMNS)
+def test_columns_of_a_file_go_by_their_names(folder: Callable[[str, str], Path], name: str) -> None:
+    header, rows, law = COLUMNS[name]
+    lines = [*([header] if header else []), *(f"{float(a)!r},{float(b)!r}" for a, b in rows)]
+    found = values(to_cam(load_spec(folder(OWN, "\n".join(lines)))))
+    parts = np.linspace(0, 1, 41)
+    assert found[:2] == pytest.approx(LAWS[law].at(parts)[:2], abs=1e-9)
+
+
+@pytest.mark.parametrize("kind", ["acceleration = [[0, 1], [1, -1]]", "polynomial = [0, 0, 3, -2]"])
+def test_a_file_beside_a_law_in_the_spec(folder: Callable[[str, str], Path], kind: str) -> None:
+    with pytest.raises(SpecError) as caught:
+        load_spec(folder(OWN.replace("{ file", f"{{ {kind}, file"), "k,s\n0,0\n1,1\n"))
+    (fault,) = caught.value.faults
+    assert f"{kind.split()[0]} and file together" in fault.message
+
+
 def test_the_return_runs_its_law_backwards() -> None:
     task = cam(motion=MOTION.replace("law =", "return_law = { points = [[0, 0], [0.3, 0.1], [1, 1]] }\nrise_law ="))
     assert task.program.at(np.array([180 - 0.3 * 90]) * DEGREE)[0, 0] == pytest.approx(0.003, abs=1e-15)
@@ -110,6 +137,12 @@ FILES = [
     (OWN, "k\n0\n1\n", "cam.law.file", "q.csv, line 1: 1 column; a table of a law of motion has two, k and", "k,s"),
     (OWN, "k[mm],s\n0,0\n1,1\n", "cam.law.file", "'k[mm]' is not a column of angles with its unit, or of", "k,s"),
     (OWN, "k,s[N]\n0,0\n1,1\n", "cam.law.file", "'s[N]' is not a column of lengths or angles", "phi[deg],s[mm]"),
+    (OWN, "k,v\n0,0\n1,1\n", "cam.law.file", "line 1: the columns are 'k' and 'v'; a law of motion has", "k and s"),
+    (OWN, "s,h\n0,0\n1,1\n", "cam.law.file", "line 1: the columns are 's' and 'h'; a law of motion has", "k and s"),
+    (OWN, "k,a[mm]\n0,1\n1,-1\n", "cam.law.file", "'a[mm]' has a unit; accelerations are to any scale", "such as a"),
+    (OWN, "k,a\n0,1\n1,0\n", "cam.law.file", "cannot move a follower: its acceleration does not add up", "equal"),
+    (OWN, "0,2;0\n1;1\n", "cam.law.file", "q.csv, line 1: '0,2' is not a number", "0.2"),
+    (OWN, "0.2,0\n1,1\n", "cam.law.file", "q.csv, line 1: k begins at 0.2", "beginning of the phase"),
     (OWN, "k[parts],s\n0,0\n1,1\n", "cam.law.file", "'k[parts]' is not a column", "k,s"),
     (OWN, "k,s\n0,0\n0.5,x\n1,1\n", "cam.law.file", "q.csv, line 3: 'x' is not a number", "without its unit"),
     (OWN, "k,s\n0,0\n0.5;1\n", "cam.law.file", "q.csv, line 3: 1 value in a table of two columns", "x, value"),

@@ -369,8 +369,8 @@ CROSS_FAULTS = [
         'joint = "O" ',
         'joint = "C" ',
         "mechanism.input.joint",
-        "joint 'C' connects links 3 and 4, neither is the frame",
-        "O, B, D0",
+        "joint 'C' is a pin of links 3 and 4, neither is the frame",
+        "O, A3, B, D0",
     ),
     (
         '"55 rpm"',
@@ -529,7 +529,7 @@ ASSEMBLY_FAULTS = [
     ('at = "1 mm"', "mechanism.assembly.at", "'1 mm' is a length", "30 deg"),
     ('variants = { "2-3" = 2 }', "mechanism.assembly.variants.2-3", "2 is not a variant", "1 or -1"),
     ('variants = { "2-3" = true }', "mechanism.assembly.variants.2-3", "true is not a whole number", ""),
-    ("variants = { a = 1 }", "mechanism.assembly.variants.a", "'a' is not a pair of links", '"2-3" = 1'),
+    ("variants = { a = 1 }", "mechanism.assembly.variants.a", "'a' names no group", '"2-3" = 1'),
     ('variants = { "4-6" = 1 }', "mechanism.assembly.variants.4-6", "there is no link 6", "1, 2, 3, 4, 5"),
     (
         'variants = { "0-1" = 1 }',
@@ -540,10 +540,22 @@ ASSEMBLY_FAULTS = [
     (
         'variants = { "2-4" = 1 }',
         "mechanism.assembly.variants.2-4",
-        "links 2 and 4 are not joined",
-        "share a joint",
+        "links 2, 4 are not joined to each other",
+        "of one group",
     ),
-    ('variants = { "3-3" = 1 }', "mechanism.assembly.variants.3-3", "links 3 and 3 is one", "share a joint"),
+    ('variants = { "3-3" = 1 }', "mechanism.assembly.variants.3-3", "link 3 is named twice", "of one group"),
+    (
+        'variants = { "2-3-4-5" = 0 }',
+        "mechanism.assembly.variants.2-3-4-5",
+        "0 is not the number of an assembly",
+        "structure --assemblies",
+    ),
+    (
+        'variants = { "2-4-5" = 1 }',
+        "mechanism.assembly.variants.2-4-5",
+        "links 2, 4, 5 are not joined to each other",
+        "of one group",
+    ),
     (
         'variants = { "2-3" = 1, "3-2" = 1 }',
         "mechanism.assembly.variants.3-2",

@@ -95,7 +95,7 @@ def test_message_names_the_file_and_counts_the_faults(shaper: str) -> None:
 def test_every_required_key_has_its_words() -> None:
     tables = [("", Spec), *_tables()]
     required = {
-        f"{name}.{key}".lstrip(".")
+        f"{name}.{field.alias or key}".lstrip(".")
         for name, table in tables
         for key, field in table.model_fields.items()
         if field.default is PydanticUndefined and field.default_factory is None
@@ -135,6 +135,7 @@ SINGLE = (
     "train",
 )
 LATE = (*LISTS, *SINGLE)
+LATER = ("gearing", "pair", "cam", "indexing", "vibrator", "pendulum", "unsteady", "manipulator", "linksynthesis")
 
 
 def loaded_by(spec: str) -> set[str]:
@@ -160,9 +161,9 @@ def test_a_good_spec_loads_nothing_that_only_faults_need(shaper: str) -> None:
 def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
     names = {
         f"tmmcalc.spec.{table}"
-        for table in (*LATE, "pair", "cam", "files", "loading", "linkage", "machine", "balancing")
+        for table in (*LATE, *LATER, "constraints", "files", "loading", "linkage", "machine", "balancing")
     }
-    names |= {f"tmmcalc.spec.checks.{table}" for table in (*LATE, "gear", "pair", "cam") if table != "drive"}
+    names |= {f"tmmcalc.spec.checks.{table}" for table in (*LATE, *LATER, "feasibility") if table != "drive"}
     assert not names & loaded_by(shaper)
     assert names & loaded_by(f"{shaper}\n[reduction]\n") == {"tmmcalc.spec.reduction"}
     of_a_machine = {f"tmmcalc.spec.{table}" for table in LATE if table != "torque"}
@@ -182,7 +183,27 @@ def test_files_are_read_only_when_a_spec_names_one(shaper: str) -> None:
 
 def test_late_tables_are_those_of_the_root() -> None:
     root = {"project", "mechanism"}
-    assert {*Spec.model_fields} - root == {*LATE, "strength", "criteria", "gearing", "pair", "cam"}
+    further = {
+        "strength",
+        "criteria",
+        "gearing",
+        "pair",
+        "cam",
+        "indexing",
+        "vibrator",
+        "pendulum",
+        "unsteady",
+        "manipulator",
+        "contact",
+        "reliability",
+        "tie_down",
+        "falling_ball",
+        "bearing",
+        "synthesis",
+        "constraints",
+        "feasibility",
+    }
+    assert {*Spec.model_fields} - root == {*LATE} | further
     assert root < {*Spec.model_fields}
 
 

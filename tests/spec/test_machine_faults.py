@@ -693,9 +693,10 @@ def test_a_key_in_the_wrong_table_has_a_home(shaper: str, faults_of: Faults) -> 
     (fault,) = faults_of(f"{shaper}\n[reduction]\nefficiency = 0.9\n")
     assert fault.remedy.startswith("efficiency belongs in [motor], [transmission], [gearing]")
     (fault,) = faults_of(f"{shaper}\n[reduction]\nstiffness = 1\n")
-    assert fault.remedy == "stiffness belongs in [[springs]], [[shafts]], [cam.spring] or [cam.elastic]"
+    assert fault.remedy.startswith("stiffness belongs in [[springs]], [[shafts]], ")
+    assert fault.remedy.endswith(", [cam.spring] or [cam.elastic]")
     (fault,) = faults_of(f"{shaper}\n[weather]\n")
-    assert fault.remedy.startswith("the keys here are: project, mechanism, torque, loads, springs, drive, motor")
+    assert fault.remedy.startswith("the keys here are: project, mechanism, synthesis, torque, loads, springs, drive")
 
 
 @pytest.mark.parametrize(

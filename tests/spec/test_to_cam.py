@@ -496,7 +496,7 @@ def ready(name: str) -> CamTask:
 
 
 def test_ready_specs() -> None:
-    assert {file.stem for file in Path(CONFIGS).glob("cam*.toml")} == READY.keys()
+    assert {file.stem for file in Path(CONFIGS).glob("cam*.toml") if "\n[cam]" in file.read_text()} == READY.keys()
     for name, (kind, laws) in READY.items():
         assert (ready(name).asked.kind, law_names(ready(name))) == (kind, laws)
 

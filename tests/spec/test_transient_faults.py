@@ -309,9 +309,9 @@ FAULTS = [
         "the masses are 0 (the rotor) to 2 (the crank)",
     ),
     (
-        START + "brake = { moment = 5, until = 3 }\n",
-        "transients[0].brake.until",
-        "unknown key 'until' in [transients.brake]",
+        START + "brake = { moment = 5, ends = 3 }\n",
+        "transients[0].brake.ends",
+        "unknown key 'ends' in [transients.brake]",
         "the keys here are: moment, viscous, from, to, mass",
     ),
     (

@@ -62,6 +62,13 @@ def test_value_is_exact(text: object, dimension: str, si: float) -> None:
         ("4 kg*m2", "inertia", "unknown unit 'kg*m2'", 'did you mean "kg*m^2"?'),
         ("4 parsec", "length", "unknown unit 'parsec'", "known here: m, mm"),
         ("200", "length", "'200' has no unit", "a number without quotes is in m"),
+        (
+            "0",
+            "length",
+            "'0' has no unit",
+            'write 0 without quotes, or a number and its unit in quotes, such as "200 mm"',
+        ),
+        ("-0.00", "angle", "'-0.00' has no unit", "write 0 without quotes"),
         ("200,5 mm", "length", "has a decimal comma", '"200.5 mm"'),
         ("1 000 mm", "length", "does not start with one plain number", "200 mm"),
         ("2/3 m", "length", "does not start with one plain number", "200 mm"),

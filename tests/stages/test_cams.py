@@ -10,7 +10,9 @@ import pytest
 import tmmcalc
 from tmmcalc import run
 from tmmcalc.cams.speed import Speed
+from tmmcalc.cams.task import CamTask
 from tmmcalc.pipeline.plan import plan
+from tmmcalc.pipeline.stages import STAGES
 from tmmcalc.spec import parse_spec
 from tmmcalc.spec.templates import folder
 
@@ -81,6 +83,53 @@ def test_a_speed_of_its_own_needs_no_machine() -> None:
     )
     assert "motion" not in plan(spec, "cam_forces").running
     assert "motion" in plan(machine_with_cam(), "cam_forces").running
+
+
+OPTIMUM = """
+[cam.guide]
+stem_radius = "8 mm"
+land = "10 mm"
+[cam.requirements]
+width = "12 mm"
+contact = "600 MPa"
+guide_pressure = "5 MPa"
+[cam.optimum]
+"""
+
+
+def test_the_optimum_takes_the_speed_of_the_machine() -> None:
+    text = (CONFIGS / "press.toml").read_text() + CAM.format(begin=40.0, mass=2.0) + OPTIMUM
+    spec = parse_spec(text)
+    assert "motion" in plan(spec, "cam_optimum").running
+    assert "motion" not in plan(parse_spec(text.replace("[cam]", '[cam]\nspeed = "120 rpm"')), "cam_optimum").running
+    result = tmmcalc.solve_cam_optimum(spec)
+    assert any("turns with the crank" in note for note in result.notes)
+
+
+@pytest.mark.parametrize(("stage", "turns"), [("cam_forces", True), ("cam_strength", True), ("cam_profile", False)])
+def test_a_picture_shows_the_speed_that_the_stage_had(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, stage: str, turns: bool
+) -> None:
+    from tmmcalc.cli.drawings import Order, drawing_of
+    from tmmcalc.report.pictures import cams
+
+    drawn: list[CamTask] = []
+    monkeypatch.setattr(cams, "draw_cam", lambda stage, task, result, file: drawn.append(task))
+    text = (CONFIGS / "press.toml").read_text() + CAM.format(begin=40.0, mass=2.0) + OPTIMUM
+    spec = parse_spec(text)
+    drawing_of(stage, {}).draw(Order(spec, run(spec, target=stage).results, tmp_path / "a.svg", {}))
+    assert [task.turning is not None for task in drawn] == [turns]
+
+
+def test_every_stage_of_a_cam_has_its_public_function() -> None:
+    stages = [stage.name for stage in STAGES.values() if stage.name.startswith("cam_")]
+    assert len(stages) == 8
+    for stage in stages:
+        assert f"solve_{stage}" in tmmcalc.__all__
+    spec = tmmcalc.load_spec(CONFIGS / "cam-translating.toml")
+    found = tmmcalc.solve_cam_elastic(spec)
+    assert found.frequency == pytest.approx(np.sqrt(2e6 / 0.2))
+    assert found.phases == run(spec, target="cam_elastic").results["cam_elastic"].phases
 
 
 def test_stored_results_are_the_computed_ones(tmp_path: Path) -> None:

@@ -188,7 +188,9 @@ def test_pairs_import_no_train_no_cam_and_no_machine(file: str) -> None:
     assert not within(names, *others, "scipy", "matplotlib")
 
 
-@pytest.mark.parametrize("file", ["cam.toml", "cam-oscillating.toml", "cam-flat.toml", "cam-translating.toml"])
+@pytest.mark.parametrize(
+    "file", [f"cam{name}.toml" for name in ("", "-oscillating", "-flat", "-translating", "-lantern")]
+)
 def test_a_cam_imports_no_gears_and_no_machine(file: str) -> None:
     names = imported(file)
     assert within(names, "tmmcalc.cams.program")
@@ -197,6 +199,13 @@ def test_a_cam_imports_no_gears_and_no_machine(file: str) -> None:
 
 def test_a_project_without_gears_and_cams_imports_none() -> None:
     assert not within(imported("shaper.toml"), "tmmcalc.gears", "tmmcalc.cams")
+
+
+@pytest.mark.parametrize("file", ["shaper", "gears-coaxial", "cam-translating", "synth-crank-rocker"])
+def test_a_project_without_constraints_imports_no_feasibility(file: str) -> None:
+    of_constraints = ("feasibility", "stages.feasibility", "stages.candidates", "gears.kept")
+    of_the_spec = ("spec.constraints", "spec.constraining")
+    assert not within(imported(f"{file}.toml"), *(f"tmmcalc.{part}" for part in (*of_constraints, *of_the_spec)))
 
 
 def test_a_law_alone_imports_no_forces_of_cams() -> None:

@@ -43,9 +43,9 @@ def test_mobility(name: str) -> None:
     found, structure = project(name), project(name).run.results["structure"]
     links, joints = len(found.spec.mechanism.links), len(found.spec.mechanism.joints)
     assert structure.mobility == 3 * links - 2 * joints == 1
-    assert sum(len(group.links) for group in structure.groups) == links - 1
+    assert sum(len(group.links) for group in structure.groups) == links - (structure.driven is None)
     for group in structure.groups:
-        assert 3 * len(group.links) == 2 * (len(group.inner) + len(group.outer))
+        assert 3 * len(group.links) == 2 * (len(group.inner) + len(group.outer)) + bool(group.drive)
 
 
 @pytest.mark.parametrize("name", LINKED)

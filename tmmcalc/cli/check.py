@@ -15,6 +15,13 @@ from tmmcalc.errors import TmmError
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
 
+_EXTRAS = {
+    "contact": "an elastic contact",
+    "reliability": "the life of a product",
+    "tie_down": "a load that is tied down",
+    "falling_ball": "a falling ball",
+    "bearing": "a rolling bearing",
+}
 _FOLLOWERS = {
     "translating": "a translating follower",
     "oscillating": "an oscillating follower",
@@ -50,12 +57,18 @@ def _held(spec: Spec) -> Iterator[str]:
     """What a spec is about."""
     if spec.mechanism is not None:
         yield f"{_count(spec.mechanism.links, 'moving link')}, {_count(spec.mechanism.joints, 'joint')}"
+    if spec.synthesis is not None:
+        yield f"a synthesis, {spec.synthesis.kind.replace('_', ' ')}"
     if spec.torque is not None:
         yield "a torque diagram"
     if spec.engine is not None:
         cylinders = spec.engine.cylinders
         count = cylinders if isinstance(cylinders, int) else len(cylinders)
         yield f"an engine of {count} cylinder{'s' if count > 1 else ''}"
+    if spec.vibrator is not None:
+        yield "a vibratory device"
+    if spec.pendulum is not None:
+        yield "a pendulum-rotor"
     if spec.rotor is not None:
         yield f"a rotor with {_count(spec.rotor.unbalances, 'unbalance')}"
     if spec.train is not None:
@@ -70,6 +83,11 @@ def _held(spec: Spec) -> Iterator[str]:
         )
     if spec.cam is not None:
         yield f"a cam with {_FOLLOWERS[spec.cam.follower]}"
+    for name, what in _EXTRAS.items():
+        if getattr(spec, name) is not None:
+            yield what
+    if spec.indexing is not None:
+        yield f"an indexing drive of {_count(range(spec.indexing.rollers), 'roller')}"
 
 
 def _count(listed: Sized, noun: str) -> str:

@@ -5,6 +5,7 @@ COMMANDS = {
     "check": ("tmmcalc.cli.check", "Check specs and report all their faults."),
     "schema": ("tmmcalc.cli.schema", "Print the JSON Schema of a spec, for TOML editors."),
     "plan": ("tmmcalc.cli.plan", "Show which stages run for a spec, which do not, and why."),
+    "synth": ("tmmcalc.cli.synth", "Linkages by stroke, swing, path, function or motion."),
     "structure": ("tmmcalc.cli.structure", "Mobility, Assur groups, structural formula."),
     "kinematics": ("tmmcalc.cli.kinematics", "Positions, velocities, accelerations, dead centres, strokes."),
     "forces": ("tmmcalc.cli.forces", "Reactions in the pairs, friction, driving moment."),
@@ -13,9 +14,15 @@ COMMANDS = {
     "flywheel": ("tmmcalc.cli.flywheel", "The flywheel for the allowed unevenness, by all methods."),
     "motion": ("tmmcalc.cli.motion", "Steady motion of the machine over the cycle."),
     "transient": ("tmmcalc.cli.transient", "Start-up, braking, run-down, load changes in time."),
+    "unsteady": ("tmmcalc.cli.unsteady", "Motion from rest to rest by the time-optimal law."),
+    "manipulator": ("tmmcalc.cli.manipulator", "Arms: gripper, joints, singular places, obstacles."),
     "balance": ("tmmcalc.cli.balance", "Shaking forces of linkage, engine, rotor; counterweights."),
+    "vibrator": ("tmmcalc.cli.vibrator", "Vibratory device: frequencies, resonance curve, start-up."),
+    "pendulum": ("tmmcalc.cli.pendulum", "Pendulum-rotor: whirl, critical speeds, swing in time."),
     "gears": ("tmmcalc.cli.gears", "Gears: trains, strength, pairs, blocking contours, profiles."),
     "cam": ("tmmcalc.cli.cam", "Cams: laws, synthesis, profile, forces, strength, optimum."),
+    "extra": ("tmmcalc.cli.extra", "Contact, reliability, tie-down, falling ball, bearing."),
+    "feasibility": ("tmmcalc.cli.feasibility", "Constraints on results: which hold, by how much."),
     "run": ("tmmcalc.cli.run", "Run every stage that the spec has."),
     "plot": ("tmmcalc.cli.plot", "Draw the result of a stage to an svg, png or pdf file."),
 }
@@ -39,4 +46,13 @@ CAM = {
     "strength": ("tmmcalc.cli.cam.strength", "Slip, shaft, stem, pin, contact stress with margins."),
     "elastic": ("tmmcalc.cli.cam.elastic", "Vibration of a follower on an elastic train."),
     "optimize": ("tmmcalc.cli.cam.optimize", "The lowest mechanism; blocking contour; what limits it."),
+    "indexing": ("tmmcalc.cli.cam.indexing", "Cam-lantern indexing drive: limits, profiles, efficiency."),
+}
+
+EXTRA = {
+    "contact": ("tmmcalc.cli.extra.contact", "Pressure of two elastic bodies, with Hertz as check."),
+    "reliability": ("tmmcalc.cli.extra.reliability", "Reliability and life under shock loads."),
+    "tie-down": ("tmmcalc.cli.extra.tie_down", "Forces in the ties of a transported load."),
+    "ball": ("tmmcalc.cli.extra.ball", "Fall of a ball whose radius decreases."),
+    "bearing": ("tmmcalc.cli.extra.bearing", "Frequencies of the defects of a rolling bearing."),
 }

@@ -108,6 +108,22 @@ def _transient(order: Order) -> None:
     draw_transient(order.results["transient"], order.file)
 
 
+def _unsteady(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_unsteady
+    from tmmcalc.spec.linkage import to_linkage
+    from tmmcalc.spec.unsteadiness import to_unsteady
+
+    mechanism, task = to_linkage(order.spec.linkage), to_unsteady(order.spec)
+    draw_unsteady(mechanism, task, order.results["kinematics"], order.results["unsteady"], order.file)
+
+
+def _manipulator(order: Order) -> None:
+    from tmmcalc.report.pictures import draw_manipulator
+    from tmmcalc.spec.manipulators import to_manipulator
+
+    draw_manipulator(to_manipulator(order.spec), order.results["manipulator"], order.file)
+
+
 def _balance(order: Order) -> None:
     from tmmcalc.report.pictures import draw_balance
 
@@ -151,8 +167,72 @@ def _cam(stage: str) -> Callable[[Order], None]:
     def draw(order: Order) -> None:
         from tmmcalc.report.pictures.cams import draw_cam
         from tmmcalc.spec.cams import to_cam
+        from tmmcalc.stages.camparts import at_speed
 
-        draw_cam(stage, to_cam(order.spec), order.results[stage], order.file)
+        task = at_speed(to_cam(order.spec), order.results.get("motion"))
+        draw_cam(stage, task, order.results[stage], order.file)
+
+    return draw
+
+
+def _indexing(order: Order) -> None:
+    from tmmcalc.report.pictures.cams import draw_indexing
+    from tmmcalc.spec.indexings import to_indexing
+
+    draw_indexing(to_indexing(order.spec), order.results["indexing"], order.file, order.angle(PHASE))
+
+
+def _synthesis(order: Order) -> None:
+    from tmmcalc.report.pictures.synthesis import draw_synthesis
+    from tmmcalc.spec import parse_spec
+    from tmmcalc.spec.linkage import to_linkage
+
+    result = order.results["synthesis"]
+    choose = order.choice or _first_feasible(order.spec, result)
+    if choose > len(result.designs):
+        raise UsageError(f"there is no solution {choose}", where=CHOOSE, remedy=f"write 1 to {len(result.designs)}")
+    mechanism = to_linkage(parse_spec(result.designs[choose - 1].spec).linkage)
+    if result.designs[choose - 1].dwell is not None:
+        from tmmcalc.report.pictures.dwell import draw_dwell
+
+        draw_dwell(mechanism, result, order.file, choose=choose)
+        return
+    draw_synthesis(mechanism, result, order.file, choose=choose)
+
+
+def _first_feasible(spec: Spec, synthesis: Any) -> int:
+    """The number of the solution that ``tmmcalc synth`` chooses."""
+    if not spec.constraints:
+        return 1
+    from tmmcalc.stages.feasibility import inputs, solve
+
+    return solve(inputs(spec), {"synthesis": synthesis}, {}).chosen
+
+
+def _feasibility(order: Order) -> None:
+    from tmmcalc.report.pictures.feasibility import draw_feasibility
+
+    draw_feasibility(order.results["feasibility"], order.file)
+
+
+def _vibration(stage: str) -> Callable[[Order], None]:
+    """What draws a stage of vibration."""
+
+    def draw(order: Order) -> None:
+        from tmmcalc.report.pictures.vibration import draw_vibration
+
+        draw_vibration(stage, order.results[stage], order.file)
+
+    return draw
+
+
+def _extra(stage: str) -> Callable[[Order], None]:
+    """What draws a small calculator."""
+
+    def draw(order: Order) -> None:
+        from tmmcalc.report.pictures.extras import draw_extra
+
+        draw_extra(stage, order.results[stage], order.file)
 
     return draw
 
@@ -165,9 +245,12 @@ DRAWINGS = {
     "kinematics": Drawing(_kinematics, (POSITIONS, POLYGONS)),
     "forces": Drawing(_forces, (POLYGONS,)),
     "reduction": Drawing(_reduction),
+    "synthesis": Drawing(_synthesis, (CHOOSE,)),
     "flywheel": Drawing(_flywheel),
     "motion": Drawing(_motion),
     "transient": Drawing(_transient),
+    "unsteady": Drawing(_unsteady),
+    "manipulator": Drawing(_manipulator),
     "balance": Drawing(_balance),
     "train": Drawing(_train, (CHOOSE,)),
     "criteria": Drawing(_criteria, (CHOOSE,)),
@@ -175,6 +258,10 @@ DRAWINGS = {
     "blocking": Drawing(_blocking, (CHOOSE,)),
     "profile": Drawing(_profile, (CHOOSE,)),
     **{stage: Drawing(_cam(stage)) for stage in CAM_STAGES},
+    **{stage: Drawing(_vibration(stage)) for stage in ("vibrator", "pendulum")},
+    "indexing": Drawing(_indexing, (PHASE,)),
+    **{stage: Drawing(_extra(stage)) for stage in ("contact", "reliability", "falling_ball")},
+    "feasibility": Drawing(_feasibility),
 }
 
 

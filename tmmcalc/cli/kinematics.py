@@ -21,11 +21,12 @@ if TYPE_CHECKING:
 
 
 class MethodChoice(StrEnum):
-    """How velocities and accelerations are found."""
+    """How velocities and accelerations are found; by splitting, positions of groups of class III and IV too."""
 
     closed = "closed"
     projection = "projection"
     differences = "differences"
+    splitting = "splitting"
 
 
 @with_flags
@@ -61,6 +62,7 @@ def command(
     compare: Annotated[
         bool, typer.Option("--compare", help="Print the outputs by --method beside the exact ones, instead.")
     ] = False,
+    plan: Annotated[bool, typer.Option("--plan", help="Print the position plan with the strokes, instead.")] = False,
     study: Annotated[
         bool, typer.Option("--study", help="Print the error of differences against their step, instead.")
     ] = False,
@@ -69,13 +71,20 @@ def command(
 
     Example: tmmcalc kinematics my.toml --columns 'phi,x_*' --positions 0:12:2
     """
+    _check_plan(plan, study or compare, columns, positions, dimensionless)
     _check_flags(study, compare, method, step, decimals, columns, positions, dimensionless)
     scene = job.spec()
     job = replace(job, settings={"kinematics": _settings(scene, method, step, decimals)})
     heading = title(scene, job.file, "kinematics")
     run = job.run(scene, "kinematics")
     result = run.results["kinematics"]
-    if study or compare:
+    if plan:
+        from tmmcalc.linkage.plan import position_plan
+        from tmmcalc.report.plan import plan_document
+        from tmmcalc.spec.linkage import to_linkage
+
+        document = plan_document(position_plan(to_linkage(scene.linkage), result), f"{heading}, position plan")
+    elif study or compare:
         document = _methods_document(scene, result, heading, method, decimals, study)
     else:
         from tmmcalc.report.kinematics import kinematics_document
@@ -105,6 +114,16 @@ def _methods_document(
     return comparison_document(mechanism, result, f"{heading}, {method.value} beside the exact values")
 
 
+def _check_plan(plan: bool, other: bool, columns: str | None, positions: str | None, dimensionless: bool) -> None:
+    """Refuse what the position plan does not go together with."""
+    if plan and (other or columns is not None or positions is not None or dimensionless):
+        raise UsageError(
+            "prints a table of its own",
+            where="--plan",
+            remedy="leave --study, --compare, --columns, --positions and --dimensionless out",
+        )
+
+
 def _check_flags(
     study: bool,
     compare: bool,
@@ -120,7 +139,7 @@ def _check_flags(
     if study and compare:
         raise UsageError("print one table each", where="--study, --compare", remedy="leave one of them out")
     if compare and method is MethodChoice.closed:
-        remedy = "add --method differences, or --method projection"
+        remedy = "add --method differences, --method projection or --method splitting"
         raise UsageError("the method is the exact one itself", where="--compare", remedy=remedy)
     if step is not None and not differences:
         raise UsageError("only differences have a step", where="--step", remedy="add --method differences")

@@ -10,10 +10,11 @@ from tmmcalc.cli.positions import rows_of
 from tmmcalc.cli.work import Job, title
 
 
-def stage_command(stage: str, document: str, text: str) -> Callable[..., None]:
+def stage_command(stage: str, document: str, text: str, heading: str = "") -> Callable[..., None]:
     """The command that runs a stage and prints ``document``, a ``"module:function"``; ``text`` is its help.
 
-    The function is called as ``document(result, title, patterns=, rows=, everything=, where=)``.
+    The function is called as ``document(result, title, patterns=, rows=, everything=, where=)``; the title says
+    ``heading``, by default the stage.
     """
 
     @with_flags
@@ -31,7 +32,7 @@ def stage_command(stage: str, document: str, text: str) -> Callable[..., None]:
 
         printed = resolve(document)(
             result,
-            title(scene, job.file, stage),
+            title(scene, job.file, heading or stage),
             patterns=patterns,
             rows=rows_of(positions, result.labels),
             everything=form is not Format.table,
@@ -43,8 +44,13 @@ def stage_command(stage: str, document: str, text: str) -> Callable[..., None]:
     return command
 
 
-def summary_command(stage: str, document: str, text: str) -> Callable[..., None]:
-    """The command of a stage without positions; the function is called as ``document(result, title)``."""
+def summary_command(
+    stage: str, document: str, text: str, heading: str = "", *, forms: bool = False
+) -> Callable[..., None]:
+    """The command of a stage without positions; the function is called as ``document(result, title)``.
+
+    With ``forms`` it is told as ``everything=`` whether a format for programs is asked for.
+    """
 
     @with_flags
     def command(
@@ -55,7 +61,9 @@ def summary_command(stage: str, document: str, text: str) -> Callable[..., None]
         run = job.run(scene, stage)
         from tmmcalc.pipeline.stage import resolve
 
-        job.finish(resolve(document)(run.results[stage], title(scene, job.file, stage)), run, form)
+        more = {"everything": form is not Format.table} if forms else {}
+        printed = resolve(document)(run.results[stage], title(scene, job.file, heading or stage), **more)
+        job.finish(printed, run, form)
 
     command.__doc__ = text
     return command

@@ -43,6 +43,7 @@ def _stage(
 STAGES: dict[str, Stage] = {
     stage.name: stage
     for stage in (
+        _stage("synthesis", "a linkage by what it is to do; checks; ready specs", wanted=True),
         _stage("structure", "mobility, Assur groups, structural formula, class and order", wanted=True, table=False),
         _stage(
             "kinematics",
@@ -133,6 +134,13 @@ STAGES: dict[str, Stage] = {
             wanted=True,
         ),
         _stage(
+            "unsteady",
+            "motion from rest to rest by the time-optimal law",
+            needs=("kinematics",),
+            wanted=True,
+        ),
+        _stage("manipulator", "gripper and joints of a manipulator over the time", wanted=True),
+        _stage(
             "balance",
             "shaking forces of linkage, engine, rotor; counterweights",
             uses=("kinematics",),
@@ -162,6 +170,8 @@ STAGES: dict[str, Stage] = {
             "cam_optimum",
             "the lowest cam mechanism within all constraints",
             needs=("cam_synthesis",),
+            uses=("motion",),
+            spares=True,
             wanted=True,
             table=False,
         ),
@@ -173,5 +183,21 @@ STAGES: dict[str, Stage] = {
             spares=True,
             wanted=True,
         ),
+        _stage("indexing", "cam-lantern indexing drive: limits, profiles, pressure angles, efficiency", wanted=True),
+        _stage("vibrator", "vibratory device: natural frequencies, steady vibration, starts", wanted=True),
+        _stage("pendulum", "pendulum-rotor: whirl, critical speeds, torsion, motion in time", wanted=True),
+        _stage("contact", "elastic contact: pressure, approach, Hertz as check", wanted=True),
+        _stage("reliability", "reliability under shock loads while the strength falls", wanted=True),
+        _stage("tie_down", "forces in the ties of a transported load", wanted=True, table=False),
+        _stage("falling_ball", "fall of a ball whose radius decreases", wanted=True),
+        _stage("bearing", "speeds and frequencies of the defects of a bearing", wanted=True, table=False),
     )
 }
+STAGES["feasibility"] = _stage(
+    "feasibility",
+    "whether results keep the named constraints",
+    uses=tuple(STAGES),
+    spares=True,
+    wanted=True,
+    table=False,
+)

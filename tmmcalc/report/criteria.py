@@ -68,11 +68,11 @@ def _variant_fact(each: Weighed) -> Fact:
     left = len(each.sets)
     lacks = [f"{each.weak} are not strong enough"] if each.weak else []
     lacks += [f"{each.locking} lock themselves"] if each.locking else []
+    lacks += [f"constraint {name} removed {count}" for name, count in each.refused.items() if count]
     text = "; ".join([f"{left} of {each.sized} tooth sets", *lacks]) if each.sized else "no tooth sets"
     key = each.title.replace(" ", "_")
-    return Fact(
-        each.title, text, {key: {"sized": each.sized, "left": left, "weak": each.weak, "locking": each.locking}}
-    )
+    values = {"sized": each.sized, "left": left, "weak": each.weak, "locking": each.locking}
+    return Fact(each.title, text, {key: values | ({"removed": each.refused} if each.refused else {})})
 
 
 def _winner_facts(result: Selection) -> Iterator[Fact]:

@@ -38,7 +38,10 @@ def facts_of(result: Kinematics) -> list[Fact]:
     start = float(result.x[0])
     unit = "rad/s" if result.turns else "m/s"
     rpm = f" ({number(result.speed * 30 / math.pi)} rpm)" if result.turns else ""
-    signs = ", ".join(f"{name} {'+1' if sign > 0 else '-1'}" for name, sign in result.variants.items())
+    signs = ", ".join(
+        f"{name} assembly {sign}" if name in result.branches else f"{name} {'+1' if sign > 0 else '-1'}"
+        for name, sign in result.variants.items()
+    )
     formula = result.structure.formula
     facts = [
         Fact("structural formula", formula, {"formula": formula}),
@@ -159,6 +162,8 @@ def _extreme_fact(result: Kinematics, label: str, key: str, unit: str, pair: tup
 
 def _quality_fact(result: Kinematics, quality: GroupQuality) -> Fact:
     group = quality.group
+    if quality.transmission is None or quality.pressure is None:
+        return _regularity_fact(result, quality)
     transmission, pressure = math.degrees(quality.transmission), math.degrees(quality.pressure)
     values: dict[str, Any] = {
         f"transmission_min_{group}[deg]": transmission,
@@ -173,3 +178,15 @@ def _quality_fact(result: Kinematics, quality: GroupQuality) -> Fact:
     values |= {f"transmission_min_{group}_at_{k}": v for k, v in _at(result, quality.transmission_at).items()}
     text = f"min angle {number(transmission, 5)} deg at {_place(result, quality.transmission_at)}"
     return Fact(f"transmission of {group}", f"{text}\n(max pressure angle {number(pressure, 5)} deg)", values)
+
+
+def _regularity_fact(result: Kinematics, quality: GroupQuality) -> Fact:
+    """How near a higher group comes to a singular position."""
+    values: dict[str, Any] = {f"amplification_max_{quality.group}": quality.amplification}
+    text = f"{number(quality.regularity, 4)} everywhere"
+    if quality.regularity_at is not None:
+        text = f"min {number(quality.regularity, 4)} at {_place(result, quality.regularity_at)}"
+        values |= {
+            f"amplification_max_{quality.group}_at_{k}": v for k, v in _at(result, quality.regularity_at).items()
+        }
+    return Fact(f"regularity of {quality.group}", f"{text} (1 the best, 0 singular)", values)

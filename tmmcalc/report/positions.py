@@ -32,6 +32,6 @@ def positions_view(
     )
 
 
-def more(where: str) -> str:
+def more(where: str, example: str = "phi,x_*") -> str:
     """What is said under a table that was cut to the width of the terminal."""
-    return f"choose with --columns, e.g. --columns 'phi,x_*'{f', or see {where}' if where else ''}"
+    return f"choose with --columns, e.g. --columns '{example}'{f', or see {where}' if where else ''}"

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 # by name, so that the summary of a stage that did not run is never imported
 SUMMARIES = {
+    "synthesis": "tmmcalc.report.synthesis:synthesis_summary",
     "structure": "tmmcalc.report.structure:structure_document",
     "kinematics": "tmmcalc.report.kinematics:kinematics_summary",
     "forces": "tmmcalc.report.forces:forces_summary",
@@ -21,6 +22,8 @@ SUMMARIES = {
     "flywheel": "tmmcalc.report.flywheel:flywheel_summary",
     "motion": "tmmcalc.report.motion:motion_summary",
     "transient": "tmmcalc.report.transient:transient_summary",
+    "unsteady": "tmmcalc.report.unsteady:unsteady_summary",
+    "manipulator": "tmmcalc.report.manipulator:manipulator_summary",
     "balance": "tmmcalc.report.balance:balance_summary",
     "train": "tmmcalc.report.train:train_summary",
     "gearing": "tmmcalc.report.gearing:gearing_summary",
@@ -37,6 +40,15 @@ SUMMARIES = {
     "cam_strength": "tmmcalc.report.cams.strength:strength_summary",
     "cam_elastic": "tmmcalc.report.cams.elastic:elastic_summary",
     "cam_optimum": "tmmcalc.report.cams.optimum:optimum_summary",
+    "vibrator": "tmmcalc.report.vibration.vibrator:vibrator_summary",
+    "pendulum": "tmmcalc.report.vibration.pendulum:pendulum_summary",
+    "indexing": "tmmcalc.report.cams.indexing:indexing_summary",
+    "contact": "tmmcalc.report.extras:contact_summary",
+    "reliability": "tmmcalc.report.extras:reliability_summary",
+    "tie_down": "tmmcalc.report.extras:tie_down_document",
+    "falling_ball": "tmmcalc.report.extras:ball_summary",
+    "bearing": "tmmcalc.report.extras:bearing_document",
+    "feasibility": "tmmcalc.report.feasibility:feasibility_summary",
 }
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.gears.advice import CALLED, remedies, removals, why_none
+from tmmcalc.gears.advice import called, remedies, removals, why_none
 from tmmcalc.gears.bounds import step_bounds
 from tmmcalc.gears.columns import set_columns, stacked
 from tmmcalc.gears.model import Interval, TrainTask
@@ -145,7 +145,7 @@ def _removal_facts(variant: Variant) -> Iterator[Fact]:
         {"candidates": synthesis.candidates, "removed": {name: removed for name, removed, _ in steps}},
     )
     for name, removed, left in steps:
-        yield Fact(f"- {CALLED[name]}", f"removed {removed} of {left}")
+        yield Fact(f"- {called(name)}", f"removed {removed} of {left}")
 
 
 def _set_facts(variant: Variant, rows: int) -> Iterator[Fact]:

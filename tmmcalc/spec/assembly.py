@@ -7,22 +7,25 @@ from pydantic import Field, WithJsonSchema
 from .quantities import InputCoordinate, Point, PointName
 from .table import Table
 
-LinkIds = Annotated[str, WithJsonSchema({"type": "string", "pattern": "^[0-9]+-[0-9]+$"})]
-# Not Literal[1, -1]: pydantic takes true for 1 there. The checks hold the value to 1 and -1.
-Sign = Annotated[int, WithJsonSchema({"enum": [1, -1]})]
+LinkIds = Annotated[str, WithJsonSchema({"type": "string", "pattern": "^[0-9]+(-[0-9]+)+$"})]
+# The checks hold the variant of two links to 1 and -1, and the number of an assembly to 1 and more.
+Variant = Annotated[int, WithJsonSchema({"type": "integer"})]
 
 
 class AssemblyTable(Table):
-    """The assembly variant: read off a sketch, or given by the sign of each group."""
+    """The assembly variant: read off a sketch, or given by group."""
 
     sketch: dict[PointName, Point] = Field(
         default={},
         description="Approximate positions [x, y] of moving points in the fixed axes, as read off a sketch.",
     )
-    variants: dict[LinkIds, Sign] = Field(
+    variants: dict[LinkIds, Variant] = Field(
         default={},
-        description='Sign of the variant by group: "2-3" = 1 or -1; the order of the links defines the sign.',
+        description='Variant by group: of a dyad its sign, "2-3" = 1 or -1, the order of the links defines it; '
+        'of a higher group the number of its assembly, "2-3-4-5" = 2.',
     )
     at: InputCoordinate | None = Field(
-        default=None, description="Input coordinate at which the sketch was read (default: position 0)."
+        default=None,
+        description="Input coordinate at which the sketch was read, and at which assemblies are numbered "
+        "(default: position 0).",
     )

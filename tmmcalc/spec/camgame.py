@@ -24,7 +24,11 @@ class Options(Reader):
         """Return names, empty where there is none, and values; raise UnitError with the fault in plain words."""
         if isinstance(value, dict) and value:
             return [(str(name), self.item.read(each)) for name, each in value.items()]
-        if not isinstance(value, list) or not value:
+        if isinstance(value, dict | list) and not value:
+            raise UnitError(
+                f"{show(value) if value == [] else '{}'} is empty: there is nothing to try", f"write {self.example}"
+            )
+        if not isinstance(value, list):
             raise UnitError(f"{show(value)} is not a list", f"write {self.example}")
         return [self._one(each) for each in value]
 

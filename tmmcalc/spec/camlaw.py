@@ -65,8 +65,8 @@ class LawTable(Table):
     )
     file: str | None = Field(
         default=None,
-        description="CSV file of points: two columns under a header such as k,s or phi[deg],s[mm]; "
-        "its path counts from the spec.",
+        description="CSV file of points: two columns by their names, such as k,s or phi[deg],s[mm], or k,a of "
+        "accelerations; its path counts from the spec.",
     )
 
 

@@ -9,7 +9,9 @@ from .table import Table
 class InputTable(Table):
     """The input link and its motion."""
 
-    joint: JointName = Field(description="Name of the joint of the input link with the frame.")
+    joint: JointName = Field(
+        description="Name of the joint of the input link with the frame, or of a driven length between moving links."
+    )
     speed: InputSpeed = Field(
         description="Mean speed of the input, not zero; counter-clockwise is positive.",
     )

@@ -86,10 +86,5 @@ def _grid(table: GridTable) -> Grid:
 
 
 def _assembly(table: AssemblyTable) -> Assembly:
-    variants = {_pair(key): sign for key, sign in table.variants.items()}
+    variants = {tuple(int(link) for link in key.split("-")): number for key, number in table.variants.items()}
     return Assembly(_points(table.sketch), variants, table.at)
-
-
-def _pair(key: str) -> tuple[int, int]:
-    first, second = key.split("-")
-    return int(first), int(second)

@@ -114,6 +114,8 @@ def _names_files(data: dict[str, Any]) -> bool:
     if isinstance(cam := data.get("cam"), dict):
         held = cam.get("loads")
         curves += [*cam.values(), held.get("force_table") if isinstance(held, dict) else None]
+    if isinstance(indexing := data.get("indexing"), dict):
+        curves.append(indexing.get("law"))
     return any(isinstance(curve, dict) and "file" in curve for curve in curves) or (
         isinstance(motor, dict) and "catalogue" in motor
     )

@@ -14,15 +14,25 @@ from .table import Table
 if TYPE_CHECKING:
     from .balance import BalanceTable
     from .cam import CamTable
+    from .constraints import ConstraintTable, FeasibilityTable
     from .criteria import CriteriaTable
     from .drive import DriveTable
     from .engine import EngineTable
+    from .extraball import FallingBallTable
+    from .extrabearing import BearingTable
+    from .extracontact import ContactTable
+    from .extrareliability import ReliabilityTable
+    from .extratiedown import TieDownTable
     from .flywheel import FlywheelTable
     from .gearing import GearingTable
+    from .indexing import IndexingTable
+    from .linksynthesis import LinkSynthesisTable
     from .loads import LoadTable
+    from .manipulator import ManipulatorTable
     from .motion import MotionTable
     from .motor import MotorTable
     from .pair import PairTable
+    from .pendulum import PendulumTable
     from .reduction import ReductionTable
     from .rotor import RotorTable
     from .shafts import ShaftTable
@@ -32,18 +42,31 @@ if TYPE_CHECKING:
     from .train import TrainTable
     from .transients import TransientTable
     from .transmission import TransmissionTable
+    from .unsteady import UnsteadyTable
+    from .vibrator import VibratorTable
 else:
     BalanceTable = late("balance", "BalanceTable")
     CamTable = late("cam", "CamTable")
+    ConstraintTable = late("constraints", "ConstraintTable")
     CriteriaTable = late("criteria", "CriteriaTable")
     DriveTable = late("drive", "DriveTable")
     EngineTable = late("engine", "EngineTable")
+    FeasibilityTable = late("constraints", "FeasibilityTable")
+    FallingBallTable = late("extraball", "FallingBallTable")
+    BearingTable = late("extrabearing", "BearingTable")
+    ContactTable = late("extracontact", "ContactTable")
+    ReliabilityTable = late("extrareliability", "ReliabilityTable")
+    TieDownTable = late("extratiedown", "TieDownTable")
     FlywheelTable = late("flywheel", "FlywheelTable")
     GearingTable = late("gearing", "GearingTable")
+    IndexingTable = late("indexing", "IndexingTable")
+    LinkSynthesisTable = late("linksynthesis", "LinkSynthesisTable")
     LoadTable = late("loads", "LoadTable")
+    ManipulatorTable = late("manipulator", "ManipulatorTable")
     MotionTable = late("motion", "MotionTable")
     MotorTable = late("motor", "MotorTable")
     PairTable = late("pair", "PairTable")
+    PendulumTable = late("pendulum", "PendulumTable")
     ReductionTable = late("reduction", "ReductionTable")
     RotorTable = late("rotor", "RotorTable")
     ShaftTable = late("shafts", "ShaftTable")
@@ -53,6 +76,8 @@ else:
     TrainTable = late("train", "TrainTable")
     TransientTable = late("transients", "TransientTable")
     TransmissionTable = late("transmission", "TransmissionTable")
+    UnsteadyTable = late("unsteady", "UnsteadyTable")
+    VibratorTable = late("vibrator", "VibratorTable")
 
 
 class Spec(Table):
@@ -60,6 +85,7 @@ class Spec(Table):
 
     project: ProjectTable = Field(default_factory=ProjectTable, description="What the work is called.")
     mechanism: MechanismTable | None = Field(default=None, description="The linkage.")
+    synthesis: LinkSynthesisTable | None = Field(default=None, description="A linkage to be found by what it is to do.")
     torque: TorqueTable | None = Field(default=None, description="A torque diagram in place of a linkage.")
     loads: list[LoadTable] = Field(default=[], description="Technological forces and moments on the links.")
     springs: list[SpringTable] = Field(default=[], description="Springs and dampers between links.")
@@ -74,10 +100,16 @@ class Spec(Table):
     )
     motion: MotionTable | None = Field(default=None, description="How the motion of the machine is found.")
     transients: list[TransientTable] = Field(default=[], description="Motions in time.")
+    unsteady: UnsteadyTable | None = Field(
+        default=None, description="A motion of the mechanism from rest to rest by the time-optimal law."
+    )
+    manipulator: ManipulatorTable | None = Field(default=None, description="A manipulator: its arm and its motion.")
     flywheel: FlywheelTable | None = Field(default=None, description="The flywheel: asked for, or given.")
     balance: BalanceTable | None = Field(default=None, description="Balancing of the linkage.")
     engine: EngineTable | None = Field(default=None, description="Balance of an engine with several cranks.")
     rotor: RotorTable | None = Field(default=None, description="Static and two-plane balancing of a rotor.")
+    vibrator: VibratorTable | None = Field(default=None, description="A vibratory assembly device.")
+    pendulum: PendulumTable | None = Field(default=None, description="A pendulum-rotor: an elastic rod with a disc.")
     train: TrainTable | None = Field(default=None, description="The gear train: layout, ratio, tooth numbers.")
     gearing: GearingTable | None = Field(
         default=None, description="A train of gears that is written out: its meshes, known speeds and torques."
@@ -90,6 +122,23 @@ class Spec(Table):
         default=None, description="Pairs of gears: written out, or those of the train that is chosen."
     )
     cam: CamTable | None = Field(default=None, description="A disk cam and its follower.")
+    indexing: IndexingTable | None = Field(
+        default=None, description="Two paired cams that turn a wheel of rollers step by step."
+    )
+    contact: ContactTable | None = Field(default=None, description="Two elastic bodies that are pressed together.")
+    reliability: ReliabilityTable | None = Field(
+        default=None, description="A product whose strength falls while shock loads strike it."
+    )
+    tie_down: TieDownTable | None = Field(default=None, description="Ties that hold a load on a vehicle.")
+    falling_ball: FallingBallTable | None = Field(
+        default=None, description="A ball that falls while its radius decreases."
+    )
+    bearing: BearingTable | None = Field(
+        default=None, description="A rolling bearing and the frequencies of its defects."
+    )
+
+    constraints: list[ConstraintTable] = Field(default=[], description="What results must keep, by name.")
+    feasibility: FeasibilityTable | None = Field(default=None, description="How the constraints are combined.")
 
     @property
     def linkage(self) -> MechanismTable:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tmmcalc.errors import UsageError
@@ -10,6 +11,7 @@ from tmmcalc.gears.selection.task import SelectionTask
 from tmmcalc.gears.sizing import SizingTask
 
 from .gears import to_strength
+from .keptrows import kept_rows
 
 if TYPE_CHECKING:
     from .criteria import CriteriaTable
@@ -34,8 +36,8 @@ def to_sizing(spec: Spec) -> SizingTask:
 
 def to_selection(spec: Spec) -> SelectionTask:
     """How the best train is chosen; without a table in the usual way."""
-    table = spec.criteria
-    return SelectionTask() if table is None else _selection(table)
+    table, kept = spec.criteria, kept_rows(spec, "criteria")
+    return SelectionTask(kept=kept) if table is None else replace(_selection(table), kept=kept)
 
 
 def _selection(table: CriteriaTable) -> SelectionTask:

@@ -271,7 +271,10 @@ def _convert(text: str, reading: _Reading, factor: Factor, dimensions: tuple[str
 def _unit_fault(text: str, reading: _Reading, dimensions: tuple[str, ...]) -> UnitError:
     if not reading.unit:
         si = either(DIMENSIONS[dimension].si for dimension in dimensions)
-        return UnitError(f"{show(text)} has no unit", f"{_advice(dimensions)}; a number without quotes is in {si}")
+        advice = _advice(dimensions)
+        if not reading.digits.strip("0."):
+            return UnitError(f"{show(text)} has no unit", f"write 0 without quotes, or {advice.removeprefix('write ')}")
+        return UnitError(f"{show(text)} has no unit", f"{advice}; a number without quotes is in {si}")
     if re.match(r",\d", reading.unit):
         return UnitError(f"{show(text)} has a decimal comma", f'write a point: "{text.replace(",", ".", 1)}"')
     if re.match(r"[\d.,/]", reading.unit):

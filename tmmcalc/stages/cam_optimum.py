@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.cams.optimum.results import CamOptimum
 from tmmcalc.cams.task import CamTask
 from tmmcalc.pipeline.stage import Record
-from tmmcalc.stages.camparts import cam_of
+from tmmcalc.stages.camparts import at_speed, cam_of
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
@@ -21,10 +21,10 @@ def inputs(spec: Spec) -> CamTask:
 
 
 def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> CamOptimum:
-    """Contour, least height, active constraints, what relaxing them would buy."""
+    """Contour, least height, active constraints, what relaxing them would buy; at the speed of the machine."""
     from tmmcalc.cams.optimum.solve import solve_optimum
 
-    return solve_optimum(given, upstream["cam_synthesis"].follower)
+    return solve_optimum(at_speed(given, upstream.get("motion")), upstream["cam_synthesis"].follower)
 
 
 def dump(result: CamOptimum) -> Record:

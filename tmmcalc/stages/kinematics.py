@@ -41,8 +41,11 @@ def dump(result: Kinematics) -> Record:
     arrays: dict[str, np.ndarray] = {"label": np.array(result.labels), "phi": result.phi, "x": result.x}
     arrays |= {f"output_{name}": getattr(result, name) for name in _OUTPUT_ARRAYS}
     arrays |= {name: getattr(result.trace, own) for name, own in zip(_TRACE_ARRAYS, _TRACE_FIELDS, strict=True)}
-    left_out = {"labels", "phi", "x", *_OUTPUT_ARRAYS, "trace", "error", "counters"}
+    left_out = {"labels", "phi", "x", *_OUTPUT_ARRAYS, "trace", "branches", "error", "counters"}
     scalars = {name: plain(value) for name, value in vars(result).items() if name not in left_out and value is not None}
+    branches = plain(result.branches, arrays, "branches")
+    if branches:
+        scalars["branches"] = branches
     names = {"points": result.trace.point_names, "links": result.trace.link_ids, "joints": result.trace.joint_names}
     return Record({**scalars, "rows": plain(names)}, arrays, plain(result.error), result.counters)
 
@@ -61,8 +64,9 @@ def load(record: Record) -> Kinematics:
         **{name: arrays[f"output_{name}"] for name in _OUTPUT_ARRAYS},
         "trace": trace,
     }
-    stored = {**record.scalars, "error": record.error, "counters": record.counters}
     hints = get_type_hints(Kinematics)
+    given["branches"] = restore(hints["branches"], record.scalars.get("branches", {}), arrays, "branches")
+    stored = {**record.scalars, "error": record.error, "counters": record.counters}
     return Kinematics(**given, **{f: restore(hints[f], stored.get(f)) for f in hints if f not in given})
 
 

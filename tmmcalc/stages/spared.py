@@ -56,9 +56,22 @@ def cam_strength(spec: Spec) -> tuple[str, ...]:
     return cam_forces(spec)
 
 
+def cam_optimum(spec: Spec) -> tuple[str, ...]:
+    """As of the forces."""
+    return cam_forces(spec)
+
+
 def cam_elastic(spec: Spec) -> tuple[str, ...]:
     """As of the forces."""
     return cam_forces(spec)
+
+
+def feasibility(spec: Spec) -> tuple[str, ...]:
+    """Stages of which no constraint asks anything; the designs of a synthesis are judged by those of their specs."""
+    from tmmcalc.pipeline.stages import STAGES
+
+    asked = {"synthesis", *(constraint.stage for constraint in spec.constraints)}
+    return tuple(name for name in STAGES["feasibility"].uses if name not in asked)
 
 
 def pairs_of_train(spec: Spec) -> bool:

@@ -7,25 +7,41 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.gears.train import Request, Trains
 from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.records import record
+from tmmcalc.spec.keptrows import kept_rows
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
+    from tmmcalc.feasibility.judge import FeasibilityTask
     from tmmcalc.spec import Spec
 
 
-def inputs(spec: Spec) -> tuple[Request, ...]:
-    """What is asked of every layout: ratios, limits and tolerances as exact fractions."""
+@record
+class Asked:
+    """What is asked of every layout, and the user's constraints on tooth sets, if there are any."""
+
+    requests: tuple[Request, ...]
+    kept: FeasibilityTask | None = None
+
+
+def inputs(spec: Spec) -> Asked:
+    """What is asked of every layout: ratios, limits and tolerances as exact fractions; constraints on tooth sets."""
     from tmmcalc.spec.synthesis import to_train
 
-    return to_train(spec)
+    return Asked(to_train(spec), kept_rows(spec, "train"))
 
 
-def solve(given: tuple[Request, ...], upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Trains:
-    """All tooth sets of every variant."""
+def solve(given: Asked, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Trains:
+    """All tooth sets of every variant that keep the user's constraints."""
     from tmmcalc.gears.train import solve_train
     from tmmcalc.progress import tell
 
-    return solve_train(given, tell)
+    found = solve_train(given.requests, tell)
+    if given.kept is None:
+        return found
+    from tmmcalc.gears.kept import kept_sets
+
+    return kept_sets(found, given.kept)
 
 
 def dump(result: Trains) -> Record:

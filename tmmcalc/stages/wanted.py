@@ -12,9 +12,15 @@ from tmmcalc.stages.spared import pairs_of_train
 
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
+    from tmmcalc.spec.cam import CamTable
 
 TURN = 2 * math.pi
 SLIDES = "the input is a driven slider: its motion is no cycle"
+
+
+def synthesis(spec: Spec) -> str | None:
+    """A linkage is to be found."""
+    return None if spec.synthesis is not None else "no [synthesis]: no linkage is to be found"
 
 
 def structure(spec: Spec) -> str | None:
@@ -34,6 +40,11 @@ def forces(spec: Spec) -> str | None:
     if _masses(spec) or spec.loads or spec.springs:
         return None
     return "no loads, masses or springs: nothing acts on the links"
+
+
+def feasibility(spec: Spec) -> str | None:
+    """Constraints are stated one by one."""
+    return None if spec.constraints else "no [[constraints]]: nothing is to be kept"
 
 
 def reduction(spec: Spec) -> str | None:
@@ -75,6 +86,16 @@ def motion(spec: Spec) -> str | None:
 def transient(spec: Spec) -> str | None:
     """Motions in time are asked for one by one."""
     return "no [[transients]]: no motion in time is asked for" if not spec.transients else power(spec)
+
+
+def unsteady(spec: Spec) -> str | None:
+    """A motion from rest to rest is asked for, and a mechanism makes it."""
+    return structure(spec) or ("no [unsteady]: no motion from rest to rest is asked for" if not spec.unsteady else None)
+
+
+def manipulator(spec: Spec) -> str | None:
+    """An arm that is asked for."""
+    return "no [manipulator]: no arm is asked for" if spec.manipulator is None else None
 
 
 def balance(spec: Spec) -> str | None:
@@ -145,8 +166,13 @@ def cam_forces(spec: Spec) -> str | None:
     """What acts is known from the loads and the speed."""
     if spec.cam is None or spec.cam.loads is None:
         return cam_law(spec) or "no [cam.loads]: nothing is known of masses and forces"
+    return _cam_speed(spec, spec.cam)
+
+
+def _cam_speed(spec: Spec, cam: CamTable) -> str | None:
+    """A speed of the cam's own, or of the shaft that it turns with."""
     turns = spec.torque is not None or (spec.mechanism is not None and not _slides(spec))
-    return None if spec.cam.speed is not None or turns else "[cam] has no speed: inertia forces are not known"
+    return None if cam.speed is not None or turns else "[cam] has no speed: inertia forces are not known"
 
 
 def cam_strength(spec: Spec) -> str | None:
@@ -164,14 +190,55 @@ def cam_optimum(spec: Spec) -> str | None:
 
 
 def cam_elastic(spec: Spec) -> str | None:
-    """Only an elastic train vibrates."""
-    lacking = "no [cam.elastic]: the follower is rigid"
-    return cam_forces(spec) or (lacking if spec.cam is None or spec.cam.elastic is None else None)
+    """Only an elastic train vibrates, with the mass of the loads or one of its own."""
+    if spec.cam is None or spec.cam.elastic is None:
+        return cam_law(spec) or "no [cam.elastic]: the follower is rigid"
+    return _cam_speed(spec, spec.cam)
+
+
+def indexing(spec: Spec) -> str | None:
+    """An indexing drive is asked for by its own table."""
+    return "no [indexing]: no indexing drive is asked for" if spec.indexing is None else None
 
 
 def gearing(spec: Spec) -> str | None:
     """Speeds and powers are those of a train that is written out."""
     return "no [gearing]: no train is written out" if spec.gearing is None else None
+
+
+def vibrator(spec: Spec) -> str | None:
+    """Springs and modes are those of a vibratory device."""
+    return "no [vibrator]: no vibratory device is asked for" if spec.vibrator is None else None
+
+
+def pendulum(spec: Spec) -> str | None:
+    """Whirl is that of a pendulum-rotor."""
+    return "no [pendulum]: no pendulum-rotor is asked for" if spec.pendulum is None else None
+
+
+def contact(spec: Spec) -> str | None:
+    """Asked for by its own table."""
+    return "no [contact]: no bodies are pressed together" if spec.contact is None else None
+
+
+def reliability(spec: Spec) -> str | None:
+    """Asked for by its own table."""
+    return "no [reliability]: no life is asked for" if spec.reliability is None else None
+
+
+def tie_down(spec: Spec) -> str | None:
+    """Asked for by its own table."""
+    return "no [tie_down]: no load is tied down" if spec.tie_down is None else None
+
+
+def falling_ball(spec: Spec) -> str | None:
+    """Asked for by its own table."""
+    return "no [falling_ball]: no ball falls" if spec.falling_ball is None else None
+
+
+def bearing(spec: Spec) -> str | None:
+    """Asked for by its own table."""
+    return "no [bearing]: no bearing is asked for" if spec.bearing is None else None
 
 
 def shakes(spec: Spec) -> bool:

@@ -26,7 +26,8 @@ from tmmcalc.gears.meshing.task import Kind, PairTask
 from tmmcalc.linkage.plane import Plane
 from tmmcalc.report.pictures import draw_pair, draw_profile
 from tmmcalc.report.pictures.gears.generation import generation_of
-from tmmcalc.report.pictures.gears.pairsheet import pair_figure, parameters
+from tmmcalc.report.pictures.gears.pairsheet import pair_figure
+from tmmcalc.report.pictures.gears.pairtable import parameters
 from tmmcalc.report.pictures.gears.placedpair import PlacedPair, placed_pair
 from tmmcalc.report.pictures.gears.sketch import spread
 from tmmcalc.report.pictures.gears.slidingcurves import course, singles

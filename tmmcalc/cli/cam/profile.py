@@ -53,7 +53,7 @@ def command(
     """
     patterns = patterns_of(columns)
     files = {flag: file for flag, file in (("--svg", svg), ("--dxf", dxf), ("--nc", nc)) if file is not None}
-    _check(files, tolerance)
+    check_files(files, tolerance)
     given = {"tool_radius": tool, "tolerance": tolerance}
     more = [f'cam.{key}="{value}"' for key, value in given.items() if value is not None]
     job = replace(job, overrides=[*job.overrides, *more])
@@ -73,10 +73,10 @@ def command(
     )
     contents = _contents(result, to_cam(scene), files, heading) if files else {}
     job.finish(document, run, form)
-    _write(contents, job.quiet)
+    write_files(contents, job.quiet)
 
 
-def _check(files: dict[str, Path], tolerance: str | None) -> None:
+def check_files(files: dict[str, Path], tolerance: str | None) -> None:
     """Refuse flags without effect, and places where no file can be, before anything is computed."""
     for flag, file in files.items():
         check_place(file, flag)
@@ -107,7 +107,7 @@ def _contents(result: Profile, task: CamTask, files: dict[str, Path], heading: s
     return made
 
 
-def _write(contents: dict[Path, bytes], quiet: bool) -> None:
+def write_files(contents: dict[Path, bytes], quiet: bool) -> None:
     """Write the files, each in one step; one that has these bytes already is left alone."""
     from tmmcalc.pipeline.atomic import replace_file
 

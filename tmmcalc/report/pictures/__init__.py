@@ -29,6 +29,10 @@ if TYPE_CHECKING:
     from tmmcalc.gears.meshing.results import Pairs
     from tmmcalc.gears.selection.results import Selection
     from tmmcalc.gears.train import Trains
+    from tmmcalc.linkage.unsteady.results import Unsteady
+    from tmmcalc.linkage.unsteady.task import UnsteadyTask
+    from tmmcalc.manipulators.results import Manipulator
+    from tmmcalc.manipulators.task import ManipulatorTask
     from tmmcalc.stages.balance import Balances
 
 FORMATS = ("svg", "png", "pdf")
@@ -120,6 +124,28 @@ def draw_transient(result: TimedMotions, file: Path) -> None:
     from tmmcalc.report.pictures.transient import transient_figure
 
     write(file, form, lambda: transient_figure(result))
+
+
+def draw_unsteady(
+    mechanism: Mechanism, task: UnsteadyTask, kinematics: Kinematics, result: Unsteady, file: Path
+) -> None:
+    """Draw the input, the outputs and the links of an unsteady motion over the time."""
+    form = form_of(file)
+    check_matplotlib()
+    from tmmcalc.report.pictures.page import write
+    from tmmcalc.report.pictures.unsteady import unsteady_figure
+
+    write(file, form, lambda: unsteady_figure(mechanism, task, kinematics, result))
+
+
+def draw_manipulator(task: ManipulatorTask, result: Manipulator, file: Path) -> None:
+    """Draw the path of a manipulator with points equally spaced in time, the arm, the obstacles, and the joints."""
+    form = form_of(file)
+    check_matplotlib()
+    from tmmcalc.report.pictures.manipulator import manipulator_figure
+    from tmmcalc.report.pictures.page import write
+
+    write(file, form, lambda: manipulator_figure(task, result))
 
 
 def draw_balance(result: Balances, file: Path) -> None:

@@ -6,8 +6,7 @@ import math
 
 import numpy as np
 
-from tmmcalc.linkage.chain import Chain, Configuration, compile_chain
-from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.records import record
@@ -35,11 +34,6 @@ class Motion:
     def slide(self, joint: str) -> Real:
         """Coordinates (n,) of a prismatic joint [m]."""
         return np.broadcast_to(self.configuration.slides[joint].s, self.x.shape)
-
-
-def chain_of(mechanism: Mechanism, result: Kinematics) -> Chain:
-    """The chain that the result was computed with."""
-    return compile_chain(mechanism, result.structure, result.variants)
 
 
 def motion_at(chain: Chain, x: Real) -> Motion:

@@ -14,6 +14,7 @@ from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Extreme, Kinematics
+from tmmcalc.report.numbers import NOISE
 from tmmcalc.report.pictures.course import Course, course_of, statics_of
 from tmmcalc.report.pictures.curves import Diagram, Line, bottom
 from tmmcalc.report.pictures.cutting import draw_sheet, sheets_of
@@ -79,7 +80,7 @@ def _reaction_diagrams(statics: Statics, result: Forces, course: Course) -> dict
         groups = {f"I(0,{structure.input_link})": ()}
     found = {}
     for k, (name, joints) in enumerate(groups.items()):
-        own = [rows[joint] for joint in ((first, *joints) if k == 0 else joints)]
+        own = [rows[joint] for joint in dict.fromkeys((first, *joints) if k == 0 else joints)]
         lines = tuple(_size(result, course, j, CURVES[i % len(CURVES)]) for i, j in enumerate(own))
         found[name] = Diagram("|R|", "N", result.turns, course.phi, result.phi, lines)
     return found
@@ -88,7 +89,8 @@ def _reaction_diagrams(statics: Statics, result: Forces, course: Course) -> dict
 def _size(result: Forces, course: Course, j: int, style: dict[str, Any]) -> Line:
     pair = result.pairs[j]
     label = f"$R_{{{upright(pair.joint)}}}$ ({pair.links[0]}–{pair.links[1]})"
-    marks = (_mark(result, pair.force),)
+    seen = pair.force.value > NOISE * max(each.force.value for each in result.pairs)
+    marks = (_mark(result, pair.force),) if seen else ()
     return Line(label, np.abs(course.reaction[j]), np.abs(result.reaction[j]), style, marks)
 
 

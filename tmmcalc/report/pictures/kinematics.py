@@ -8,12 +8,13 @@ from collections.abc import Sequence
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
+from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.polygons import polygons
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.pictures.choice import chosen
 from tmmcalc.report.pictures.curves import TICKS
-from tmmcalc.report.pictures.cycle import Motion, chain_of, whole_cycle
+from tmmcalc.report.pictures.cycle import Motion, whole_cycle
 from tmmcalc.report.pictures.diagrams import columns_of, draw_diagrams, label_diagrams
 from tmmcalc.report.pictures.labels import signed
 from tmmcalc.report.pictures.page import blank, settle

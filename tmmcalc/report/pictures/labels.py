@@ -83,7 +83,7 @@ class Labels:
         **style: Any,
     ) -> None:
         """Write a text near one of the anchors (data coordinates), ``gaps`` mm away; a ``ring`` goes around it."""
-        half = (RING * size, RING * size) if ring else _half_size(text, size)
+        half = (RING * size, RING * size) if ring else half_size(text, size)
         centres, costs = [], []
         for rank, anchor in enumerate(self._paper(np.array(list(anchors), dtype=complex))):
             tried, cost = self._tried(complex(anchor), half, gaps, prefer)
@@ -133,8 +133,8 @@ def _outward(directions: Plane, half: tuple[float, float], gap: float) -> Plane:
     return directions * gap + directions.real * half[0] + 1j * directions.imag * half[1]
 
 
-def _half_size(text: str, size: float) -> tuple[float, float]:
-    """Half width and height of a text [mm]."""
+def half_size(text: str, size: float) -> tuple[float, float]:
+    """Half width and height of a line of text [mm]."""
     box = TextPath((0, 0), text, size=size, prop=FontProperties(family="DejaVu Sans")).get_extents()
     points = MM / 72
     return box.width * points / 2, max(box.height, 0.72 * size) * points / 2

@@ -37,8 +37,8 @@ def prepare(axes: Axes, cycle: Motion) -> None:
     _dimension(axes, reach)
 
 
-def draw_scheme(axes: Axes, result: Kinematics, cycle: Motion, positions: Sequence[int]) -> None:
-    """Draw on an axes whose place is settled; the first of ``positions`` has main lines."""
+def draw_scheme(axes: Axes, result: Kinematics, cycle: Motion, positions: Sequence[int]) -> Board:
+    """Draw on an axes whose place is settled; the first of ``positions`` has main lines. Returns the board."""
     scheme = _Scheme(axes, result, cycle, positions)
     scheme.paths()
     scheme.others()
@@ -48,6 +48,7 @@ def draw_scheme(axes: Axes, result: Kinematics, cycle: Motion, positions: Sequen
     scheme.drive()
     scheme.names()
     axes.set_title(_title(result, positions[0], scheme.board.mu))
+    return scheme.board
 
 
 class _Scheme:
@@ -206,7 +207,7 @@ class _Scheme:
             self.board.labels.put(f"$\\omega_{{{link}}}$", [at], color=MARK, prefer=at - pivot)
             return
         side = joint.links.index(link)
-        e = joint.directions[1] * (complex(self.motion.turn(link)[0]) if side == 1 else 1)
+        e = joint.directions[side] * complex(self.motion.turn(link)[0])
         forward = e * sense * (1 if side == 0 else -1)
         at = self.place(link, joint.points[side])
         beside = forward * BLOCK[0] / 2 - self._outward(at, e) * BLOCK[1]

@@ -59,6 +59,7 @@ CHECKS: tuple[Check, ...] = (
 
 # Modules with the checks of a table, imported only when a spec has it.
 _OF_TABLE = {
+    "synthesis": ("linksynthesis", "dwell"),
     "torque": ("torque",),
     "loads": ("loads", "windows", "curves", "indicator"),
     "springs": ("springs",),
@@ -67,6 +68,8 @@ _OF_TABLE = {
     "shafts": ("shafts",),
     "motion": ("motion",),
     "transients": ("transients",),
+    "unsteady": ("unsteady",),
+    "manipulator": ("manipulator",),
     "flywheel": ("flywheel",),
     "balance": ("balance",),
     "engine": ("engine",),
@@ -77,6 +80,16 @@ _OF_TABLE = {
     "strength": ("strength",),
     "pair": ("pair",),
     "cam": ("cam", "camlaws", "camsizes", "camloads", "camsearch"),
+    "indexing": ("indexing",),
+    "vibrator": ("vibrator",),
+    "pendulum": ("pendulum",),
+    "contact": ("extras",),
+    "reliability": ("extras",),
+    "tie_down": ("extras",),
+    "falling_ball": ("extras",),
+    "bearing": ("extras",),
+    "constraints": ("constraints",),
+    "feasibility": ("feasibility",),
 }
 
 

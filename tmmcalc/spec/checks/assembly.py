@@ -10,7 +10,7 @@ from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
 
 from .outline import FRAME, Outline, is_integer, subtable
 
-_PAIR = re.compile(r"([0-9]{1,9})-([0-9]{1,9})")
+_LINKS = re.compile(r"[0-9]{1,9}(-[0-9]{1,9})+")
 
 
 def check_sketch(outline: Outline) -> Iterator[Finding]:
@@ -29,25 +29,37 @@ def check_sketch(outline: Outline) -> Iterator[Finding]:
 
 
 def check_variants(outline: Outline) -> Iterator[Finding]:
-    """A variant names the two joined links of a group, once, and is 1 or -1."""
+    """A variant names the links of a group, once; it is 1 or -1 of a dyad, 1 or more of a higher group."""
     seen: dict[frozenset[int], str] = {}
     for key, value in subtable(subtable(outline.table, "assembly"), "variants").items():
         path: Path = ("mechanism", "assembly", "variants", key)
-        if is_integer(value) and value not in (1, -1):
-            yield Finding(path, f"{show(value)} is not a variant", "a variant is 1 or -1")
-        match = _PAIR.fullmatch(key)
-        if match is None:
-            yield Finding(path, f"{show(key)} is not a pair of links", 'write the two links of the group: "2-3" = 1')
+        if _LINKS.fullmatch(key) is None:
+            yield Finding(
+                path, f"{show(key)} names no group", 'write the links of the group: "2-3" = 1, or "2-3-4-5" = 2'
+            )
             continue
-        links = (int(match[1]), int(match[2]))
-        pair = frozenset(links)
-        if pair in seen:
-            yield Finding(path, f"{show(key)} is the group of '{seen[pair]}' again", "remove one of them")
-        seen.setdefault(pair, key)
-        yield from _check_pair(outline, links, path)
+        links = tuple(int(link) for link in key.split("-"))
+        yield from _check_value(path, value, len(links))
+        if frozenset(links) in seen:
+            yield Finding(path, f"{show(key)} is the group of '{seen[frozenset(links)]}' again", "remove one of them")
+        seen.setdefault(frozenset(links), key)
+        yield from _check_links(outline, links, path)
 
 
-def _check_pair(outline: Outline, links: tuple[int, int], path: Path) -> Iterator[Finding]:
+def _check_value(path: Path, value: object, links: int) -> Iterator[Finding]:
+    if not is_integer(value):
+        return
+    if links == 2 and value not in (1, -1):
+        yield Finding(path, f"{show(value)} is not a variant", "a variant of two links is 1 or -1")
+    if links > 2 and value < 1:
+        yield Finding(
+            path,
+            f"{show(value)} is not the number of an assembly",
+            "assemblies count from 1; tmmcalc structure --assemblies lists them",
+        )
+
+
+def _check_links(outline: Outline, links: tuple[int, ...], path: Path) -> Iterator[Finding]:
     if not outline.ids_complete:
         return
     moving = [id_ for id_ in outline.ids if id_ != FRAME]
@@ -57,11 +69,25 @@ def _check_pair(outline: Outline, links: tuple[int, int], path: Path) -> Iterato
         yield Finding(path, what, f"the moving links are: {listing(moving)}")
     if absent or not outline.joints_complete:
         return
-    joined = any(joint.links and {*joint.links} == {*links} for joint in outline.joints)
-    if links[0] == links[1] or not joined:
-        what = "is one link twice" if links[0] == links[1] else "are not joined"
-        yield Finding(
-            path,
-            f"links {links[0]} and {links[1]} {what}",
-            "name the two links of one group, which share a joint",
-        )
+    remedy = "name the links of one group, which are joined to each other"
+    twice = next((link for link in links if links.count(link) > 1), None)
+    if twice is not None:
+        yield Finding(path, f"link {twice} is named twice", remedy)
+    elif not _joined(outline, links):
+        yield Finding(path, f"links {listing(links)} are not joined to each other", remedy)
+
+
+def _joined(outline: Outline, links: tuple[int, ...]) -> bool:
+    """Whether joints among these links connect them all."""
+    reached = {links[0]}
+    while (
+        more := {
+            k
+            for joint in outline.joints
+            if joint.links and {*joint.links} <= {*links} and reached & {*joint.links}
+            for k in joint.links
+        }
+        - reached
+    ):
+        reached |= more
+    return reached == {*links}

@@ -103,8 +103,6 @@ def check_roller(outline: Outline) -> Iterator[Finding]:
     """The roller leaves room for the cam's axis, a groove for the tool; the guide stands above the follower."""
     cam = written_cam(outline)
     base, roller = _base(cam), cam.amount("roller_radius")
-    if cam.table.get("roller_radius") in ("0", "0.0"):
-        yield Finding(place("", "roller_radius"), "a knife edge is the number 0", "write roller_radius = 0")
     if cam.kind in ("translating", "oscillating") and base is not None and roller is not None and roller >= base:
         rule = f"a roller of {_mm(roller)} covers the cam's axis: the pitch curve's base circle has {_mm(base)}"
         yield Finding(place("", "roller_radius"), rule, "write a smaller roller, or a larger base circle")

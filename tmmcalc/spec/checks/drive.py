@@ -25,20 +25,21 @@ _ACCELERATION = {"revolute": "angular acceleration", "prismatic": "acceleration"
 
 
 def check_joint(outline: Outline) -> Iterator[Finding]:
-    """The input joint exists and is with the frame."""
+    """The input joint exists and is with the frame; a prismatic one may join two moving links: a driven length."""
     name = subtable(outline.table, "input").get("joint")
     if not isinstance(name, str) or not outline.joints:
         return
     joint = outline.joint_named(name)
-    with_frame = [str(j.name) for j in outline.joints if j.name and j.links and FRAME in j.links]
-    known = f"the joints with the frame are: {listing(with_frame)}"
+    fit = [str(j.name) for j in outline.joints if j.name and j.links and (FRAME in j.links or j.kind == "prismatic")]
+    known = f"the joints that can be driven are: {listing(fit)}"
     if joint is None:
-        guess = did_you_mean(name, with_frame)
+        guess = did_you_mean(name, fit)
         yield Finding((*_INPUT, "joint"), f"there is no joint {show(name)}", f"{guess} {known}".strip())
-    elif joint.links and FRAME not in joint.links:
+    elif joint.links and FRAME not in joint.links and joint.kind == "revolute":
         yield Finding(
             (*_INPUT, "joint"),
-            f"joint {show(name)} connects links {joint.links[0]} and {joint.links[1]}, neither is the frame",
+            f"joint {show(name)} is a pin of links {joint.links[0]} and {joint.links[1]}, neither is the frame: "
+            "a crank turns about the frame",
             known,
         )
 

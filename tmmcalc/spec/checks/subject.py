@@ -1,14 +1,34 @@
-"""Checks of what a spec is about (mechanism, torque diagram, engine, rotor, gears, cam), and what belongs to each."""
+"""Checks of what a spec is about (a mechanism, a torque diagram, gears, a cam, an arm), and what belongs to each."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from tmmcalc.spec.findings import Finding
+from tmmcalc.spec.phrases import either
 
 from .outline import Outline
 
-SUBJECTS = ("mechanism", "torque", "engine", "rotor", "train", "gearing", "pair", "cam")
+SUBJECTS = (
+    "mechanism",
+    "synthesis",
+    "torque",
+    "engine",
+    "rotor",
+    "train",
+    "gearing",
+    "pair",
+    "cam",
+    "indexing",
+    "vibrator",
+    "pendulum",
+    "manipulator",
+    "contact",
+    "reliability",
+    "tie_down",
+    "falling_ball",
+    "bearing",
+)
 
 # Tables that say nothing without a mechanism, and why.
 NEEDS_MECHANISM = {
@@ -17,6 +37,7 @@ NEEDS_MECHANISM = {
     "drive": "it drives the crank of a mechanism",
     "reduction": "forces and masses are those of a mechanism",
     "balance": "the masses are those of a mechanism",
+    "unsteady": "it is the motion of a mechanism",
 }
 # Tables that a torque diagram serves as well.
 NEEDS_MACHINE = {
@@ -41,9 +62,9 @@ def check_subject(outline: Outline) -> Iterator[Finding]:
     if not {*SUBJECTS} & {*document}:
         yield Finding(
             ("mechanism",),
-            "missing key: a spec describes a mechanism, or else a torque diagram, an engine, a rotor, gears or a cam",
-            "add [mechanism.input], [[mechanism.links]], [[mechanism.joints]]; "
-            "[torque], [engine], [rotor], [train], [gearing], [pair] or [cam]",
+            "missing key: a spec describes a mechanism, or else a linkage to be found, a torque diagram, an engine, "
+            "a rotor, gears, cams, a vibratory device, a pendulum-rotor or an arm",
+            f"add [mechanism.input], [[mechanism.links]], [[mechanism.joints]]; {either(map(_header, SUBJECTS[1:]))}",
         )
     if "mechanism" in document and "torque" in document:
         yield Finding(
@@ -65,7 +86,7 @@ def check_needs(outline: Outline) -> Iterator[Finding]:
         if table in document:
             yield Finding((table,), f"{_header(table)} without [mechanism]: {why}", "add [mechanism], or remove it")
     for table, why in NEEDS_MACHINE.items():
-        if table in document and "torque" not in document:
+        if table in document and "torque" not in document and not (table == "motor" and "vibrator" in document):
             rule = f"{_header(table)} without [mechanism] or [torque]: {why}"
             yield Finding((table,), rule, "add [mechanism] or [torque], or remove it")
 

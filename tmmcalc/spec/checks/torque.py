@@ -58,7 +58,7 @@ def _fault_of(formula: str, constants: Mapping[str, float], period: float) -> Us
     """Return what is wrong with a formula, None if nothing is."""
     import numpy as np  # late: only formulas need it
 
-    from tmmcalc.machine.diagram.expression import parse
+    from tmmcalc.expression import parse
     from tmmcalc.spec.torque import with_powers
 
     try:

@@ -1,0 +1,137 @@
+"""What the documents, pictures and commands of the synthesis say, against the records that they show."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import tmmcalc
+from tmmcalc.cli.app import app
+from tmmcalc.linkage.synthesis.results import Synthesis
+from tmmcalc.pipeline.runner import run
+from tmmcalc.report.document import Document
+from tmmcalc.report.pictures.synthesis import synthesis_figure
+from tmmcalc.report.plan import plan_document
+from tmmcalc.report.synthesis import synthesis_document, synthesis_summary
+from tmmcalc.spec import load_spec, parse_spec, templates
+from tmmcalc.spec.linkage import to_linkage
+
+CONFIGS = Path(templates.folder())
+
+
+def payload(document: Document) -> dict[str, Any]:
+    """All values that programs get."""
+    return {key: value for fact in document.facts for key, value in fact.values.items()}
+
+
+def solved(name: str) -> Synthesis:
+    return tmmcalc.solve_synthesis(load_spec(CONFIGS / f"synth-{name}.toml"))
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "crank-rocker", "function", "motion"])
+def test_document_holds_sizes_checks_and_solutions(name: str) -> None:
+    found = solved(name)
+    values = payload(synthesis_document(found, "synthesis", everything=True))
+    for size in found.best.sizes:
+        key = size.symbol if size.unit == "-" else f"{size.symbol}[{size.unit}]"
+        assert values[key] == size.value
+    for each in found.best.checks:
+        assert values[f"check_{each.name.replace(' ', '_')}"]["achieved"] == each.achieved
+    view = synthesis_document(found, "synthesis", everything=True).table
+    assert view is not None
+    assert {len(column) for column in view.columns} == {len(found.designs)}
+    people = synthesis_document(found, "synthesis").table
+    assert people is not None
+    for header, column in zip(view.headers, view.columns, strict=True):
+        if header.endswith("[m]"):
+            drawn = people.columns[people.headers.index(header.replace("[m]", "[mm]"))]
+            assert list(drawn) == pytest.approx([1e3 * value for value in column])
+    assert len(synthesis_summary(found, "synthesis").facts) == 1 + len(found.best.sizes) + len(found.best.checks)
+
+
+def test_the_stored_result_is_the_computed_one(tmp_path: Path) -> None:
+    for name in ("slotted-link", "function", "motion"):
+        spec = load_spec(CONFIGS / f"synth-{name}.toml")
+        first, second = (run(spec, target="synthesis", out=tmp_path / name).results["synthesis"] for _ in range(2))
+        assert [design.spec for design in first.designs] == [design.spec for design in second.designs]
+        assert first.best.merits == second.best.merits
+        if first.best.precision is not None:
+            assert np.array_equal(first.best.precision.crank, second.best.precision.crank)
+
+
+def test_command_writes_a_spec_that_the_others_run(tmp_path: Path) -> None:
+    runner, ready = CliRunner(), tmp_path / "ready.toml"
+    spec = str(CONFIGS / "synth-crank-rocker.toml")
+    done = runner.invoke(app, ["synth", spec, "--no-store", "-q", "--choose", "2", "--spec", str(ready)])
+    assert done.exit_code == 0, done.output
+    assert "2 of 2" in done.output
+    assert ready.read_text() == solved("crank-rocker").designs[1].spec
+    assert runner.invoke(app, ["check", str(ready)]).exit_code == 0
+    shown = runner.invoke(app, ["kinematics", str(ready), "--no-store", "-q", "--plan", "--format", "json"])
+    plan = json.loads(shown.output[shown.output.index("{") :])
+    assert plan["K"] == pytest.approx(1.2, rel=1e-9)
+    assert plan["stroke[deg]"] == pytest.approx(40, rel=1e-9)
+    refused = runner.invoke(app, ["synth", spec, "--no-store", "-q", "--choose", "9"])
+    assert refused.exit_code != 0
+    picture = tmp_path / "picture.svg"
+    assert runner.invoke(app, ["plot", spec, "synthesis", "-o", str(picture), "-q"]).exit_code == 0
+    assert picture.stat().st_size > 10_000
+
+
+def test_plan_goes_with_no_other_table() -> None:
+    spec = str(CONFIGS / "crank-slider.toml")
+    for flag in ("--study", "--dimensionless"):
+        assert CliRunner().invoke(app, ["kinematics", spec, "--no-store", "--plan", flag]).exit_code != 0
+
+
+def test_plan_of_a_link_that_never_reverses() -> None:
+    spec = load_spec(CONFIGS / "slotted-link.toml")
+    plan = tmmcalc.position_plan(to_linkage(spec.linkage), tmmcalc.solve_kinematics(spec))
+    assert set(plan.strokes) == {""}
+    assert len(plan.labels) == 24
+    table = plan_document(plan, "plan").table
+    assert table is not None
+    assert list(table.columns[3]) == pytest.approx(np.degrees(plan.value))
+
+
+def test_picture_shows_both_extremes_with_dimensions() -> None:
+    found = solved("slider-crank")
+    mechanism = to_linkage(parse_spec(found.best.spec).linkage)
+    axes = synthesis_figure(mechanism, found).axes
+    texts = [text.get_text() for text in axes[0].texts]
+    for symbol in "rle":
+        assert any(text.startswith(f"${symbol}$ = {1e3 * found.best.size(symbol):.2f}"[:9]) for text in texts), symbol
+    assert any(text.startswith("$S$ = 200") for text in texts)
+    assert any(text.startswith(("6'", "12'")) for text in texts)  # the second extreme
+
+
+def test_picture_marks_the_wanted_points() -> None:
+    found = solved("motion")
+    mechanism = to_linkage(parse_spec(found.best.spec).linkage)
+    axes = synthesis_figure(mechanism, found).axes[0]
+    assert {"1", "2", "3", "4"} <= {text.get_text() for text in axes.texts}
+    precision = found.best.precision
+    assert precision is not None
+    middles = [complex(*np.mean(line.get_xydata(), axis=0)) for line in axes.lines if len(line.get_xdata()) == 2]
+    for point in precision.points:
+        assert min(abs(middle - point) for middle in middles) < 1e-12
+
+
+def test_picture_of_a_function_shows_its_error() -> None:
+    found = solved("function")
+    mechanism = to_linkage(parse_spec(found.best.spec).linkage)
+    axes = synthesis_figure(mechanism, found).axes
+    precision = found.best.precision
+    assert precision is not None
+    curves = [
+        line.get_ydata() for panel in axes for line in panel.lines if len(line.get_ydata()) == len(precision.fine)
+    ]
+    assert any(
+        np.max(np.abs(curve)) == pytest.approx(math.degrees(np.max(np.abs(precision.error)))) for curve in curves
+    )

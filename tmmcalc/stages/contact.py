@@ -1,0 +1,44 @@
+"""Stage ``contact``: pressure and approach of two elastic bodies by boundary integral equations."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from tmmcalc.extras.contact import Contact, ContactTask, solve_contact
+from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.stages.conversion import from_record, to_record
+
+if TYPE_CHECKING:
+    from tmmcalc.spec import Spec
+
+
+def inputs(spec: Spec) -> ContactTask:
+    """What the table says, in SI."""
+    from tmmcalc.spec.extras import to_contact
+
+    return to_contact(spec)
+
+
+def solve(given: ContactTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Contact:
+    """All of it."""
+    return solve_contact(given)
+
+
+def dump(result: Contact) -> Record:
+    """Arrays by the names of the fields."""
+    return to_record(result)
+
+
+def load(record: Record) -> Contact:
+    """Build the result from its record."""
+    result: Contact = from_record(Contact, record)
+    return result
+
+
+def table(result: Contact) -> Table:
+    """One row a node of the grid."""
+    from tmmcalc.extras.columns import contact_columns
+
+    columns = contact_columns(result)
+    return Table(list(columns), list(columns.values()))
