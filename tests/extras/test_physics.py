@@ -24,7 +24,7 @@ def pyramid(x: float, y: float) -> float:
     return max(0.0, 1 - float(np.max(x * np.cos(turn) + y * np.sin(turn))) / (3**0.5 / 2))
 
 
-@pytest.mark.parametrize(("i", "j"), [(2, 1), (3, -2), (5, 4)])
+@pytest.mark.parametrize(("i", "j"), [(2, 1), (3, -2)])
 def test_influence_outside_is_the_integral(i: int, j: int) -> None:
     at = i + j / 2, j * 3**0.5 / 2
     found = dblquad(lambda y, x: pyramid(x, y) / np.hypot(x - at[0], y - at[1]), -1, 1, -0.9, 0.9, epsabs=1e-7)[0]

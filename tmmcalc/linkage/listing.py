@@ -12,7 +12,7 @@ from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.kinematics import placed
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.mounts import Motions
-from tmmcalc.linkage.placing import chosen_at, own_points
+from tmmcalc.linkage.placing import chosen_at, own_points, tied
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.steps import build
 from tmmcalc.linkage.structure import Group, Structure, solve_structure
@@ -73,12 +73,18 @@ def list_assemblies(mechanism: Mechanism, structure: Structure | None = None) ->
 
 
 def _taken(ways: list[_Placed], given: int | None, dyad: bool) -> _Placed | None:
-    """The assembly that the spec means: numbered, nearest to the sketch, the only one; of a dyad else the first."""
+    """The assembly that the spec means: numbered, nearest to the sketch, the only one; of a dyad else the first.
+
+    None where the sketch stands equally near to two.
+    """
     if given is not None:
         return next((one for one in ways if one.told.variant == given), None)
-    nearest = min(ways, key=lambda one: one.gap, default=None)
-    decided = nearest is not None and (np.isfinite(nearest.gap) or dyad or len(ways) == 1)
-    return nearest if decided else None
+    by_gap = sorted(ways, key=lambda one: one.gap)
+    if not by_gap:
+        return None
+    if np.isfinite(by_gap[0].gap):
+        return None if len(by_gap) > 1 and tied(by_gap[0].gap, by_gap[1].gap) else by_gap[0]
+    return by_gap[0] if dyad or len(by_gap) == 1 else None
 
 
 def _dyads(mechanism: Mechanism, group: Group, motions: Motions, x: Real) -> list[_Placed]:

@@ -166,13 +166,18 @@ def _choice(chain: Chain, group: Group, found: Real, loops: Loops, at: float, nu
             "tmmcalc structure --assemblies lists them",
         )
     order = np.argsort(gaps)
-    if count > 1 and gaps[order[1]] <= gaps[order[0]] * (1 + TIED) + 1e-15:
+    if count > 1 and tied(gaps[order[0]], gaps[order[1]]):
         raise NoSolutionError(
             f"the sketch stands equally near to the assemblies {order[0] + 1} and {order[1] + 1}",
             where=where,
             remedy="sketch more of its points, or give the number of the assembly in assembly.variants",
         )
     return int(order[0])
+
+
+def tied(nearest: float, next_one: float) -> bool:
+    """Whether two distances of a sketch [m] do not tell two assemblies apart."""
+    return next_one <= nearest * (1 + TIED) + 1e-15
 
 
 def _distances(chain: Chain, group: Group, loops: Loops, found: Real) -> Real | None:

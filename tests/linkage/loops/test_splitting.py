@@ -53,7 +53,7 @@ def test_the_textbook_splits_class_four_by_bar_de() -> None:
 @pytest.mark.parametrize("prismatic", [0, 1])
 def test_random_groups(graph: tuple[str, ...], prismatic: int) -> None:
     compared, rng = 0, np.random.default_rng(7)
-    for seed in range(4):
+    for seed in range(2):
         mechanism, _ = scene(seed, graph, drawn(rng, graph, prismatic))
         if len(solve_structure(mechanism).groups) != 1:
             continue

@@ -76,7 +76,7 @@ def check(result: Kinematics, ways: list[tuple[np.ndarray, Reference]], toleranc
 
 @pytest.mark.parametrize("graph", [CLASS_III, CLASS_IV], ids=["III", "IV"])
 @pytest.mark.parametrize("prismatic", [0, 1, 2])
-@pytest.mark.parametrize("seed", [0, 1])
+@pytest.mark.parametrize("seed", [0])
 def test_random_groups(graph: tuple[str, ...], prismatic: int, seed: int) -> None:
     names = drawn(np.random.default_rng(100 * seed + prismatic), graph, prismatic)
     mechanism, placements = scene(seed, graph, names)
@@ -93,7 +93,7 @@ def test_random_groups(graph: tuple[str, ...], prismatic: int, seed: int) -> Non
 @pytest.mark.parametrize("graph", [CLASS_III, CLASS_IV], ids=["III", "IV"])
 def test_at_a_limit_the_regularity_falls_like_the_root_of_the_distance(graph: tuple[str, ...]) -> None:
     checked = 0
-    for seed in range(6):
+    for seed in range(3):
         chain, step, branch = branch_of(scene(seed, graph)[0])
         for limit in branch.limits:
             inwards = 1 if limit.x == branch.low else -1
