@@ -6,7 +6,7 @@ BIN    := $(VENV)/bin
 DEMO   := demo.out
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: demo test lint bench format schema clean
+.PHONY: demo test slow lint bench format schema clean
 
 demo: $(VENV)/.run
 	$(BIN)/tmmcalc run configs/shaper.toml -o $(DEMO) --quiet
@@ -16,7 +16,10 @@ demo: $(VENV)/.run
 	$(BIN)/tmmcalc forces configs/shaper.toml -o $(DEMO)
 
 test: $(VENV)/.dev
-	$(BIN)/python -m pytest -n 2
+	$(BIN)/python -m pytest -n 2 -m "not slow"
+
+slow: $(VENV)/.dev
+	$(BIN)/python -m pytest -n 2 -m slow
 
 lint: $(VENV)/.dev
 	$(BIN)/ruff check .

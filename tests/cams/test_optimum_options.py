@@ -15,6 +15,8 @@ from tmmcalc.errors import NoSolutionError
 from tmmcalc.report.cams.optimum import optimum_document, optimum_summary
 from tmmcalc.stages.conversion import from_record, to_record
 
+pytestmark = pytest.mark.slow
+
 ROLLER, FLAT = Follower("translating", 0.05), Follower("flat", 0.05)
 CONTACTS = (("bronze", 1.1e7), ("steel", 4e8), ("hard steel", 6e8))
 

@@ -15,6 +15,8 @@ from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits, Loads
 from tmmcalc.errors import NoSolutionError
 
+pytestmark = pytest.mark.slow
+
 PROGRAM = turn("sine", stroke=radians(30))
 LIMITS = AngleLimits(radians(45), None)
 ALONE = replace(LIMITS, convex=0.0)

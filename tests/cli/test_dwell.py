@@ -11,6 +11,8 @@ import pytest
 
 from .conftest import CONFIGS, Cli
 
+pytestmark = pytest.mark.slow
+
 SPEC, ROCKER, OPTIMUM = (str(CONFIGS / f"synth-dwell{name}.toml") for name in ("", "-rocker", "-optimum"))
 
 

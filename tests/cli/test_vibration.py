@@ -10,6 +10,8 @@ import pytest
 
 from .conftest import CONFIGS, Cli
 
+pytestmark = pytest.mark.slow
+
 DEVICE, ROTOR = str(CONFIGS / "vibratory-device.toml"), str(CONFIGS / "pendulum-rotor.toml")
 SHORT = ("--set", "vibrator.start.duration='0.1 s'", "--set", "vibrator.drive.duration='0.05 s'")
 

@@ -17,6 +17,8 @@ from tmmcalc.extras.pyramid import hexagon, influence, settlement
 from tmmcalc.extras.reliability import LifeTest, ReliabilityTask
 from tmmcalc.extras.tie_down import Support, TieDownTask
 
+pytestmark = pytest.mark.slow
+
 
 def pyramid(x: float, y: float) -> float:
     """The unit hexagonal pyramid at the origin."""

@@ -16,6 +16,8 @@ from linkage.loops.test_tracking import inside
 from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.structure import solve_structure
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.mark.parametrize("graph", [CLASS_III, CLASS_IV], ids=["III", "IV"])
 @pytest.mark.parametrize("prismatic", [0, 1])

@@ -16,6 +16,8 @@ from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.loops.splitting import split_of
 from tmmcalc.linkage.structure import solve_structure
 
+pytestmark = pytest.mark.slow
+
 SPLITTING = Method("splitting")
 
 

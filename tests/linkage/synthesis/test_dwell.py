@@ -36,6 +36,8 @@ from tmmcalc.linkage.synthesis.kinds import solve_synthesis
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 
+pytestmark = pytest.mark.slow
+
 DEGREE = math.pi / 180
 QUARTER = 90 * DEGREE
 GIVEN = ThreePositions(45 * DEGREE, 125 * DEGREE, -43.5 * DEGREE, -91.5 * DEGREE, 0.3, 0.8, -11 * DEGREE)

@@ -19,6 +19,8 @@ from tmmcalc.linkage.synthesis.rating import crank_angles
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.synthesis.task import FunctionTask, PoseTask, SynthesisTask
 
+pytestmark = pytest.mark.slow
+
 ANGLES = np.radians([20, 50, 80, 120, 160, 200, 240, 290, 330])
 
 
