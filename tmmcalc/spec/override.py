@@ -44,6 +44,28 @@ def apply(data: dict[str, Any], assignments: Sequence[str]) -> tuple[dict[str, A
     return changed, [_assign(changed, assignment) for assignment in assignments]
 
 
+def split(assignment: str) -> tuple[str, str]:
+    """Path and text of the value of an assignment; raises UsageError if the path cannot be read.
+
+    >>> split("mechanism.links[id=3].mass = 50")
+    ('mechanism.links[id=3].mass', '50')
+    """
+    _, at = _path(assignment)
+    return assignment[:at].rstrip(), assignment[at:].lstrip()[1:].strip()
+
+
+def value_at(data: dict[str, Any], assignment: str) -> object:
+    """What the document holds at the path of an assignment; raises UsageError if it holds nothing there."""
+    here: Any = data
+    path: Path = ()
+    for step in _path(assignment)[0]:
+        found = _resolve(here, step, path, assignment)
+        if isinstance(found, str) and found not in here:
+            raise _refusal(assignment, f"the spec has no {show_path((*path, found))}", "give the values themselves")
+        here, path = here[found], (*path, found)
+    return here
+
+
 def _assign(data: dict[str, Any], assignment: str) -> Path:
     steps, value = _read(assignment)
     *parents, last = steps
@@ -108,6 +130,12 @@ def _named(path: Path, here: list[Any], names: list[Any]) -> list[Any]:
 
 
 def _read(assignment: str) -> tuple[list[Step], object]:
+    steps, at = _path(assignment)
+    return steps, _value(assignment, assignment[at:].lstrip()[1:])
+
+
+def _path(assignment: str) -> tuple[list[Step], int]:
+    """The steps of the path, and where it ends."""
     steps: list[Step] = []
     at = 0
     while True:
@@ -121,7 +149,7 @@ def _read(assignment: str) -> tuple[list[Step], object]:
         at = match.end()
         rest = assignment[at:].lstrip()
         if rest.startswith("="):
-            return steps, _value(assignment, rest[1:])
+            return steps, at
         at += assignment[at:].startswith(".")
 
 
