@@ -5,14 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from inspect import Parameter, Signature, signature
 
-from tmmcalc.cli.options import Csv, Depfile, Fresh, FromStage, Out, Quiet, Set, SpecFile, Store, Strict
-from tmmcalc.cli.work import Job
+from tmmcalc.cli.options import Csv, Depfile, Fresh, FromStage, Out, Quiet, Set, SpecFile, Store, Strict, Tolerance
+from tmmcalc.cli.work import Job, check_tolerance
 
 
 def with_flags(body: Callable[..., None]) -> Callable[..., None]:
-    """The command that takes the shared flags and those of ``body``, and calls ``body(job, ...)``."""
-    shared = signature(_job, eval_str=True).parameters
+    """The command that takes the shared flags and those of ``body``, and calls ``body(job, ...)``.
+
+    A flag of the body's own stands in place of the shared one of its name.
+    """
     own = list(signature(body, eval_str=True).parameters.values())[1:]
+    taken = {parameter.name for parameter in own}
+    shared = {name: each for name, each in signature(_job, eval_str=True).parameters.items() if name not in taken}
 
     def command(**given: object) -> None:
         job = _job(**{name: given.pop(name) for name in shared})  # type: ignore[arg-type]
@@ -37,6 +41,9 @@ def _job(
     depfile: Depfile = None,
     strict: Strict = False,
     quiet: Quiet = False,
+    tolerance: Tolerance = None,
     overrides: Set = None,
 ) -> Job:
-    return Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
+    if tolerance is not None:
+        check_tolerance(tolerance)
+    return Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or (), tolerance=tolerance)

@@ -82,6 +82,15 @@ Positions = Annotated[
 ]
 Strict = Annotated[bool, typer.Option("--strict", help="Fail with exit code 5 if there is a warning.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Only warnings and errors on standard error.")]
+Tolerance = Annotated[
+    float | None,
+    typer.Option(
+        "--tolerance",
+        metavar="ERROR",
+        help="Relative error asked of every stage: the cheapest methods for it; exit code 4 if one is not that exact.",
+        show_default=False,
+    ),
+]
 Set = Annotated[
     list[str] | None,
     typer.Option(

@@ -38,6 +38,7 @@ class Job:
     overrides: Sequence[str] = ()
     settings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     keep_going: bool = False
+    tolerance: float | None = None  # relative error that is asked of every stage
 
     def spec(self) -> Spec:
         """Read the spec with its overrides."""
@@ -87,6 +88,7 @@ class Job:
             from_stage=self.from_stage,
             csv=self.csv,
             settings=self.settings,
+            tolerance=self.tolerance,
             on_start=on_start,
             on_event=on_event,
             keep_going=self.keep_going,
@@ -108,6 +110,10 @@ class Job:
         if result.files and not self.quiet:
             say(f"files in {self.folder}: {', '.join(file.name for file in result.files)}", "dim")
         _raise(result)
+        self.check_warnings(document)
+
+    def check_warnings(self, document: Document) -> None:
+        """Under ``strict`` raise LimitError if a document warns."""
         warnings = _warnings(document)
         if warnings and self.strict:
             count = f"{len(warnings)} warning{'s' if len(warnings) > 1 else ''}"
@@ -133,6 +139,12 @@ def check_place(file: Path, where: str) -> None:
         raise UsageError(f"there is no folder {file.parent}", where=where, remedy="make it first, or choose another")
 
 
+def check_tolerance(error: float) -> None:
+    """Raise `UsageError` unless this is a relative error that could be asked for."""
+    if not 0 < error < 1:
+        raise UsageError(f"{error:g} is no relative error", where="--tolerance", remedy="write e.g. --tolerance 1e-6")
+
+
 def within_turns(angle: float, flag: str) -> float:
     """The angle [rad] itself; raises `UsageError` if it is more than TURNS turns."""
     if abs(angle) <= TURNS * 2 * math.pi:
@@ -144,6 +156,11 @@ def within_turns(angle: float, flag: str) -> float:
         limit=TURNS * 2 * math.pi,
         remedy=f"write e.g. {flag} '5 deg'",
     )
+
+
+def table_file(run: RunResult, stage: str) -> str:
+    """Where the whole table of a stage stands; empty if it was not written."""
+    return next((str(file) for file in run.files if file.name == f"{stage}.csv"), "")
 
 
 def title(spec: Spec, file: Path, what: str) -> str:

@@ -59,11 +59,13 @@ def solve_motion(
     key: str = INPUT,
     *,
     undriven: bool = False,
+    tolerance: float = 0.0,
 ) -> Motion:
     """The steady motion; ``driver`` None: a constant driving moment at the mean ``speed`` [rad/s], or none at all.
 
     ``idle`` is the cycle without technological loads; ``positions`` are labels, phi and theta (n,); ``key`` is where
-    the spec gives the speed of the cycle; ``undriven``: the loads alone set the speed. Raises `NoSolutionError` where
+    the spec gives the speed of the cycle; ``undriven``: the loads alone set the speed. ``tolerance``: relative
+    error asked of a motor's regime, 0 near rounding. Raises `NoSolutionError` where
     the machine stalls, runs away, its energy does not last for a cycle, or no speed balances its loads.
     """
     labels, phi, theta = positions
@@ -73,7 +75,8 @@ def solve_motion(
 
         regime, quiet = self_regulated(cycle, inertia.total, sense=sense), None
     else:
-        regime, quiet = _regime(cycle, inertia, driver, speed, sense), _idle(idle, inertia, driver, speed)
+        regime = _regime(cycle, inertia, driver, speed, sense, tolerance)
+        quiet = _idle(idle, inertia, driver, speed, tolerance)
     at = np.clip(theta, 0.0, cycle.period)
     omega, eps, driving = regime.panels.at(np.stack((regime.omega, regime.acceleration, regime.driving)), at)
     load = cycle.panels.at(np.stack((cycle.moment, cycle.viscous, cycle.quadratic)), at)
@@ -119,20 +122,25 @@ def _verdicts(
     return tuple(sorted((off, *found), key=lambda verdict: verdict.severity == "note"))
 
 
-def _regime(cycle: Cycle, inertia: ConstantInertia, driver: Driver | None, speed: float, sense: float = 1.0) -> Regime:
+def _regime(
+    cycle: Cycle, inertia: ConstantInertia, driver: Driver | None, speed: float, sense: float, tolerance: float
+) -> Regime:
     if driver is None:
         return positional(cycle, inertia.total, speed, sense=sense)
     from tmmcalc.machine.steady import driven
 
-    return driven(cycle, inertia.total, driver.characteristic, time_constant=driver.time_constant, sense=sense)
+    lag = driver.time_constant
+    return driven(cycle, inertia.total, driver.characteristic, time_constant=lag, sense=sense, tolerance=tolerance)
 
 
-def _idle(idle: Cycle | None, inertia: ConstantInertia, driver: Driver | None, speed: float) -> Regime | None:
+def _idle(
+    idle: Cycle | None, inertia: ConstantInertia, driver: Driver | None, speed: float, tolerance: float
+) -> Regime | None:
     """The idle run, if the machine has one: it is shown beside the loaded one and decides nothing."""
     if idle is None:
         return None
     try:
-        return _regime(idle, inertia, driver, speed)
+        return _regime(idle, inertia, driver, speed, 1.0, tolerance)
     except (NoSolutionError, AccuracyError):
         return None
 

@@ -41,6 +41,7 @@ class OneMass:
     characteristic: Characteristic
     lag: float = 0.0  # electromagnetic time constant tau_e [s]
     sense: float = 1.0  # of the input's motion: -1 clockwise; messages tell places as sense theta
+    tolerance: float = 0.0  # relative, of the regime; 0: near rounding
 
     @property
     def states(self) -> int:

@@ -8,6 +8,7 @@ that does not tell, the machine is followed turn by turn until it does, or stand
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -29,6 +30,7 @@ RUNAWAY = 20.0  # times the no-load speed
 BETWEEN = np.linspace(0.0, 1.0, 9)[:, None, None]  # motions looked at between two
 RINGING = 20.0  # time constants after which swings of a lagging motor have died down
 SWINGS = 200.0  # of them that can be followed within seconds
+UNRESOLVED = 30.0  # error of the regime over what its panels leave unresolved, at most: a weak motor adds it up
 NEAR = 0.05  # largest relative distance of a lagging motion from the regime it is to settle in
 
 
@@ -102,7 +104,7 @@ def next_to(machine: OneMass, guess: Guess) -> Orbit | None:
 
 def _periodic(machine: OneMass, panels: Panels, omega: Values) -> Orbit | None:
     """The periodic solution near a guess if it is the regime reached from the no-load speed, else None."""
-    without_lag = OneMass(machine.cycle, machine.constant, machine.characteristic)
+    without_lag = replace(machine, lag=0.0)
     orbit = next_to(without_lag, (panels, omega))
     if orbit is None or not _draws(without_lag, orbit, None):
         return None
@@ -123,7 +125,7 @@ def _solved(machine: OneMass, panels: Panels, guess: Values) -> Orbit:
         typical=machine.typical,
         kinks=machine.kinks,
         fixed=machine.cycle.panels.edges,
-        tolerance=max(TOLERANCE, machine.cycle.error),
+        tolerance=max(TOLERANCE, machine.cycle.error, machine.tolerance / UNRESOLVED),
     )
 
 

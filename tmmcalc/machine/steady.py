@@ -35,12 +35,14 @@ def driven(
     time_constant: float = 0.0,
     guess: Regime | None = None,
     sense: float = 1.0,
+    tolerance: float = 0.0,
 ) -> Regime:
     """The regime with a motor whose ``characteristic`` is reduced to the input shaft (the exact form of textbook 3.57).
 
     ``constant_inertia`` [kg*m^2] is added to that of the cycle. With a ``time_constant`` tau_e [s] the moment of the
     motor lags: tau_e dM/dt = M_static(omega) - M. ``guess``, the regime of a similar machine, saves a little time;
-    ``sense`` is -1 where the input turns clockwise: messages tell places by its coordinate.
+    ``sense`` is -1 where the input turns clockwise: messages tell places by its coordinate. ``tolerance`` is the
+    relative error that is asked for (0: near rounding).
     Raises `NoSolutionError` where the machine stalls (with the angle, and the inertia that would carry it over the
     peak), runs away, is overloaded on the average, or does not regulate itself; `UsageError` for impossible
     arguments; `AccuracyError` if the regime cannot be told.
@@ -52,7 +54,7 @@ def driven(
             remedy="both are finite and not negative",
         )
     check_inertia(cycle, constant_inertia, sense)
-    machine = OneMass(cycle, constant_inertia, characteristic, time_constant, sense)
+    machine = OneMass(cycle, constant_inertia, characteristic, time_constant, sense, tolerance)
     _check_regulation(machine)
     free = _free(machine)
     if free is not None:

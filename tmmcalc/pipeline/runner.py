@@ -12,6 +12,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.errors import NoSolutionError, TmmError, UsageError
+from tmmcalc.pipeline.accuracy import check_accuracy
 from tmmcalc.pipeline.outcome import Event, Outcome, RunResult
 from tmmcalc.pipeline.plain import plain_record
 from tmmcalc.pipeline.plan import Plan, known_stage, plan
@@ -35,6 +36,7 @@ def run(
     from_stage: str | None = None,
     csv: bool | None = None,
     settings: Settings | None = None,
+    tolerance: float | None = None,
     on_start: Callable[[str], None] | None = None,
     on_event: Callable[[Event], None] | None = None,
     keep_going: bool = False,
@@ -44,21 +46,23 @@ def run(
 
     With ``out`` each stage leaves its files there, and one whose files are valid is loaded, not computed.
     ``fresh`` computes all; ``from_stage`` that stage and all after it. ``csv``: True, False, or None for up
-    to 2000 rows. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``on_start`` is
-    called with the name of a stage before it runs, ``on_event`` as soon as it is done. ``keep_going``: a stage without
-    a solution ends only those that read it, and is told in ``failures``.
+    to 2000 rows. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``tolerance`` is the relative
+    error asked of every stage: one with a choice takes the cheapest method for it. ``on_start`` is called with the
+    name of a stage before it runs, ``on_event`` as soon as it is done. ``keep_going``: a stage without a solution ends
+    only those that read it, and is told in ``failures``.
 
     Raises UsageError for an unknown stage or option, a target that the scene leaves out, and files that
-    cannot be read or written; and what a stage raises, unless it is to keep going. The files of earlier stages stay
+    cannot be read or written; AccuracyError for a stage that does not reach ``tolerance`` by its own estimate; and
+    what a stage raises, unless it is to keep going. The files of earlier stages stay
     valid.
     """
     stages = of_scene(stages, spec)
     scene = plan(spec, target, stages)
-    options = _options(settings or {}, stages)
+    options = _options(settings or {}, stages, tolerance)
     forced = _forced(fresh, from_stage, stages)
     _check_target(scene)
     archive = _archive(out, csv)
-    work = _Run(spec, options, forced, archive, on_event)
+    work = _Run(spec, options, forced, archive, tolerance, on_event)
     for step in scene.steps:
         if not step.runs:
             if step.asked:
@@ -80,12 +84,14 @@ class _Run:
         options: Settings,
         forced: Mapping[str, str],
         archive: Archive | None,
+        tolerance: float | None,
         on_event: Callable[[Event], None] | None,
     ) -> None:
         self.spec = spec
         self.options = options
         self.forced = forced
         self.archive = archive
+        self.tolerance = tolerance
         self.on_event = on_event
         self.outcomes: dict[str, Outcome] = {}
         self.events: list[Event] = []
@@ -113,6 +119,8 @@ class _Run:
         inputs = resolve(stage.inputs)(self.spec)
         try:
             outcome, event = self._outcome(stage, inputs)
+            if self.tolerance is not None:
+                check_accuracy(outcome, self.tolerance)
         except TmmError as error:
             if not keep_going or error.exit_code < NoSolutionError.exit_code:
                 raise
@@ -165,7 +173,9 @@ def _forced(fresh: bool, from_stage: str | None, stages: Mapping[str, Stage]) ->
     return dict.fromkeys(names[first:], f"forced from {from_stage}")
 
 
-def _options(changes: Settings, stages: Mapping[str, Stage]) -> dict[str, dict[str, Any]]:
+def _options(
+    changes: Settings, stages: Mapping[str, Stage], tolerance: float | None = None
+) -> dict[str, dict[str, Any]]:
     """Return the settings of every stage: its defaults with the changes that were asked for."""
     for name, change in changes.items():
         known = known_stage(name, stages).settings
@@ -174,4 +184,8 @@ def _options(changes: Settings, stages: Mapping[str, Stage]) -> dict[str, dict[s
             raise UsageError(
                 f"has no option {unknown[0]!r}", where=name, remedy=f"options: {', '.join(known) or 'none'}"
             )
-    return {name: {**stage.settings, **changes.get(name, {})} for name, stage in stages.items()}
+    asked = {} if tolerance is None else {"tolerance": tolerance}
+    return {
+        name: {**stage.settings, **{key: asked[key] for key in asked if key in stage.settings}, **changes.get(name, {})}
+        for name, stage in stages.items()
+    }

@@ -40,6 +40,8 @@ def _stage(
     )
 
 
+TOLERANCE = {"tolerance": 0.0}  # relative error asked for; 0: that of the method
+
 STAGES: dict[str, Stage] = {
     stage.name: stage
     for stage in (
@@ -124,6 +126,7 @@ STAGES: dict[str, Stage] = {
             uses=("criteria", "flywheel"),
             spares=True,
             wanted=True,
+            settings=TOLERANCE,
         ),
         _stage(
             "transient",
@@ -132,6 +135,7 @@ STAGES: dict[str, Stage] = {
             uses=("criteria", "flywheel"),
             spares=True,
             wanted=True,
+            settings=TOLERANCE,
         ),
         _stage(
             "unsteady",

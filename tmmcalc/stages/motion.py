@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -14,7 +14,17 @@ from tmmcalc.pipeline.stage import Record, Table
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
+    from tmmcalc.machine.driver import ConstantInertia, Driver
     from tmmcalc.spec import Spec
+
+
+class Asked(NamedTuple):
+    """What the regime is of: the constant inertia, what drives, the mean speed where nothing does [rad/s]."""
+
+    inertia: ConstantInertia
+    driver: Driver | None
+    speed: float
+
 
 Given = tuple[MotorChoice | None, Gears, MotionTask, FlywheelTask | None, str]
 
@@ -29,22 +39,31 @@ def inputs(spec: Spec) -> Given:
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Motion:
     """The regime with the flywheel that is there, or else the one that was found."""
     from tmmcalc.machine.motion import solve_motion
-    from tmmcalc.stages.shaft import constant_inertia, driver, flywheel_inertia, geared, mean_speed
 
-    wish, gears, task, wheel, key = given
-    gears = geared(upstream, gears)
+    machine = asked(given, upstream)
     reduction = upstream["reduction"]
     theta = np.abs(reduction.phi - reduction.phi[0])
     return solve_motion(
         reduction.cycle,
         reduction.idle,
-        constant_inertia(upstream, gears, task, flywheel_inertia(upstream, wheel, gears)),
-        driver(upstream, wish, gears, task),
-        mean_speed(upstream, task),
+        machine.inertia,
+        machine.driver,
+        machine.speed,
         (reduction.labels, reduction.phi, theta),
-        key,
-        undriven=task.undriven,
+        given[4],
+        undriven=given[2].undriven,
+        tolerance=settings["tolerance"],
     )
+
+
+def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
+    """The machine with the gears and the flywheel that earlier stages found."""
+    from tmmcalc.stages.shaft import constant_inertia, driver, flywheel_inertia, geared, mean_speed
+
+    wish, gears, task, wheel, _ = given
+    gears = geared(upstream, gears)
+    inertia = constant_inertia(upstream, gears, task, flywheel_inertia(upstream, wheel, gears))
+    return Asked(inertia, driver(upstream, wish, gears, task), mean_speed(upstream, task))
 
 
 def dump(result: Motion) -> Record:

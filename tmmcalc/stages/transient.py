@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from tmmcalc.machine.cycle import Cycle
     from tmmcalc.machine.motors.characteristics import Characteristic
     from tmmcalc.machine.power import MotorDuty
+    from tmmcalc.machine.transient.task import Machine
     from tmmcalc.spec import Spec
 
 Linkage = tuple["Mechanism", "Loading", str]
@@ -69,8 +70,17 @@ def _linkage(spec: Spec) -> Linkage | None:
 
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> TimedMotions:
     """Put the drive together and run every scenario."""
-    from tmmcalc.machine.transient.task import Machine, solve_transients
-    from tmmcalc.stages.shaft import constant_inertia, driver, flywheel_inertia, geared, mean_speed
+    from tmmcalc.machine.transient.task import solve_transients
+    from tmmcalc.stages.shaft import mean_speed
+
+    tasks, motion = given[0], given[4]
+    return solve_transients(machine_of(given, upstream), tasks, mean_speed(upstream, motion), settings["tolerance"])
+
+
+def machine_of(given: Given, upstream: Mapping[str, Any]) -> Machine:
+    """The machine with the gears and the flywheel that earlier stages found, the motor by its whole curve."""
+    from tmmcalc.machine.transient.task import Machine
+    from tmmcalc.stages.shaft import constant_inertia, driver, flywheel_inertia, geared
 
     tasks, shafts, wish, gears, motion, wheel, linkage = given
     gears = geared(upstream, gears)
@@ -78,7 +88,7 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
     wish = _whole_curve(wish, duty)
     moved = driver(upstream, wish, gears, replace(motion, positional=False))
     rubs = any(part.kind == "friction" for part in reduction.contributions)
-    machine = Machine(
+    return Machine(
         cycle=reduction.cycle,
         idle=_idle(reduction, tasks),
         inertia=constant_inertia(upstream, gears, motion, flywheel_inertia(upstream, wheel, gears)),
@@ -92,7 +102,6 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
         undriven=motion.undriven and moved is None,
         notes=(POSITIONAL,) if motion.positional and moved is not None else (),
     )
-    return solve_transients(machine, tasks, mean_speed(upstream, motion))
 
 
 def back_of(linkage: Linkage | None, reduction: Reduction) -> tuple[Cycle, Cycle | None]:

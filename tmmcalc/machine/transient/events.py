@@ -80,8 +80,10 @@ def _middle(stepper: Stepper, component: int) -> float:
     gained = stepper.y[component] - stepper.y0[component]
     # the slope of the cubic of Hermite is a s^2 + b s + rise
     a, b = 3 * (rise + fall - 2 * gained), 2 * (3 * gained - 2 * rise - fall)
-    root = math.copysign(math.sqrt(max(b * b - 4 * a * rise, 0.0)), rise)
-    return stepper.t0 + 2 * rise / (root - b) * h
+    # the root without cancellation: b of the same sign as the slope at the start would leave nothing of a difference
+    root = math.sqrt(max(b * b - 4 * a * rise, 0.0))
+    part = -(b + math.copysign(root, b)) / (2 * a) if b * rise > 0 else 2 * rise / (math.copysign(root, rise) - b)
+    return stepper.t0 + min(max(part, 0.0), 1.0) * h
 
 
 def _touch(watch: Watch, stepper: Stepper, before: float, after: float) -> Hit | None:

@@ -51,6 +51,7 @@ class Method:
     step: float | None = None
     tolerance: float | None = None  # None: that of the method
     budget: int = 500_000  # evaluations of the equations after which the run is given up
+    error: float = 0.0  # relative error of the speeds that is asked for in place of a tolerance; 0: none
 
     def __post_init__(self) -> None:
         """Refuse what is not a method."""

@@ -22,6 +22,9 @@ from tmmcalc.machine.transient.steppers import Controlled, Stepper, fixed
 from tmmcalc.machine.transient.verdicts import verdicts
 from tmmcalc.machine.transient.ways import Ways
 
+STEPS = 3_000  # that an asked error is spread over: a start seldom takes more
+FINEST, COARSEST = 1e-13, 1e-4  # tolerances of a step
+
 
 def simulate(
     drive: Drive, scenario: Scenario, method: Method | None = None, instants: Sequence[float] = ()
@@ -81,6 +84,8 @@ def _control(method: Method, name: str, system: System) -> tuple[float | None, f
     if method.step is not None:
         return None, 0.0
     used = habit(name, system.layout.works)
+    if method.error:
+        return min(max(method.error / (used.left * math.sqrt(STEPS)), FINEST), COARSEST), used.left
     return method.tolerance or used.tolerance, used.left
 
 

@@ -45,19 +45,27 @@ class Machine:
     notes: tuple[str, ...] = ()  # on what the drive takes of the project
 
 
-def solve_transients(machine: Machine, tasks: Sequence[TransientTask], speed: float) -> TimedMotions:
+def solve_transients(
+    machine: Machine, tasks: Sequence[TransientTask], speed: float, error: float = 0.0
+) -> TimedMotions:
     """Run every scenario; ``speed`` [rad/s] is the mean one of a steady motion without a motor.
 
+    An ``error`` asked of the speeds takes the place of the tolerances of all methods with step control.
     Raises `NoSolutionError` for a scenario that starts in a steady motion that the machine has not.
     """
-    drive, names = drive_of(machine)
-    steady = _steady(machine, speed) if any(task.steady for task in tasks) else None
+    names = drive_of(machine)[1]
     motions = []
-    for task in tasks:
-        scenario = _started(task, steady)
-        found = simulate(drive, scenario, task.method)
+    for task, (drive, scenario) in zip(tasks, beginning(machine, tasks, speed), strict=True):
+        found = simulate(drive, scenario, replace(task.method, error=error) if error else task.method)
         motions.append(_motion(found, names, _rigid_moments(drive, scenario), machine.notes))
     return TimedMotions(tuple(motions))
+
+
+def beginning(machine: Machine, tasks: Sequence[TransientTask], speed: float) -> list[tuple[Drive, Scenario]]:
+    """The drive and, for every task, the scenario with the speed that it begins with; raises as `solve_transients`."""
+    drive = drive_of(machine)[0]
+    steady = _steady(machine, speed) if any(task.steady for task in tasks) else None
+    return [(drive, _started(task, steady)) for task in tasks]
 
 
 def drive_of(machine: Machine) -> tuple[Drive, tuple[str, ...]]:

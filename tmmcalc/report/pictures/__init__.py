@@ -25,6 +25,7 @@ from tmmcalc.machine.power import Power
 from tmmcalc.machine.transient.timed import TimedMotions
 
 if TYPE_CHECKING:
+    from tmmcalc.accuracy.study import Accuracy
     from tmmcalc.gears.meshing.contours import Blocking
     from tmmcalc.gears.meshing.results import Pairs
     from tmmcalc.gears.selection.results import Selection
@@ -226,6 +227,16 @@ def draw_profile(found: Pairs, file: Path, *, choose: int | None = None) -> None
     from tmmcalc.report.pictures.page import write
 
     write(file, form, lambda: profile_figure(found, choose=choose))
+
+
+def draw_accuracy(result: Accuracy, file: Path, heading: str) -> None:
+    """Draw the work-precision diagrams of all studies."""
+    form = form_of(file)
+    check_matplotlib()
+    from tmmcalc.report.pictures.accuracy import accuracy_figure
+    from tmmcalc.report.pictures.page import write
+
+    write(file, form, lambda: accuracy_figure(result, heading))
 
 
 def form_of(file: Path) -> str:

@@ -1,0 +1,81 @@
+"""Orders of convergence, choices of the cheapest, medians."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from tmmcalc import NoSolutionError
+from tmmcalc.accuracy.measure import Clock, Way, relative, series
+from tmmcalc.accuracy.order import observed
+from tmmcalc.accuracy.study import FLOOR, Point, Reference, Series, Study, pareto
+
+SIZES = [1 / 4, 1 / 8, 1 / 16, 1 / 32, 1 / 64, 1 / 128, 1 / 256, 1 / 512]
+
+
+def _trapezoid(step: float) -> float:
+    x = np.linspace(0.0, 1.0, round(1 / step) + 1)
+    return float(np.trapezoid(np.exp(x), x))
+
+
+def _simpson(step: float) -> float:
+    x = np.linspace(0.0, 1.0, round(1 / step) + 1)
+    y = np.exp(x)
+    return step / 3 * float(y[0] + y[-1] + 4 * y[1:-1:2].sum() + 2 * y[2:-1:2].sum())
+
+
+@pytest.mark.parametrize(("rule", "order"), [(_trapezoid, 2), (_simpson, 4)])
+def test_orders_of_quadrature(rule: Callable[[float], float], order: int) -> None:
+    errors = [abs(rule(step) - (math.e - 1)) for step in SIZES]
+    assert observed(SIZES, errors) == pytest.approx(order, abs=0.05)
+
+
+def test_rounding_at_the_fine_end_and_coarse_settings_do_not_spoil_the_order() -> None:
+    errors = [0.9, 0.7, *(step**3 for step in SIZES[2:6]), 3e-4, 6e-4]
+    assert observed(SIZES, errors) == pytest.approx(3.0)
+    assert observed(SIZES, [1e-16] * len(SIZES)) is None, "rounding has no order"
+    assert observed(SIZES[:2], [1e-2, 1e-4]) is None, "two settings are no line"
+
+
+def test_the_order_does_not_depend_on_the_order_of_settings() -> None:
+    errors = [step**2 for step in SIZES]
+    assert observed(SIZES[::-1], errors[::-1]) == observed(SIZES, errors) == pytest.approx(2.0)
+
+
+def test_a_method_that_fails_keeps_its_reason() -> None:
+    def fails() -> float:
+        raise NoSolutionError("does not converge\nmore of it")
+
+    found = series("m", [Way("a", 1.0, fails), Way("b", 0.5, lambda: 2.0)], lambda x: relative(x, 2.5), Clock(1))
+    assert found.points[0] == Point("a", 1.0, None, None, failed="does not converge")
+    assert found.points[1].error == pytest.approx(0.2)
+
+
+def test_errors_are_relative_to_the_largest_and_never_zero() -> None:
+    exact = np.array([1e-9, 100.0])
+    assert relative(exact + np.array([1.0, 0.0]), exact) == pytest.approx(0.01)
+    assert relative(exact, exact) == FLOOR
+    assert relative(np.zeros(3), np.zeros(3)) == FLOOR
+
+
+def test_the_median_leaves_the_first_run_out() -> None:
+    waits = iter([0.05, 0.001, 0.002, 0.02])
+    _, seconds = Clock(repeats=3, budget=10.0).median(lambda: time.sleep(next(waits)))
+    assert 0.002 <= seconds < 0.02
+
+
+def test_cheapest_and_front() -> None:
+    slow, fast, coarse = Point("s", 1, 1e-9, 2.0), Point("f", 1, 1e-8, 1.0), Point("c", 1, 1e-2, 0.1)
+    bad, broken = Point("b", 1, 1e-2, 3.0), Point("x", 1, None, None, failed="no")
+    study = Study("s", "q", Reference("r", 0.0), (Series("a", (slow, bad)), Series("b", (fast, coarse, broken))))
+    assert [_point(study, t) for t in (1e-1, 1e-5, 1e-9, 1e-12)] == [coarse, fast, slow, None]
+    assert pareto([slow, fast, coarse, bad, broken]) == (coarse, fast, slow)
+
+
+def _point(study: Study, tolerance: float) -> Point | None:
+    found = study.cheapest(tolerance)
+    return found and found[1]

@@ -1,0 +1,46 @@
+"""The studies of a scene: its stages are run once, then every method of each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from tmmcalc.accuracy.measure import Clock
+from tmmcalc.accuracy.study import Accuracy, Study
+from tmmcalc.accuracy.subjects import SUBJECTS, Scene
+from tmmcalc.errors import UsageError
+from tmmcalc.pipeline.plan import plan
+from tmmcalc.pipeline.runner import run
+from tmmcalc.pipeline.stage import resolve
+from tmmcalc.pipeline.stages import STAGES
+
+if TYPE_CHECKING:
+    from tmmcalc.spec import Spec
+
+
+def solve_accuracy(
+    spec: Spec,
+    stage: str | None = None,
+    clock: Clock | None = None,
+    on_study: Callable[[str], None] | None = None,
+) -> Accuracy:
+    """Error against run time of every method of a stage, or of all stages that the scene has.
+
+    ``on_study`` is called with the name of a stage before its methods are run. Raises `UsageError` for a stage that has
+    no choice of methods or that the scene leaves out, and what a stage itself raises.
+    """
+    clock = clock or Clock()
+    if stage is not None and stage in STAGES and stage not in SUBJECTS:
+        raise UsageError(
+            f"{stage} has one method only", where="accuracy", remedy=f"stages with a choice: {', '.join(SUBJECTS)}"
+        )
+    running = plan(spec, stage).running
+    asked = [name for name in running if name in SUBJECTS and stage in (None, name)]
+    results = run(spec, target=stage).results
+    studies: list[Study] = []
+    for name in asked:
+        if on_study is not None:
+            on_study(name)
+        scene = Scene(resolve(STAGES[name].inputs)(spec), results, clock)
+        studies.extend(resolve(SUBJECTS[name])(scene))
+    return Accuracy(tuple(studies), tuple(name for name in running if name not in SUBJECTS and stage is None))

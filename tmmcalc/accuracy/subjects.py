@@ -1,0 +1,31 @@
+"""The stages that have a choice of methods, and the functions that study them.
+
+Every function is called as ``studies(scene)`` and yields the studies of its stage; its module is imported only when the
+stage is studied.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from tmmcalc.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.accuracy.measure import Clock
+
+SUBJECTS: dict[str, str] = {
+    "kinematics": "tmmcalc.accuracy.kinematics:studies",
+    "reduction": "tmmcalc.accuracy.reduction:studies",
+    "motion": "tmmcalc.accuracy.motion:studies",
+    "transient": "tmmcalc.accuracy.transient:studies",
+}
+
+
+@record
+class Scene:
+    """What a study starts from: what the stage reads of the spec, the results of its run, the options, the clock."""
+
+    inputs: Any  # as the stage's ``inputs`` gives them
+    results: Mapping[str, Any]  # by stage, of it and all before it
+    clock: Clock

@@ -1,0 +1,89 @@
+"""``tmmcalc accuracy``."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from tmmcalc.cli.messages import note_written, say
+from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
+from tmmcalc.cli.work import Job, check_place, check_tolerance, show, title
+
+
+def _subjects(incomplete: str) -> list[str]:
+    """Stages with a choice of methods that begin so, for the completion of the shell."""
+    from tmmcalc.accuracy.subjects import SUBJECTS
+
+    return [name for name in SUBJECTS if name.startswith(incomplete)]
+
+
+def command(
+    spec: SpecFile,
+    stage: Annotated[
+        str | None,
+        typer.Option(
+            "--stage",
+            metavar="STAGE",
+            help="Study this stage alone (default: every stage of the spec that has several methods).",
+            show_default=False,
+            autocompletion=_subjects,
+        ),
+    ] = None,
+    tolerance: Annotated[
+        float | None,
+        typer.Option(
+            "--tolerance",
+            metavar="ERROR",
+            help="Name the cheapest method for this relative error (default: for 1e-3, 1e-6, 1e-9, 1e-12).",
+            show_default=False,
+        ),
+    ] = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option(
+            "--plot", metavar="FILE", help="Work-precision diagram, by suffix svg, png or pdf.", show_default=False
+        ),
+    ] = None,
+    repeats: Annotated[
+        int, typer.Option("--repeats", metavar="N", min=1, max=1000, help="Runs that a median time is taken of.")
+    ] = 7,
+    form: Form = Format.table,
+    quiet: Quiet = False,
+    overrides: Set = None,
+) -> None:
+    """Error against run time: every method of the stages, beside a reference that is proved better.
+
+    Errors are the largest over all positions, relative to the largest magnitude of the quantity; times are medians.
+    The order is that observed: error ~ step^order. No stage files are read or written.
+
+    Example: tmmcalc accuracy my.toml --stage motion --plot motion.svg
+    """
+    if tolerance is not None:
+        check_tolerance(tolerance)
+    if plot is not None:
+        from tmmcalc.report.pictures import check_matplotlib, form_of
+
+        check_place(plot, "--plot")
+        form_of(plot)
+        check_matplotlib()
+    from tmmcalc.accuracy.measure import Clock
+    from tmmcalc.accuracy.solve import solve_accuracy
+
+    scene = Job(spec, overrides=overrides or ()).spec()
+    telling = not quiet and sys.stderr.isatty()
+    result = solve_accuracy(
+        scene, stage, Clock(repeats), (lambda name: say(f"{name}: methods are run", "dim")) if telling else None
+    )
+    from tmmcalc.report.accuracy import accuracy_document, tidy_document
+
+    heading = title(scene, spec, "accuracy")
+    show(tidy_document(result, heading) if form is Format.csv else accuracy_document(result, heading, tolerance), form)
+    if plot is not None:
+        from tmmcalc.report.pictures import draw_accuracy
+
+        draw_accuracy(result, plot, heading)
+        if not quiet:
+            note_written(plot)
