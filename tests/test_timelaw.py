@@ -12,7 +12,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.timelaw import TimeLaw, by_duration, by_travel, by_travel_and_duration, motion, phase_of, phase_times
+from tmmcalc.timelaw import (
+    TimeLaw,
+    by_duration,
+    by_travel,
+    by_travel_and_duration,
+    motion,
+    phase_of,
+    phase_times,
+    time_at,
+)
 
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parent / "cases" / "kinematics.json").read_text())}
 S10 = CASES["KIN-S10"]
@@ -104,6 +113,14 @@ def test_no_motion_is_quicker(travel: float, speed: float, acceleration: float) 
         )
         assert -found.fun <= by_duration(duration, speed, acceleration).travel * (1 + 1e-9)
         assert (-found.fun >= travel * (1 - 1e-3)) == reaches
+
+
+@pytest.mark.parametrize("travel", [1.3, 0.1, -0.9])
+def test_the_time_of_a_way_is_the_motion_read_back(travel: float) -> None:
+    law = by_travel(travel, 0.4, 0.8)
+    for part in np.linspace(0, 1, 41):
+        t = time_at(law, float(part) * abs(travel))
+        assert motion(law, np.array([t]))[0, 0] == pytest.approx(part * travel, abs=1e-14)
 
 
 def test_one_sided_values_at_the_jumps() -> None:

@@ -21,6 +21,17 @@ def test_a_jump_within_rounding_of_a_step_is_that_step() -> None:
     assert rows.labels == ("0", "1-", "1", "2", "3")
 
 
+def test_the_last_step_is_the_duration() -> None:
+    """0.1 * 3 / 3 is not 0.1."""
+    assert time_rows(0.1, 3, ()).t[-1] == 0.1
+
+
+def test_a_knot_has_one_row() -> None:
+    rows = time_rows(4.0, 2, (0.0, 3.0, 4.0), (1.0, 2.0, 3.5))
+    assert rows.labels == ("0", "0'", "1", "1'-", "1'", "1''", "2")
+    assert rows.side.tolist() == [1, 1, 1, -1, 1, 1, -1]
+
+
 def test_no_duration_is_one_row() -> None:
     assert time_rows(0.0, 8, ()).labels == ("0",)
 

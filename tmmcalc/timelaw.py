@@ -178,6 +178,19 @@ def phase_of(law: TimeLaw, t: Values, side: Indices | int = 0) -> Indices:
     return _phase(law, t, np.broadcast_to(np.asarray(side), t.shape))
 
 
+def time_at(law: TimeLaw, way: float) -> float:
+    """The time [s] at which a law has gone a way [m] from 0 to |S_m|: `motion` read the other way.
+
+    >>> time_at(by_travel(1.3, 0.4, 0.8), 0.3)
+    1.0
+    """
+    left = abs(law.travel) - way
+    if min(way, left) <= law.ramp_travel:
+        ramp = math.sqrt(2 * max(min(way, left), 0.0) / law.acceleration)
+        return ramp if way < left else law.duration - ramp
+    return law.ramp + (way - law.ramp_travel) / law.speed
+
+
 def _phase(law: TimeLaw, t: Values, side: Indices) -> Indices:
     """As `phase_of`; times within rounding of a boundary count as the boundary."""
     if not law.speed:

@@ -50,39 +50,47 @@ class TimedExtreme:
         return (self.least, self.least_at) if low else (self.largest, self.largest_at)
 
 
-def time_rows(duration: float, steps: int, jumps: Sequence[float]) -> TimeRows:
-    """The rows of ``steps`` equal steps of the duration [s] and of the jumps; one row if there is no duration.
+def time_rows(duration: float, steps: int, jumps: Sequence[float], knots: Sequence[float] = ()) -> TimeRows:
+    """The rows of ``steps`` equal steps of the duration [s], of the jumps, and of knots, where nothing jumps.
+
+    Without a duration there is one row.
 
     >>> time_rows(4.0, 2, (0.0, 1.0, 3.0, 4.0)).labels
     ('0', "0'-", "0'", '1', "1'-", "1'", '2')
+    >>> time_rows(4.0, 2, (), (1.0, 2.0)).labels
+    ('0', "0'", '1', '2')
     """
     if not duration:
         return TimeRows(np.zeros(1), np.ones(1, int), ("0",))
-    equal = duration * np.arange(steps + 1) / steps
+    equal = np.linspace(0.0, duration, steps + 1)
     labels = list(map(str, range(steps + 1)))
-    added = _added(equal, [jump for jump in sorted(jumps) if SAME * duration < jump < duration * (1 - SAME)])
+    marked = sorted([(jump, (-1, 1)) for jump in jumps] + [(knot, (1,)) for knot in knots])
+    added = _added(equal, [mark for mark in marked if SAME * duration < mark[0] < duration * (1 - SAME)])
     places = [place for place, *_ in added]
-    t = np.insert(equal, places, [jump for _, jump, _, _ in added])
+    t = np.insert(equal, places, [instant for _, instant, _, _ in added])
     side = np.insert(np.append(np.ones(steps, int), -1), places, [side for _, _, side, _ in added])
     for place, _, _, label in reversed(added):
         labels.insert(place, label)
     return TimeRows(t, side, tuple(labels))
 
 
-def _added(equal: Values, jumps: Sequence[float]) -> list[tuple[int, float, int, str]]:
-    """Rows that jumps add before a step: its number, time, side, label; a step within rounding becomes the jump."""
+def _added(equal: Values, marked: Sequence[tuple[float, tuple[int, ...]]]) -> list[tuple[int, float, int, str]]:
+    """Rows that instants with their sides add before a step: its number, time, side, label.
+
+    A step within rounding of an instant becomes the instant, and is itself the row after it.
+    """
     found: list[tuple[int, float, int, str]] = []
     further: dict[int, int] = {}
-    for jump in jumps:
-        k = int(np.argmin(np.abs(equal - jump)))
-        if abs(equal[k] - jump) <= SAME * equal[-1]:
-            equal[k] = jump
-            found.append((k, jump, -1, f"{k}-"))
+    for instant, sides in marked:
+        k = int(np.argmin(np.abs(equal - instant)))
+        if abs(equal[k] - instant) <= SAME * equal[-1]:
+            equal[k] = instant
+            label, sides = str(k), sides[:-1]
         else:
-            k = int(np.searchsorted(equal, jump))
+            k = int(np.searchsorted(equal, instant))
             further[k] = further.get(k, 0) + 1
             label = f"{k - 1}{further[k] * chr(39)}"
-            found += [(k, jump, -1, f"{label}-"), (k, jump, 1, label)]
+        found += [(k, instant, side, f"{label}-" if side < 0 else label) for side in sides]
     return found
 
 

@@ -88,15 +88,17 @@ def test_table_2_of_the_sine_law() -> None:
 def test_table_4_of_the_limits_of_the_step() -> None:
     """Its least steps are those of B = 1.875 at lambda_max in two decimals, its largest those of lambda = 1.75."""
     for z2 in (6, 8, 10, 12, 14):
-        row = compared(IndexingTask(step_law("shun"), z2, RIGHT, 1.0))
+        row = compared(IndexingTask(step_law("shun"), z2, RIGHT, 1.0, 1.75))
         assert row.high is not None
-        assert row.step_min == pytest.approx(2 * np.pi * 1.875 / (z2 * (row.high.ratio - 1)), rel=1e-13)
+        assert row.given is not None
+        assert row.low.step_min == pytest.approx(RIGHT, rel=1e-14)
+        assert row.high.step_min == pytest.approx(2 * np.pi * 1.875 / (z2 * (row.high.ratio - 1)), rel=1e-13)
         # at lambda_max the limit of the pressure angle is reached: pi - 2 delta_0 = 2 (beta_0 + theta_d)
-        assert row.step_max == pytest.approx(2 * (np.pi / z2 + radians(50)), rel=1e-13)
+        assert row.high.step_max == pytest.approx(2 * (np.pi / z2 + radians(50)), rel=1e-13)
         rounded = bounds(1.875, z2, RIGHT, radians(50), round(row.high.ratio, 2))
-        assert rounded.step_min == pytest.approx(row.step_min, rel=0.015)
+        assert rounded.step_min == pytest.approx(row.high.step_min, rel=0.015)
         delta = np.arctan2(np.sin(np.pi / z2), 1.75 - np.cos(np.pi / z2))
-        assert bounds(1.875, z2, RIGHT, radians(50), 1.75).step_max == pytest.approx(np.pi - 2 * delta, rel=1e-14)
+        assert row.given.step_max == pytest.approx(np.pi - 2 * delta, rel=1e-14)
 
 
 def test_profiles_of_the_third_case() -> None:
@@ -152,13 +154,22 @@ def test_efficiencies_of_the_fourth_case() -> None:
 
 
 def test_the_law_that_is_known_by_its_b_alone() -> None:
-    """Column 2.9 of table 3: B = 1.625."""
+    """Column 2.9 of table 3, B = 1.625; its printed z2_max is 10, where the rule of the other columns gives 12."""
     rows = compare(IndexingTask(step_law("0000"), 6, RIGHT, 1.0))
     row = next(row for row in rows if row.law.startswith("2.9"))
     assert row.low.ratio == pytest.approx(2.08, abs=0.006)
     assert degrees(row.low.start) == pytest.approx(37.7, abs=0.05)
     assert row.low.handover is None
     assert row.possible
+    assert row.most == 12
+    like = next(row for row in rows if row.law == "poly5")  # it has all printed values but one, 59.5 deg against 59.9
+    assert like.peak == row.peak
+    assert like.low.handover is not None
+    assert like.high is not None
+    assert like.high.handover is not None
+    assert like.low.handover.part == pytest.approx(0.795, abs=5e-4)
+    assert like.high.handover.part == pytest.approx(0.674, abs=5e-4)
+    assert degrees(like.high.handover.source_angle) == pytest.approx(73.5, abs=0.05)
 
 
 def test_every_printed_law_stands_in_one_table() -> None:

@@ -253,6 +253,7 @@ def test_the_largest_pressure_angles_on_a_fine_grid() -> None:
             assert reached.largest >= most - 1e-15
             assert reached.largest == pytest.approx(most, abs=1e-7)
         assert found.cam.run_out.largest == pytest.approx(max(found.cam.handover.angle, found.start_pressure))
+        assert found.cam.run_out.part in (1.0, found.cam.handover.part)
 
 
 def test_lambda_min_itself_has_a_point_but_no_undefined_value() -> None:

@@ -138,3 +138,5 @@ def test_the_profile_is_closed_and_turns_once(scene) -> None:
     front = [stretch for stretch in chain if stretch.name == "flank A"][-1]
     assert abs(front.curve.point(np.array([front.curve.end]))[0]) == pytest.approx(found.cam.working_tip)
     assert found.cam.working_part < found.cam.handover.part
+    assert found.wheel_room == pytest.approx(found.centres - np.abs(closed).max(), abs=1e-12)
+    assert any("sweeps over O2" in note for note in found.notes) == (found.wheel_room <= 0)

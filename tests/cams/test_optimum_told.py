@@ -11,11 +11,13 @@ import pytest
 import tmmcalc
 from tests.cams.optimum_scene import roller_task, turn
 from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.laws.catalogue import LAWS
+from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.game import with_law
 from tmmcalc.cams.optimum.margins import judge
-from tmmcalc.cams.optimum.scene import scene_of
+from tmmcalc.cams.optimum.scene import Scene, scene_of
 from tmmcalc.cams.optimum.solve import solve_optimum
 from tmmcalc.cams.optimum.steps import search
 from tmmcalc.cams.pressure import reached
@@ -76,7 +78,7 @@ def test_a_roller_that_slips_everywhere_is_refused_soon() -> None:
     seen: list[int] = []
     own = slipping.may_roll
 
-    def counted(scene, start, *rest):  # type: ignore[no-untyped-def]
+    def counted(scene: Scene, start: Values, *rest: Values) -> Mask:
         seen.append(len(start))
         return own(scene, start, *rest)
 

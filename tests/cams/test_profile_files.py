@@ -17,8 +17,9 @@ from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.outline import adaptive, outline
 from tmmcalc.errors import NoSolutionError, UsageError
 from tmmcalc.numerics.strokes import Bow, Cubics
-from tmmcalc.report.camfiles import dxf, nc_table, outlines, svg
+from tmmcalc.report.camfiles import nc_table, outlines
 from tmmcalc.report.cams.profile import profile_document, profile_summary
+from tmmcalc.report.outlinefiles import dxf, svg
 from tmmcalc.stages.conversion import from_record, to_record
 
 STEM = turn("cosine", "shun", rise=80, high=30, back=100)

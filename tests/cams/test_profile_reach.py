@@ -132,6 +132,23 @@ def test_the_second_wall_of_a_groove():
         assert -rim.at(np.array([bound])).bend[0] * big.roller == pytest.approx(1, rel=1e-9)
 
 
+def test_both_walls_of_a_groove_are_held_against_the_least_radius():
+    """The second wall bulges where the pitch curve is concave: its radius there is rho1 - r2."""
+    task = task_of(turn("poly4567", stroke=0.06), closure="groove")
+    follower = Follower("translating", 0.06)
+    rho = solve_profile(task, follower).outer_reach.distance
+    for left, warned in ((1.001, 0), (0.999, 1)):
+        found = solve_profile(task, replace(follower, roller=rho - left * task.limits.convex))
+        said = [each for each in found.remarks if "the second wall has a radius" in each]
+        assert len(said) == warned
+        assert all(f"the roller may have {1e3 * (rho - task.limits.convex):.6g} mm" in each for each in said)
+    # a tool no larger than the roller mills both walls, so r_i does not count
+    assert found.least_concave < task.limits.concave
+    assert not any("r_i" in each for each in found.remarks)
+    open_side = solve_profile(replace(task, asked=replace(task.asked, closure="force")), found.follower)
+    assert any("r_i" in each for each in open_side.remarks)
+
+
 def test_a_tool_that_cuts_into_concave_parts():
     program, follower = turn("cosine"), Follower("translating", 0.055, roller=0.010)
     found = solve_profile(task_of(program, tool=0.05), follower)

@@ -221,6 +221,8 @@ def test_groove_judges_its_outer_wall():
     found = solve_strength(task(closure="groove", spring=Spring("none"), friction=0.0), follower)
     outer = margin(found, "outer wall")
     assert outer.limit == pytest.approx(found.concave)
+    assert outer.value == pytest.approx(0.006 + AngleLimits(1.0, None).convex)
+    assert outer.margin == pytest.approx(1 - outer.value / outer.limit)
     assert margin(found, "concave parts").verdict == "not judged"
 
 

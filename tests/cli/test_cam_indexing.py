@@ -65,6 +65,11 @@ def test_laws_and_numbers_of_rollers_in_one_table(cli: Cli) -> None:
     assert float(sine["lambda_min"]) == pytest.approx(7 / 3)
     assert sine["z2_max"] == "8"
     assert not Path("lantern.out").exists()
+    assert float(sine["largest_step_given[deg]"]) == pytest.approx(147.82965, abs=1e-5)  # the spec has lambda = 2.6
+    told = cli("cam", "indexing", "lantern.toml", "--compare").out
+    for part in ("at lambda_min", "at lambda_max, where", "at lambda = 2.6", "limits, those of phi_p"):
+        assert f"\n{part}" in told
+    assert max(map(len, told.splitlines())) <= 80
     people = cli("cam", "indexing", "lantern.toml", "--compare", "--columns", "law,z2,theta2_*").out
     assert "k_m_min" not in people
     assert "theta2_max" in people
@@ -79,6 +84,7 @@ def test_files(cli: Cli) -> None:
     assert cli("cam", "indexing", "lantern.toml", "--tolerance", "10 um").code == 2
     assert cli("cam", "indexing", "lantern.toml", "--svg", "a.svg", "--nc", "a.svg").code == 2
     assert cli("cam", "indexing", "lantern.toml", "--compare", "--svg", "a.svg").code == 2
+    assert cli("cam", "indexing", "lantern.toml", "--compare", "--positions", "1").code == 2
 
 
 def test_pictures(cli: Cli) -> None:

@@ -9,9 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from tmmcalc.cli.commands import COMMANDS
+from tmmcalc.cli.check import HELD
+from tmmcalc.cli.commands import CAM, COMMANDS, EXTRA, GEARS, SECTIONS
 from tmmcalc.pipeline.stages import STAGES
 from tmmcalc.spec import templates
+from tmmcalc.spec.checks.subject import SUBJECTS
 
 from .conftest import CONFIGS, Cli
 from .scenes import ENGINE, ROTOR, TORQUE
@@ -27,14 +29,68 @@ def test_help_lists_every_command_in_the_order_of_work(cli: Cli) -> None:
     assert "Exit codes" in out
 
 
-@pytest.mark.parametrize("name", COMMANDS)
-def test_help_has_an_example_and_stays_in_80_columns(cli: Cli, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+GROUPS = {"gears": GEARS, "cam": CAM, "extra": EXTRA}
+EVERY = [(name,) for name in COMMANDS] + [(group, name) for group, table in GROUPS.items() for name in table]
+
+
+def test_help_of_a_group_lists_its_commands(cli: Cli) -> None:
+    for group, table in GROUPS.items():
+        code, out, _ = cli(group, "--help")
+        assert code == 0
+        assert [line.split()[0] for line in out.partition("Commands:\n")[2].partition("\n\n")[0].splitlines()] == [
+            *table
+        ]
+
+
+@pytest.mark.parametrize("name", EVERY, ids=" ".join)
+def test_help_has_an_example_and_stays_in_80_columns(
+    cli: Cli, name: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("COLUMNS", "80")
-    code, out, err = cli(name, "--help")
+    code, out, err = cli(*name, "--help")
     assert (code, err) == (0, "")
-    assert out.startswith(f"Usage: tmmcalc {name} ")
-    assert f"Example: tmmcalc {name}" in out
+    assert out.startswith(f"Usage: tmmcalc {' '.join(name)} ")
+    assert f"Example: tmmcalc {' '.join(name)}" in out
     assert max(map(len, out.splitlines())) <= 80
+
+
+SOLVING = [(name,) for name in (*SECTIONS["Linkages"], *SECTIONS["Machines"], "feasibility", "plot")]
+SOLVING += [name for name in EVERY if len(name) == 2]
+
+
+@pytest.mark.parametrize("name", [("check",), ("plan",), ("run",), *SOLVING], ids=" ".join)
+def test_a_file_that_is_no_spec_is_one_clear_fault(cli: Cli, name: tuple[str, ...]) -> None:
+    Path("folder.toml").mkdir()
+    Path("binary.toml").write_bytes(bytes(range(256)))
+    Path("empty.toml").touch()
+    for file, said in {
+        "none.toml": "there is no file none.toml",
+        "folder.toml": "folder.toml is a directory",
+        "binary.toml": "binary.toml is not UTF-8 text",
+        "empty.toml": "missing key: a spec describes a mechanism",
+    }.items():
+        code, out, err = cli(*name, file)
+        assert (code, out) == (2, "")
+        assert err.startswith("error: ")
+        assert said in err
+        assert err.count("\n  -> ") + err.count("\n    -> ") == 1
+
+
+@pytest.mark.parametrize("name", [name for name in SOLVING if name != ("balance",)], ids=" ".join)
+def test_a_spec_without_the_table_is_one_clear_fault(cli: Cli, name: tuple[str, ...]) -> None:
+    Path("rotor.toml").write_text(ROTOR)
+    code, out, err = cli(*name, "rotor.toml", "-q")
+    assert (code, out) == (2, "")
+    assert err.startswith("error: ")
+    assert err.count("\n  -> ") == 1
+    assert not Path("rotor.out").exists()
+
+
+def test_a_flag_of_a_command_stands_in_place_of_the_shared_one(cli: Cli) -> None:
+    own, shared = cli("cam", "profile", "--help").out, cli("kinematics", "--help").out
+    assert own.count("--tolerance ") == shared.count("--tolerance ") == 1
+    assert "--tolerance LENGTH" in own
+    assert "--tolerance ERROR" in shared
 
 
 def test_version(cli: Cli) -> None:
@@ -183,11 +239,17 @@ def test_check_reports_every_file(cli: Cli) -> None:
             "a rotor with 1 unbalance; a cam with an oscillating follower",
         ),
         ((CONFIGS / "four-bar.toml").read_text() + ROTOR, "3 moving links, 4 joints; a rotor with 1 unbalance"),
+        ((CONFIGS / "manipulator-angular.toml").read_text(), "a manipulator with an angular arm"),
+        ((CONFIGS / "feasibility.toml").read_text(), "a synthesis, crank rocker; 3 constraints"),
     ],
 )
 def test_check_says_what_a_spec_holds(cli: Cli, text: str, held: str) -> None:
     Path("held.toml").write_text(text)
     assert cli("check", "held.toml") == (0, f"held.toml: ok ({held})\n", "")
+
+
+def test_check_says_something_of_every_spec() -> None:
+    assert {*HELD} - {"constraints"} == {*SUBJECTS}
 
 
 def test_check_quiet_is_silent_where_all_is_well(cli: Cli) -> None:

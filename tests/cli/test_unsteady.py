@@ -48,10 +48,12 @@ def test_the_numbers_for_programs(cli: Cli) -> None:
     found = json.loads(cli("unsteady", "crane-luffing.toml", "--format", "json").out)
     assert found["S_m[m]"] == pytest.approx(1.6, rel=1e-14)
     assert (found["t_1[s]"], found["t_2[s]"], found["T[s]"]) == pytest.approx((4, 4, 12))
+    assert (found["S_1[m]"], found["S_2[m]"]) == pytest.approx((0.4, 0.8))
     assert found["jumps[s]"] == pytest.approx([0, 4, 8, 12])
     found = json.loads(cli("manipulator", "manipulator.toml", "--format", "json").out)
     assert found["path"][0]["theta_1[rad]"] == pytest.approx(-1.696093, abs=1e-6)
     assert found["path"][0]["q"] == -1
+    assert {"omega_2_max[rad/s]", "eps_2_max[rad/s^2]", "v_3_max[m/s]", "a_3_max[m/s^2]"} <= found.keys()
     assert found["press_path"] == []
     assert found["press_straight_line"]
 

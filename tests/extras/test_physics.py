@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import exp, pi, radians
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,8 +13,10 @@ from scipy.special import ellipe, ellipk
 
 import tmmcalc
 from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
-from tmmcalc.extras.contact import ContactTask, GapTable, active_set, hertz
+from tmmcalc.extras.activeset import active_set
+from tmmcalc.extras.contact import ContactTask, GapTable
 from tmmcalc.extras.falling_ball import BallTask
+from tmmcalc.extras.hertz import hertz
 from tmmcalc.extras.pyramid import hexagon, influence, settlement
 from tmmcalc.extras.reliability import LifeTest, ReliabilityTask
 from tmmcalc.extras.tie_down import Support, TieDownTask
@@ -93,6 +97,14 @@ def test_contact_converges_to_hertz_and_tells_its_change() -> None:
     assert errors[2] < errors[1] < errors[0] < 0.01
 
 
+@pytest.mark.parametrize(("load", "warned"), [(1e3, False), (1e9, True)])
+def test_a_contact_as_large_as_its_body_is_warned_of(load: float, warned: bool) -> None:
+    found = tmmcalc.solve_contact(ContactTask(load, 1.13e11, (0.02, 0.04), cells=8))
+    assert found.hertz is not None
+    assert (found.hertz.along_x > 0.3 * 0.02) == warned
+    assert any("half-axis" in note for note in found.notes) == warned
+
+
 def test_gaps_by_formula_and_table_are_those_of_radii() -> None:
     size = 1e-3
     by_radii = tmmcalc.solve_contact(ContactTask(1e3, 1.13e11, (0.02, 0.04), cells=12, size=size))
@@ -158,6 +170,12 @@ def test_reliability_is_the_integral_of_the_intensity(a: float, b: float, h: flo
     for part, life in found.lives:
         hazard = quad(intensity, 0, life, points=[e for e in edges if e < life] or None, epsabs=1e-13)[0]
         assert exp(-hazard) == pytest.approx(part, rel=1e-9)
+
+
+def test_shocks_without_end_fail_at_once() -> None:
+    """At an immense rate of shocks the mean life is the threshold t0, and nothing overflows."""
+    found = tmmcalc.solve_reliability(ReliabilityTask(2, 2.5, 1e200, strength=2.6, decay=1e-3))
+    assert found.mean == pytest.approx(1e3 * np.log(2.6 / 2.5), rel=1e-12)
 
 
 def test_estimates_satisfy_their_equations() -> None:
@@ -226,9 +244,9 @@ def test_a_ball_without_balance_has_its_whole_way() -> None:
         tmmcalc.solve_falling_ball(BallTask(1e-9, 10.0, 1e-6, sign=-1, relative=1e9, initial=1.0))
 
 
-def ties(**given: float) -> TieDownTask:
-    keys = {"weight": 5e4, "factor": 0.9, "elevation": radians(30), "plan": radians(10), "friction": 0.4}
-    return TieDownTask(**{**keys, **given})
+def ties(**given: Any) -> TieDownTask:
+    usual = TieDownTask(weight=5e4, factor=0.9, elevation=radians(30), plan=radians(10), friction=0.4)
+    return replace(usual, **given)
 
 
 def test_ties_balance_the_load() -> None:

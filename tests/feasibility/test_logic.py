@@ -66,3 +66,16 @@ def test_rm_is_smooth_where_both_vanish() -> None:
 def test_a_form_that_there_is_not() -> None:
     with pytest.raises(UsageError, match="no form 'R9'"):
         conjunction(1.0, 2.0, "R9")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("m", [1, 9])
+def test_signs_outlive_overflow_and_underflow(form: Form, m: int) -> None:
+    sizes = np.concatenate((-np.logspace(-300, 300, 61), [0.0], np.logspace(-300, 300, 61)))
+    f, g = np.meshgrid(sizes, sizes)
+    with np.errstate(all="raise", under="ignore"):
+        both, either = conjunction(f, g, form, m), disjunction(f, g, form, m)
+    assert np.array_equal(both >= 0, (f >= 0) & (g >= 0))
+    assert np.array_equal(either >= 0, (f >= 0) | (g >= 0))
+    assert np.isfinite(both).all()
+    assert np.isfinite(either).all()

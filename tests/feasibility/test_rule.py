@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from itertools import product
 
 import numpy as np
@@ -65,3 +66,48 @@ def test_margins_and_verdicts() -> None:
     assert result.failing == ("a",)
     assert not result.feasible
     assert result.function == -0.5
+
+
+def some_rule(generator: random.Random, depth: int) -> str:
+    """A random rule of the names a to f."""
+    kind = generator.random()
+    if depth == 0 or kind < 0.2:
+        return generator.choice("abcdef")
+    if kind < 0.4:
+        return f"not ({some_rule(generator, depth - 1)})"
+    word = generator.choice((" and ", " or "))
+    return f"({word.join(some_rule(generator, depth - 1) for _ in range(generator.randint(2, 3)))})"
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_random_rules_keep_their_sign_however_deep(form: Form) -> None:
+    generator, sizes = random.Random(7), np.random.default_rng(7)
+    for _ in range(300):
+        rule = some_rule(generator, 5)[:1990]
+        margins = {name: np.asarray(sizes.normal() * 10.0 ** sizes.integers(-6, 7)) for name in "abcdef"}
+        truths = {name: bool(value >= 0) for name, value in margins.items()}
+        if rule.count("(") != rule.count(")"):
+            continue
+        assert holds(rule, truths) == eval(rule, {}, dict(truths))
+        value = float(function(rule, margins, form, 9))
+        assert np.isfinite(value)
+        assert (value >= 0) == holds(rule, truths)
+
+
+@pytest.mark.parametrize(
+    ("rule", "words"),
+    [
+        ("not " * 160 + "a", "nested deeper than 150 times"),
+        ("calm.x and a", "'calm.x' is no name of a constraint"),
+        ("a < b < c", "'a < b < c' is no name"),
+        ("a and 1e999", "is no name"),
+        ("a; b", "not a rule at column 2"),
+    ],
+)
+def test_faults_of_a_rule_tell_their_cause(rule: str, words: str) -> None:
+    with pytest.raises(UsageError, match=words):
+        names_of(rule)
+
+
+def test_margins_are_finite() -> None:
+    assert np.isfinite(margin(1e200, 1e-200, None))

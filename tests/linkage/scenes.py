@@ -131,3 +131,23 @@ def shaper(**grid: Any) -> Mechanism:
     from tmmcalc.spec.linkage import to_linkage
 
     return with_grid(to_linkage(load_spec(CONFIGS / "shaper.toml").mechanism), **grid)
+
+
+def drag_link() -> Mechanism:
+    """A double crank whose coupler drives a dyad: link 4 goes round once a turn and swings back a little in it."""
+    base = four_bar(1.27837932, 0.50740938, 1.44296838, 0.3)
+    p, f = 0.25370469 - 0.78925084j, 0.39438614 - 0.62552408j
+    return replace(
+        base,
+        frame=Link(0, {"O": 0j, "C": 0.3 + 0j, "F": f}),
+        links=(
+            base.links[0],
+            bar(2, A=0, B=0.50740938, P=p),
+            base.links[2],
+            bar(4, P=0, D=1.05554775),
+            bar(5, F=0, D=1.38401037),
+        ),
+        joints=(*base.joints, pin("P", 2, 4, p), pin("D", 4, 5, 1.05554775, 1.38401037), pin("F", 0, 5, f)),
+        outputs=(Output(link=4),),
+        assembly=Assembly(variants={(2, 3): 1, (4, 5): -1}),
+    )

@@ -13,13 +13,12 @@ from transforms import scaled
 
 from linkage.scenes import (
     CONFIGS,
-    bar,
     crank_slider,
+    drag_link,
     driven_rod,
     four_bar,
     full_turn,
     part,
-    pin,
     shaper,
     slotted,
     with_grid,
@@ -29,7 +28,7 @@ from linkage.scenes import (
 )
 from tmmcalc import AssemblyError, Kinematics, NoSolutionError, load_spec, solve_kinematics
 from tmmcalc.linkage.chain import compile_chain
-from tmmcalc.linkage.model import Assembly, Input, Joint, Link, Mechanism, Output
+from tmmcalc.linkage.model import Input, Joint, Link, Mechanism, Output
 from tmmcalc.linkage.outputs import coordinate_of
 from tmmcalc.linkage.results import Extreme
 
@@ -151,26 +150,6 @@ def test_a_link_that_goes_round_and_reverses(d: float) -> None:
         result = solve_kinematics(with_input(full_turn(slotted(0.1, 0.1 * (1 + d)), positions=4), speed=speed))
         assert result.trace.angle[k][-1] - result.trace.angle[k][0] == pytest.approx(speed * TURN, abs=1e-9)
         assert result.s[0, -1] == pytest.approx(speed * TURN, abs=1e-9)
-
-
-def drag_link() -> Mechanism:
-    """A double crank whose coupler drives a dyad: link 4 goes round once a turn and swings back a little in it."""
-    base = four_bar(1.27837932, 0.50740938, 1.44296838, 0.3)
-    p, f = 0.25370469 - 0.78925084j, 0.39438614 - 0.62552408j
-    return replace(
-        base,
-        frame=Link(0, {"O": 0j, "C": 0.3 + 0j, "F": f}),
-        links=(
-            base.links[0],
-            bar(2, A=0, B=0.50740938, P=p),
-            base.links[2],
-            bar(4, P=0, D=1.05554775),
-            bar(5, F=0, D=1.38401037),
-        ),
-        joints=(*base.joints, pin("P", 2, 4, p), pin("D", 4, 5, 1.05554775, 1.38401037), pin("F", 0, 5, f)),
-        outputs=(Output(link=4),),
-        assembly=Assembly(variants={(2, 3): 1, (4, 5): -1}),
-    )
 
 
 @pytest.mark.parametrize("speed", [1.0, -1.0])

@@ -9,10 +9,10 @@ from tmmcalc.linkage.dyad import solve_dyad
 from tmmcalc.linkage.dyads import RRR
 from tmmcalc.linkage.plane import Point
 from tmmcalc.manipulators.arms import direct, elbow_point, inverse, meridian
-from tmmcalc.manipulators.courses import timed
 from tmmcalc.manipulators.routes import legs_of
 from tmmcalc.manipulators.solve import solve_manipulator
 from tmmcalc.manipulators.task import ArcRoute, Drive, PolyRoute
+from tmmcalc.manipulators.timed import timed
 
 from .scenes import ARMS, PLANE, SPACE, derivative, task
 

@@ -41,7 +41,7 @@ def test_a_path_near_the_shoulder_is_told_with_time_and_number(gap: float) -> No
     assert result.grades[0].severity == "warning"
     assert f"l_3 = {gap:.4g} m" in str(result.grades[0])
     # at that place the arm turns with v/gap
-    fastest = next(each for each in result.extremes if each.name == "dphi_2")
+    fastest = next(each for each in result.extremes if each.name == "omega_2")
     assert -fastest.least == pytest.approx(0.6 / gap, rel=1e-9)
 
 

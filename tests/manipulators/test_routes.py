@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.manipulators.courses import timed
 from tmmcalc.manipulators.routes import legs_of
 from tmmcalc.manipulators.solve import solve_manipulator
 from tmmcalc.manipulators.task import ArcRoute, ArcThrough, PolyRoute
+from tmmcalc.manipulators.timed import timed
 
 from .scenes import task
 
@@ -139,7 +139,7 @@ def test_the_way_is_the_integral_of_the_speed() -> None:
     assert np.trapezoid(speed, t) == pytest.approx(found.length, rel=1e-7)
     for k, leg in enumerate(found.legs):
         for s in np.linspace(0, sum(piece.length for piece in leg), 9):
-            at = found.times(k, float(s))
+            at = found.time(k, float(s))
             assert found.way(np.array([at]), 0)[0, 0] == pytest.approx(s, abs=1e-12)
 
 

@@ -15,7 +15,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from tmmcalc.api import run
-from tmmcalc.cli.drawings import Order, drawing_of
+from tmmcalc.cli.drawings import drawing_of
+from tmmcalc.cli.order import Order
 from tmmcalc.errors import UsageError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of

@@ -18,9 +18,10 @@ from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.loading import Constant, Load, Loading
 from tmmcalc.linkage.model import Grid, Input, Joint, Link, Mechanism, Output
 from tmmcalc.linkage.pins import find_pins
-from tmmcalc.linkage.polygons import VectorPolygons, polygons
+from tmmcalc.linkage.polygons import polygons
 from tmmcalc.linkage.reduction.reduce import solve_reduction
 from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.vectors import VectorPolygons
 from tmmcalc.report.pictures import draw_forces, draw_kinematics, draw_reduction
 
 ROOT = Path(__file__).parents[2]

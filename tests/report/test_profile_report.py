@@ -26,7 +26,8 @@ from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.meshing.tooth import solve_profiles
 from tmmcalc.gears.meshing.tracks import Track, track
-from tmmcalc.report.gearfiles import dxf, layer_of, outline_csv, require_dxf, svg
+from tmmcalc.report.gearfiles import layer_of, outline_csv, outlines
+from tmmcalc.report.outlinefiles import dxf, require_dxf, svg
 from tmmcalc.report.profile import profile_document, profile_summary
 
 M, FINE = 0.005, 5e-7
@@ -255,7 +256,7 @@ def exact(member: Member, placing: Placing) -> np.ndarray:
 @pytest.mark.parametrize("pair", [BOOK, UNDER, RING])
 def test_svg_read_back(pair: MeshPair) -> None:
     drawn = mesh_tracks(pair, FINE, 0.05)
-    root = ElementTree.fromstring(svg(drawn, FINE, "A & B").decode())
+    root = ElementTree.fromstring(svg(outlines(drawn), FINE, "A & B").decode())
     assert root.get("width") == f"{float(root.get('viewBox', '').split()[2]):g}mm"
     paths = root.findall(".//{http://www.w3.org/2000/svg}path")
     assert [path.get("id") for path in paths] == [each.member.label for each in drawn]
@@ -272,8 +273,8 @@ def test_svg_read_back(pair: MeshPair) -> None:
 def test_dxf_read_back(tmp_path: Any) -> None:
     ezdxf = pytest.importorskip("ezdxf")
     drawn = tracks()
-    data = dxf(drawn)
-    assert data == dxf(drawn)
+    data = dxf(outlines(drawn))
+    assert data == dxf(outlines(drawn))
     file = tmp_path / "gears.dxf"
     file.write_bytes(data)
     drawing = ezdxf.readfile(file)

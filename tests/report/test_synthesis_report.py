@@ -55,6 +55,26 @@ def test_document_holds_sizes_checks_and_solutions(name: str) -> None:
     assert len(synthesis_summary(found, "synthesis").facts) == 1 + len(found.best.sizes) + len(found.best.checks)
 
 
+@pytest.mark.parametrize(("name", "unit"), [("crank-rocker", "rad"), ("slider-crank", "m")])
+def test_mean_speeds_have_the_unit_of_the_stroke(name: str, unit: str) -> None:
+    found = solved(name)
+    values = payload(synthesis_document(found, "synthesis"))
+    symbol = "omega" if unit == "rad" else "v"
+    assert found.best.times is not None
+    assert values[f"{symbol}_p[{unit}/s]"] == found.best.times.working_speed
+    assert values[f"{symbol}_mean[{unit}/s]"] == pytest.approx(2 * found.best.times.stroke / found.best.times.period)
+
+
+def test_the_sense_of_the_crank_is_told() -> None:
+    found = solved("motion")
+    document = synthesis_document(found, "synthesis")
+    (text,) = (fact.text for fact in document.facts if fact.label == "crank turns")
+    assert found.best.precision is not None
+    falling = found.best.precision.crank[1] < found.best.precision.crank[0]
+    assert text.startswith("clockwise" if falling else "counter-clockwise")
+    assert payload(document)["sense"] == (-1 if falling else 1)
+
+
 def test_the_stored_result_is_the_computed_one(tmp_path: Path) -> None:
     for name in ("slotted-link", "function", "motion"):
         spec = load_spec(CONFIGS / f"synth-{name}.toml")

@@ -1,12 +1,11 @@
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from tmmcalc.errors import Fault, SpecError
-from tmmcalc.spec import parse_spec
+from . import faults
+from .faults import Faults
 
 SHAPER = Path(__file__).parents[1] / "shaper.toml"
 
@@ -17,11 +16,5 @@ def shaper() -> str:
 
 
 @pytest.fixture
-def faults_of() -> Callable[[str], list[Fault]]:
-    def faults(text: str) -> list[Fault]:
-        with pytest.raises(SpecError) as caught:
-            parse_spec(text, "shaper.toml")
-        assert caught.value.exit_code == 2
-        return caught.value.faults
-
-    return faults
+def faults_of() -> Faults:
+    return faults.faults_of

@@ -1,30 +1,10 @@
-"""Texts and assertions that the tests of the spec share."""
+"""Texts that the tests of the spec share."""
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
-from tmmcalc.errors import Fault, SpecError
-from tmmcalc.spec import parse_spec
-
 CONFIGS = Path(__file__).parents[2] / "configs"
-
-# values of every TOML type, none of which may break a check
-HOSTILE = [
-    "1",
-    "true",
-    '"x"',
-    "[]",
-    "{}",
-    "[[]]",
-    "[1]",
-    "[{}]",
-    "1979-01-01",
-    "{ A = [] }",
-    "nan",
-    '["a", 1]',
-]
 
 # added to the shaper: every table of a machine, each with what it may hold
 MACHINE = """
@@ -200,28 +180,6 @@ count = 2
 inertia = 3
 balanced = true
 """
-
-
-def check_only_fault(text: str, faults: list[Fault], path: str, message: str, remedy: str) -> None:
-    """There is one fault, with exactly these words, and its line is that of its key."""
-    assert [(fault.path, fault.message, fault.remedy) for fault in faults] == [(path, message, remedy)]
-    line = text.splitlines()[(faults[0].line or 0) - 1]
-    keys = re.findall("[a-z_]+", path)
-    if message.startswith("missing"):
-        assert any(key in line for key in keys)
-    else:
-        assert keys[-1] in line
-
-
-def check_lines(text: str) -> None:
-    """A spec is read, or refused with faults that all have their lines."""
-    faults: list[Fault] = []
-    try:
-        parse_spec(text)
-    except SpecError as error:
-        faults = error.faults
-    assert all(fault.line for fault in faults), text
-
 
 TRAIN = """
 [train]

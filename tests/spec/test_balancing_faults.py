@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import get_args
 
 import pytest
 
-from tmmcalc.errors import Fault
 from tmmcalc.linkage.balance.task import SCHEMES
 from tmmcalc.machine.balancing.arrangements import FIRING, THROWS
 from tmmcalc.machine.flywheel.materials import MATERIALS
@@ -15,9 +13,8 @@ from tmmcalc.spec import parse_spec
 from tmmcalc.spec.balance import BalanceTable
 from tmmcalc.spec.flywheel import FlywheelTable
 
-from .scenes import CONFIGS, ENGINE, HOSTILE, ROTOR, check_lines, check_only_fault
-
-Faults = Callable[[str], list[Fault]]
+from .faults import HOSTILE, Faults, check_lines, check_only_fault
+from .scenes import CONFIGS, ENGINE, ROTOR
 
 SIZES = 'speed = "3000 rpm"\ncrank_radius = "40 mm"\nrod_length = "140 mm"\nreciprocating_mass = 0.6\n'
 BARE = "[engine]\n" + SIZES

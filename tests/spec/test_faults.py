@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import pytest
 
 from tmmcalc.errors import Fault
 from tmmcalc.spec import parse_spec
 from tmmcalc.spec.linkage import to_linkage
 
-from .scenes import HOSTILE, check_lines
-
-Faults = Callable[[str], list[Fault]]
+from .faults import HOSTILE, Faults, check_lines
 
 ASSEMBLY = "\n[mechanism.assembly]\n"
 

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import pytest
 
-from tmmcalc.errors import Fault
 from tmmcalc.spec import parse_spec
 
-from .scenes import CONFIGS, HOSTILE, check_lines, check_only_fault
-
-Faults = Callable[[str], list[Fault]]
+from .faults import HOSTILE, Faults, check_lines, check_only_fault
+from .scenes import CONFIGS
 
 SPRING = '[[springs]]\nlinks = [5, 0]\npoints = ["D", "O"]\n'
 TORSION = '[[springs]]\nkind = "torsion"\nlinks = [3, 4]\n'

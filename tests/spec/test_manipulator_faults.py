@@ -9,15 +9,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmmcalc.errors import Fault, UsageError
+from tmmcalc.errors import UsageError
 from tmmcalc.manipulators.task import ArcRoute, ArcThrough, JointLimit, JointMove, LawTask, ManipulatorTask, PolyRoute
 from tmmcalc.spec import parse_spec
 from tmmcalc.spec.manipulator import ManipulatorTable
-from tmmcalc.spec.manipulators import known_joints, to_manipulator
+from tmmcalc.spec.manipulators import to_manipulator
 
-from .scenes import CONFIGS, HOSTILE, check_lines, check_only_fault
-
-Faults = Callable[[str], list[Fault]]
+from .faults import HOSTILE, Faults, check_lines, check_only_fault
+from .scenes import CONFIGS
 
 ARM = '[manipulator]\narm = "spherical"\nspeed = "0.6 m/s"\nacceleration = "2 m/s^2"\n'
 TWO = ARM.replace("spherical", "angular") + 'upper_arm = "0.9 m"\nforearm = "0.8 m"\n'
@@ -65,6 +64,14 @@ FAULTS = [
         ARM + 'elbow = "up"\n' + LINE,
         "manipulator.elbow",
         "elbow belongs to an angular arm, this one is spherical",
+        "remove it",
+    ),
+    (
+        BARE.replace("spherical", "angular")
+        + 'upper_arm = 1\nforearm = 1\nelbow = "down"\n'
+        + JOINTS.replace("l_3", "phi_3"),
+        "manipulator.elbow",
+        "elbow has no effect: the joints are given, and their directions settle it",
         "remove it",
     ),
     (
@@ -300,7 +307,7 @@ def test_routes() -> None:
 def test_a_base_by_its_joint() -> None:
     found = task(BARE + JOINTS + 'psi = { from = "0 deg", to = "90 deg", speed = 1, acceleration = 2 }\n')
     assert found.arm.spatial
-    assert [move.name for move in found.motion.moves] == known_joints("spherical", True)
+    assert [move.name for move in found.motion.moves] == ["psi", "phi_2", "l_3"]
     table = task(BARE + "[manipulator.motion]\nt = [0, 1]\npsi = [0, 1]\nphi_2 = [0, 0]\nl_3 = [1, 1]\n")
     assert table.arm.spatial
     assert np.array_equal(table.motion.q, [[0, 1], [0, 0], [1, 1]])

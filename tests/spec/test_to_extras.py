@@ -169,6 +169,7 @@ FAULTS = {
     "no speed": ("bearing", "wheel_speed = 2", 'speed = "46 rpm"', 1, "bearing", "with a wheel"),
     "rings": ("bearing", 'outer = "150 mm"', 'outer = "340 mm"', 7, "bearing.outer", "not larger"),
     "bodies": ("bearing", 'roller = "96 mm"', 'roller = "39 mm"', 7, "bearing.roller", "do not fit"),
+    "crowd": ("bearing", "count = 20", "count = 14", 7, "bearing.count", "room for 19"),
     "readings": ("bearing", "peak = [1]", "", 1, "bearing", "peak without rms"),
 }
 

@@ -14,7 +14,7 @@ from tmmcalc.feasibility.logic import FORMS
 from tmmcalc.spec.constraining import to_feasibility
 from tmmcalc.spec.constraints import ConstraintTable, FeasibilityTable
 
-from .scenes import HOSTILE, check_lines
+from .faults import HOSTILE, check_lines
 
 DOCS = Path(__file__).parents[2] / "docs" / "spec.md"
 BASE = '[synthesis.crank_rocker]\nswing = "40 deg"\nrocker = 1\n'

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.errors import Fault, SpecError
+from tmmcalc.errors import SpecError
 from tmmcalc.linkage.synthesis.kinds import KINDS
 from tmmcalc.linkage.synthesis.task import RotatingTask, SliderCrankTask
 from tmmcalc.spec import parse_spec, templates
@@ -19,9 +18,7 @@ from tmmcalc.spec.linksyntheses import TASKS, to_synthesis
 from tmmcalc.spec.linksynthesis import KINDS as NAMED
 from tmmcalc.spec.linksynthesis import LinkSynthesisTable
 
-from .scenes import HOSTILE, check_lines
-
-Faults = Callable[[str], list[Fault]]
+from .faults import HOSTILE, Faults, check_lines
 
 CONFIGS = templates.folder()
 HEAD = "[synthesis.{}]\n"
@@ -122,6 +119,21 @@ FAULTS = [
         "y is the same at both ends of the range: the output has no range",
     ),
     (PATH + 'timing = ["0 deg", "30 deg"]\n', "synthesis.path.timing", "2 angles for 3 points"),
+    (
+        '[synthesis.slider_crank]\nstroke = "0.2 m"\noffset = "20 mm"\noffset_part = 0.1\n',
+        "synthesis.slider_crank.offset_part",
+        "offset_part together with stroke and offset: it follows from them",
+    ),
+    (
+        '[synthesis.slider_crank]\nstroke = "0.2 m"\noffset = 0\ntime_ratio = 1\n',
+        "synthesis.slider_crank.time_ratio",
+        "1 together with offset: both say that the guide passes the crank's pivot",
+    ),
+    (
+        MOTION.replace('"20 mm", 0', "0, 0").replace("30 deg", "0 deg"),
+        "synthesis.motion.points[1]",
+        "pose 2 is the one before it",
+    ),
     (
         PATH + 'timing = ["0 deg", "30 deg", "20 deg"]\n',
         "synthesis.path.timing",

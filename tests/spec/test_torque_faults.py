@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import pytest
 
-from tmmcalc.errors import Fault, UsageError
+from tmmcalc.errors import UsageError
 from tmmcalc.spec import parse_spec
 from tmmcalc.spec.checks.subject import SUBJECTS
 
-from .scenes import ENGINE, HOSTILE, ROTOR, TORQUE, check_lines, check_only_fault
-
-Faults = Callable[[str], list[Fault]]
+from .faults import HOSTILE, Faults, check_lines, check_only_fault
+from .scenes import ENGINE, ROTOR, TORQUE
 
 HEAD = '[torque]\nspeed = "180 rpm"\n'
 FORMULA = HEAD + 'formula = "500*sin(theta)"\n'

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import get_args
 
 import pytest
 
-from tmmcalc.errors import Fault
 from tmmcalc.machine.transient.methods import METHODS
 from tmmcalc.spec import parse_spec
 from tmmcalc.spec.transients import TransientTable
 
-from .scenes import CONFIGS, HOSTILE, TORQUE, check_lines, check_only_fault
-
-Faults = Callable[[str], list[Fault]]
+from .faults import HOSTILE, Faults, check_lines, check_only_fault
+from .scenes import CONFIGS, TORQUE
 
 MOTOR = '[motor]\npower = "7.5 kW"\nspeed = "1455 rpm"\nsynchronous_speed = "1500 rpm"\n'
 ROTOR = MOTOR + "inertia = 0.03\n"

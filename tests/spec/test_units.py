@@ -8,8 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tmmcalc.spec.dimensions import DIMENSIONS, UNITS
 from tmmcalc.spec.quantities import Quantity
-from tmmcalc.spec.units import DIMENSIONS, UNITS, UnitError, dimension_of, parse
+from tmmcalc.spec.units import UnitError, dimension_of, parse
 
 ALL_UNITS = [(dimension, unit) for dimension, units in UNITS.items() for unit in units]
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899")

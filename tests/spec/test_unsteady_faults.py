@@ -7,15 +7,14 @@ from typing import Any
 
 import pytest
 
-from tmmcalc.errors import Fault, UsageError
+from tmmcalc.errors import UsageError
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
 from tmmcalc.spec import parse_spec
 from tmmcalc.spec.unsteadiness import to_unsteady
 from tmmcalc.spec.unsteady import UnsteadyTable
 
-from .scenes import CONFIGS, HOSTILE, check_lines, check_only_fault
-
-Faults = Callable[[str], list[Fault]]
+from .faults import HOSTILE, Faults, check_lines, check_only_fault
+from .scenes import CONFIGS
 
 CRANE = (CONFIGS / "crane-luffing.toml").read_text(encoding="utf-8").partition("[unsteady]")[0]
 CRANK = (CONFIGS / "crank-slider.toml").read_text(encoding="utf-8")

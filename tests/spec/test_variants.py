@@ -57,6 +57,8 @@ def test_a_plain_override_is_no_range(text: str) -> None:
         ("no.such=*1:2:3", "has no no"),
         ("crank=*1:2:3", "no number that could be multiplied"),
         ("=1:2:3", "path cannot be read"),
+        ("n=-1e400:1:3", "a number too large"),
+        ("n=1e308,-1e999", "a number too large"),
     ],
 )
 def test_what_is_refused(text: str, message: str) -> None:

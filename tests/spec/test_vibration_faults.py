@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import pytest
 
-from tmmcalc.errors import Fault
+from tmmcalc.errors import SpecError
+from tmmcalc.spec import parse_spec
 
+from .faults import Faults, check_fault
 from .vibrationscenes import DEVICE, EXCITER, FLATS, GRIPPER, HEAD, MOTOR, PLAIN, RING, ROD, RODS, UNBALANCE
-
-Faults = Callable[[str], list[Fault]]
 
 CURVE = '[vibrator.curve]\nfrom = "600 rpm"\nto = "3000 rpm"\n'
 START = '[vibrator.start]\nacceleration = "300 rad/s^2"\nduration = "1.5 s"\n'
@@ -169,12 +167,8 @@ FAULTS = [
 
 
 @pytest.mark.parametrize(("text", "path", "message", "remedy"), FAULTS, ids=[f[1] + " " + f[2] for f in FAULTS])
-def test_one_fault_each(faults_of: Faults, text: str, path: str, message: str, remedy: str) -> None:
-    (fault,) = faults_of(text)
-    assert fault.path == path
-    assert message in fault.message
-    assert remedy in fault.remedy
-    assert fault.line is not None
+def test_one_fault_each(text: str, path: str, message: str, remedy: str) -> None:
+    check_fault(text, path, message, remedy)
 
 
 def test_faults_come_all_at_once(faults_of: Faults) -> None:
@@ -185,3 +179,11 @@ def test_faults_come_all_at_once(faults_of: Faults) -> None:
 def test_a_motor_belongs_to_a_device_as_well(faults_of: Faults) -> None:
     (fault,) = faults_of(f"{HUNG}{MOTOR}")
     assert fault.path == "motor"
+
+
+def test_an_unbalance_that_spins_sets_the_pendulum_in_motion() -> None:
+    spun = HUNG.replace("[pendulum]\n", "[pendulum]\nspin = 30\n")
+    disc = '[pendulum.disc]\nmass = 1\neccentricity = "1 mm"\n'
+    assert parse_spec(spun + disc + SWING).pendulum is not None
+    with pytest.raises(SpecError):
+        parse_spec(HUNG + disc + SWING)

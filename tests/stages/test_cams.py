@@ -110,7 +110,8 @@ def test_the_optimum_takes_the_speed_of_the_machine() -> None:
 def test_a_picture_shows_the_speed_that_the_stage_had(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, stage: str, turns: bool
 ) -> None:
-    from tmmcalc.cli.drawings import Order, drawing_of
+    from tmmcalc.cli.drawings import drawing_of
+    from tmmcalc.cli.order import Order
     from tmmcalc.report.pictures import cams
 
     drawn: list[CamTask] = []

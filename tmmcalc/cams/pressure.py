@@ -11,6 +11,7 @@ what |theta| leaves of a right angle.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from math import pi
 
 import numpy as np
@@ -178,6 +179,16 @@ def on_phase(program: Program, dense: Panels, values: Values, kind: str) -> tupl
     number = np.clip(np.searchsorted(program.starts, middle) - 1, 0, len(program.phases) - 1)
     own = np.flatnonzero(np.array([phase.kind == kind for phase in program.phases])[number])
     return Panels(dense.edges[own[0] : own[-1] + 2], dense.order), values[..., own, :]
+
+
+def limited_phases(task: CamTask) -> Iterator[tuple[str, float, Panels, Values]]:
+    """The phases whose pressure angle is limited: kind, limit [rad], panels, and y and y' on them (2, K, N)."""
+    program, limits = task.program, task.limits
+    dense = halved(program.panels)
+    motion = program.at(dense.x.ravel())[:2].reshape(2, *dense.x.shape)
+    for kind, limit in (("rise", limits.rise), ("return", limits.back)):
+        if limit is not None:
+            yield kind, limit, *on_phase(program, dense, motion, kind)
 
 
 def _exceeded(

@@ -6,14 +6,8 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.commands import COMMANDS
-from tmmcalc.cli.late import LateGroup
-
-
-class Commands(LateGroup):
-    """All commands."""
-
-    table = COMMANDS
+from tmmcalc.cli.commands import SECTIONS
+from tmmcalc.cli.late import late_group
 
 
 def _version(asked: bool) -> None:
@@ -24,16 +18,6 @@ def _version(asked: bool) -> None:
         raise typer.Exit
 
 
-app = typer.Typer(
-    cls=Commands,
-    rich_markup_mode=None,
-    no_args_is_help=True,
-    pretty_exceptions_enable=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
-)
-
-
-@app.callback(epilog="Example: tmmcalc init shaper -o my.toml && tmmcalc run my.toml")
 def tmmcalc(
     version: Annotated[
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version and leave.")
@@ -44,3 +28,11 @@ def tmmcalc(
     Exit codes: 0 done, 2 bad input or usage, 3 the mechanism has no solution there, 4 accuracy not reached,
     5 a limit exceeded under --strict, 1 a fault of the program itself.
     """
+
+
+app = late_group(
+    SECTIONS,
+    "tmmcalc init shaper -o my.toml && tmmcalc run my.toml",
+    callback=tmmcalc,
+    pretty_exceptions_enable=False,
+)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sized
+from collections.abc import Callable, Iterator, Sized
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -14,19 +14,8 @@ from tmmcalc.errors import TmmError
 
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
-
-_EXTRAS = {
-    "contact": "an elastic contact",
-    "reliability": "the life of a product",
-    "tie_down": "a load that is tied down",
-    "falling_ball": "a falling ball",
-    "bearing": "a rolling bearing",
-}
-_FOLLOWERS = {
-    "translating": "a translating follower",
-    "oscillating": "an oscillating follower",
-    "flat": "a flat-faced follower",
-}
+    from tmmcalc.spec.engine import EngineTable
+    from tmmcalc.spec.pair import PairTable
 
 
 def command(
@@ -55,40 +44,50 @@ def command(
 
 def _held(spec: Spec) -> Iterator[str]:
     """What a spec is about."""
-    if spec.mechanism is not None:
-        yield f"{_count(spec.mechanism.links, 'moving link')}, {_count(spec.mechanism.joints, 'joint')}"
-    if spec.synthesis is not None:
-        yield f"a synthesis, {spec.synthesis.kind.replace('_', ' ')}"
-    if spec.torque is not None:
-        yield "a torque diagram"
-    if spec.engine is not None:
-        cylinders = spec.engine.cylinders
-        count = cylinders if isinstance(cylinders, int) else len(cylinders)
-        yield f"an engine of {count} cylinder{'s' if count > 1 else ''}"
-    if spec.vibrator is not None:
-        yield "a vibratory device"
-    if spec.pendulum is not None:
-        yield "a pendulum-rotor"
-    if spec.rotor is not None:
-        yield f"a rotor with {_count(spec.rotor.unbalances, 'unbalance')}"
-    if spec.train is not None:
-        yield f"a gear train, {' or '.join(spec.train.layout)}"
-    if spec.gearing is not None:
-        yield f"gearing, {spec.gearing.layout or f'{len(spec.gearing.meshes)} meshes'}"
-    if spec.pair is not None:
-        yield (
-            "pairs of the train"
-            if spec.pair.of_train
-            else _count(spec.pair.meshes or [spec.pair], "pair") + " of gears"
-        )
-    if spec.cam is not None:
-        yield f"a cam with {_FOLLOWERS[spec.cam.follower]}"
-    for name, what in _EXTRAS.items():
-        if getattr(spec, name) is not None:
-            yield what
-    if spec.indexing is not None:
-        yield f"an indexing drive of {_count(range(spec.indexing.rollers), 'roller')}"
+    for table, told in HELD.items():
+        held = getattr(spec, table)
+        if held:
+            yield told if isinstance(told, str) else told(held)
+
+
+def _engine(engine: EngineTable) -> str:
+    cylinders = engine.cylinders
+    return f"an engine of {_count(range(cylinders) if isinstance(cylinders, int) else cylinders, 'cylinder')}"
+
+
+def _pairs(pair: PairTable) -> str:
+    return "pairs of the train" if pair.of_train else f"{_count(pair.meshes or [pair], 'pair')} of gears"
 
 
 def _count(listed: Sized, noun: str) -> str:
     return f"{len(listed)} {noun}{'s' if len(listed) != 1 else ''}"
+
+
+_FOLLOWERS = {
+    "translating": "a translating follower",
+    "oscillating": "an oscillating follower",
+    "flat": "a flat-faced follower",
+}
+_ARMS = {"spherical": "a spherical arm", "cylindrical": "a cylindrical arm", "angular": "an angular arm"}
+# What is said of a table that a spec has.
+HELD: dict[str, str | Callable[[Any], str]] = {
+    "mechanism": lambda linkage: f"{_count(linkage.links, 'moving link')}, {_count(linkage.joints, 'joint')}",
+    "synthesis": lambda synthesis: f"a synthesis, {synthesis.kind.replace('_', ' ')}",
+    "torque": "a torque diagram",
+    "engine": _engine,
+    "vibrator": "a vibratory device",
+    "pendulum": "a pendulum-rotor",
+    "rotor": lambda rotor: f"a rotor with {_count(rotor.unbalances, 'unbalance')}",
+    "train": lambda train: f"a gear train, {' or '.join(train.layout)}",
+    "gearing": lambda gearing: f"gearing, {gearing.layout or f'{len(gearing.meshes)} meshes'}",
+    "pair": _pairs,
+    "cam": lambda cam: f"a cam with {_FOLLOWERS[cam.follower]}",
+    "indexing": lambda drive: f"an indexing drive of {_count(range(drive.rollers), 'roller')}",
+    "manipulator": lambda manipulator: f"a manipulator with {_ARMS[manipulator.arm]}",
+    "contact": "an elastic contact",
+    "reliability": "the life of a product",
+    "tie_down": "a load that is tied down",
+    "falling_ball": "a falling ball",
+    "bearing": "a rolling bearing",
+    "constraints": lambda constraints: _count(constraints, "constraint"),
+}

@@ -1,31 +1,45 @@
 """The commands by name: their module and their one line of help, known before any body is imported."""
 
-COMMANDS = {
-    "init": ("tmmcalc.cli.init", "Write a commented starter spec."),
-    "check": ("tmmcalc.cli.check", "Check specs and report all their faults."),
-    "schema": ("tmmcalc.cli.schema", "Print the JSON Schema of a spec, for TOML editors."),
-    "plan": ("tmmcalc.cli.plan", "Show which stages run for a spec, which do not, and why."),
-    "synth": ("tmmcalc.cli.synth", "Linkages by stroke, swing, path, function or motion."),
-    "structure": ("tmmcalc.cli.structure", "Mobility, Assur groups, structural formula."),
-    "kinematics": ("tmmcalc.cli.kinematics", "Positions, velocities, accelerations, dead centres, strokes."),
-    "forces": ("tmmcalc.cli.forces", "Reactions in the pairs, friction, driving moment."),
-    "reduce": ("tmmcalc.cli.reduce", "Reduced moments and inertia, work per cycle."),
-    "power": ("tmmcalc.cli.power", "Work per cycle, efficiency, power, choice of the motor."),
-    "flywheel": ("tmmcalc.cli.flywheel", "The flywheel for the allowed unevenness, by all methods."),
-    "motion": ("tmmcalc.cli.motion", "Steady motion of the machine over the cycle."),
-    "transient": ("tmmcalc.cli.transient", "Start-up, braking, run-down, load changes in time."),
-    "unsteady": ("tmmcalc.cli.unsteady", "Motion from rest to rest by the time-optimal law."),
-    "manipulator": ("tmmcalc.cli.manipulator", "Arms: gripper, joints, singular places, obstacles."),
-    "balance": ("tmmcalc.cli.balance", "Shaking forces of linkage, engine, rotor; counterweights."),
-    "vibrator": ("tmmcalc.cli.vibrator", "Vibratory device: frequencies, resonance curve, start-up."),
-    "pendulum": ("tmmcalc.cli.pendulum", "Pendulum-rotor: whirl, critical speeds, swing in time."),
-    "gears": ("tmmcalc.cli.gears", "Gears: trains, strength, pairs, blocking contours, profiles."),
-    "cam": ("tmmcalc.cli.cam", "Cams: laws, synthesis, profile, forces, strength, optimum."),
-    "extra": ("tmmcalc.cli.extra", "Contact, reliability, tie-down, falling ball, bearing."),
-    "feasibility": ("tmmcalc.cli.feasibility", "Constraints on results: which hold, by how much."),
-    "run": ("tmmcalc.cli.run", "Run every stage that the spec has."),
-    "plot": ("tmmcalc.cli.plot", "Draw the result of a stage to an svg, png or pdf file."),
+SECTIONS = {
+    "Specs": {
+        "init": ("tmmcalc.cli.init", "Write a commented starter spec."),
+        "check": ("tmmcalc.cli.check", "Check specs and report all their faults."),
+        "schema": ("tmmcalc.cli.schema", "Print the JSON Schema of a spec, for TOML editors."),
+        "plan": ("tmmcalc.cli.plan", "Show which stages run for a spec, which do not, and why."),
+    },
+    "Linkages": {
+        "synth": ("tmmcalc.cli.synth", "Linkages by stroke, swing, path, function or motion."),
+        "structure": ("tmmcalc.cli.structure", "Mobility, Assur groups, structural formula."),
+        "kinematics": ("tmmcalc.cli.kinematics", "Positions, velocities, accelerations, dead centres, strokes."),
+        "forces": ("tmmcalc.cli.forces", "Reactions in the pairs, friction, driving moment."),
+        "unsteady": ("tmmcalc.cli.unsteady", "Motion from rest to rest by the time-optimal law."),
+        "manipulator": ("tmmcalc.cli.manipulator", "Arms: gripper, joints, singular places, obstacles."),
+    },
+    "Machines": {
+        "reduce": ("tmmcalc.cli.reduce", "Reduced moments and inertia, work per cycle."),
+        "power": ("tmmcalc.cli.power", "Work per cycle, efficiency, power, choice of the motor."),
+        "flywheel": ("tmmcalc.cli.flywheel", "The flywheel for the allowed unevenness, by all methods."),
+        "motion": ("tmmcalc.cli.motion", "Steady motion of the machine over the cycle."),
+        "transient": ("tmmcalc.cli.transient", "Start-up, braking, run-down, load changes in time."),
+        "balance": ("tmmcalc.cli.balance", "Shaking forces of linkage, engine, rotor; counterweights."),
+        "vibrator": ("tmmcalc.cli.vibrator", "Vibratory device: frequencies, resonance curve, start-up."),
+        "pendulum": ("tmmcalc.cli.pendulum", "Pendulum-rotor: whirl, critical speeds, swing in time."),
+    },
+    "Gears, cams and others": {
+        "gears": ("tmmcalc.cli.gears", "Gears: trains, strength, pairs, blocking contours, profiles."),
+        "cam": ("tmmcalc.cli.cam", "Cams: laws, synthesis, profile, forces, strength, optimum."),
+        "extra": ("tmmcalc.cli.extra", "Contact, reliability, tie-down, falling ball, bearing."),
+    },
+    "All stages": {
+        "run": ("tmmcalc.cli.run", "Run every stage that the spec has."),
+        "sweep": ("tmmcalc.cli.sweep", "Variants of a spec over ranges of its keys, to one CSV."),
+        "feasibility": ("tmmcalc.cli.feasibility", "Constraints on results: which hold, by how much."),
+        "plot": ("tmmcalc.cli.plot", "Draw the result of a stage to an svg, png or pdf file."),
+        "accuracy": ("tmmcalc.cli.accuracy", "Error against run time of every method of the stages."),
+    },
 }
+
+COMMANDS = {name: line for section in SECTIONS.values() for name, line in section.items()}
 
 GEARS = {
     "synth": ("tmmcalc.cli.gears.synth", "Every set of tooth numbers within the constraints."),

@@ -1,65 +1,37 @@
-"""The pictures that ``tmmcalc plot`` can draw: one function a stage, and the flags that are its own."""
+"""The pictures that ``tmmcalc plot`` can draw: one function a stage, what it shows, and the flags that are its own."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from pathlib import Path
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from tmmcalc.cli.work import within_turns
+from tmmcalc.cli.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
 from tmmcalc.errors import UsageError
+from tmmcalc.pipeline.stage import resolve
 
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
 
-POSITIONS, POLYGONS, CHOOSE, PHASE = "--positions", "--polygons", "--choose", "--phase"
-
-
-class Order(NamedTuple):
-    """What is to be drawn: the spec, the results of its stages, the picture's file, the flags as they were given."""
-
-    spec: Spec
-    results: Mapping[str, Any]
-    file: Path
-    flags: Mapping[str, str | None]
-
-    def rows(self, flag: str, labels: Sequence[str]) -> list[int] | None:
-        """Indices of the positions that a flag names."""
-        from tmmcalc.cli.positions import rows_of
-
-        return rows_of(self.flags[flag], labels, flag)
-
-    def row(self, flag: str, labels: Sequence[str]) -> int | None:
-        """The index of the one position that a flag names."""
-        rows = self.rows(flag, labels)
-        if rows is not None and len(rows) > 1:
-            said = f"{self.flags[flag]!r} names {len(rows)} positions"
-            raise UsageError(said, where=flag, remedy="name one of them")
-        return rows[0] if rows else None
-
-    def angle(self, flag: str) -> float:
-        """The angle [rad] that a flag gives, 0 without it."""
-        from tmmcalc.spec.units import UnitError, parse
-
-        said = self.flags.get(flag)
-        try:
-            angle = 0.0 if said is None else parse(said, "angle")
-        except UnitError as fault:
-            raise UsageError(fault.message, where=flag, remedy=fault.remedy) from None
-        return within_turns(angle, flag)
-
-    @property
-    def choice(self) -> int | None:
-        """The number that --choose gives."""
-        said = self.flags.get(CHOOSE)
-        return None if said is None else int(said)
-
 
 class Drawing(NamedTuple):
-    """The picture of a stage: what draws it, and its own flags."""
+    """The picture of a stage: what it shows, what draws it, and its own flags."""
 
+    shows: str
     draw: Callable[[Order], None]
     flags: tuple[str, ...] = ()
+
+
+def _result(stage: str, drawer: str, *, named: bool = False) -> Callable[[Order], None]:
+    """What draws the result of a stage alone, with ``drawer``, a ``"module:function"`` of the pictures.
+
+    ``named``: the function draws several stages and is told which.
+    """
+
+    def draw(order: Order) -> None:
+        told = (stage,) if named else ()
+        resolve(f"tmmcalc.report.pictures{drawer}")(*told, order.results[stage], order.file)
+
+    return draw
 
 
 def _kinematics(order: Order) -> None:
@@ -83,12 +55,6 @@ def _forces(order: Order) -> None:
     draw_forces(mechanism, loading, order.results["kinematics"], result, order.file, polygons=marked)
 
 
-def _reduction(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_reduction
-
-    draw_reduction(order.results["reduction"], order.file)
-
-
 def _flywheel(order: Order) -> None:
     from tmmcalc.report.pictures import draw_flywheel
 
@@ -100,12 +66,6 @@ def _motion(order: Order) -> None:
 
     results = order.results
     draw_motion(results["motion"], results["power"], results["reduction"], order.file)
-
-
-def _transient(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_transient
-
-    draw_transient(order.results["transient"], order.file)
 
 
 def _unsteady(order: Order) -> None:
@@ -122,12 +82,6 @@ def _manipulator(order: Order) -> None:
     from tmmcalc.spec.manipulators import to_manipulator
 
     draw_manipulator(to_manipulator(order.spec), order.results["manipulator"], order.file)
-
-
-def _balance(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_balance
-
-    draw_balance(order.results["balance"], order.file)
 
 
 def _train(order: Order) -> None:
@@ -209,59 +163,75 @@ def _first_feasible(spec: Spec, synthesis: Any) -> int:
     return solve(inputs(spec), {"synthesis": synthesis}, {}).chosen
 
 
-def _feasibility(order: Order) -> None:
-    from tmmcalc.report.pictures.feasibility import draw_feasibility
-
-    draw_feasibility(order.results["feasibility"], order.file)
-
-
-def _vibration(stage: str) -> Callable[[Order], None]:
-    """What draws a stage of vibration."""
-
-    def draw(order: Order) -> None:
-        from tmmcalc.report.pictures.vibration import draw_vibration
-
-        draw_vibration(stage, order.results[stage], order.file)
-
-    return draw
-
-
-def _extra(stage: str) -> Callable[[Order], None]:
-    """What draws a small calculator."""
-
-    def draw(order: Order) -> None:
-        from tmmcalc.report.pictures.extras import draw_extra
-
-        draw_extra(stage, order.results[stage], order.file)
-
-    return draw
-
-
-CAM_STAGES = tuple(
-    f"cam_{stage}" for stage in ("law", "synthesis", "profile", "pressure", "forces", "strength", "optimum", "elastic")
-)
-
 DRAWINGS = {
-    "kinematics": Drawing(_kinematics, (POSITIONS, POLYGONS)),
-    "forces": Drawing(_forces, (POLYGONS,)),
-    "reduction": Drawing(_reduction),
-    "synthesis": Drawing(_synthesis, (CHOOSE,)),
-    "flywheel": Drawing(_flywheel),
-    "motion": Drawing(_motion),
-    "transient": Drawing(_transient),
-    "unsteady": Drawing(_unsteady),
-    "manipulator": Drawing(_manipulator),
-    "balance": Drawing(_balance),
-    "train": Drawing(_train, (CHOOSE,)),
-    "criteria": Drawing(_criteria, (CHOOSE,)),
-    "pair": Drawing(_pair, (CHOOSE, PHASE)),
-    "blocking": Drawing(_blocking, (CHOOSE,)),
-    "profile": Drawing(_profile, (CHOOSE,)),
-    **{stage: Drawing(_cam(stage)) for stage in CAM_STAGES},
-    **{stage: Drawing(_vibration(stage)) for stage in ("vibrator", "pendulum")},
-    "indexing": Drawing(_indexing, (PHASE,)),
-    **{stage: Drawing(_extra(stage)) for stage in ("contact", "reliability", "falling_ball")},
-    "feasibility": Drawing(_feasibility),
+    "kinematics": Drawing(
+        f"scheme in its positions, paths of points, diagrams of the outputs; with {POLYGONS} velocities, accelerations",
+        _kinematics,
+        (POSITIONS, POLYGONS),
+    ),
+    "forces": Drawing(
+        f"reactions, hodographs, drive; with {POLYGONS} load diagrams and force polygons", _forces, (POLYGONS,)
+    ),
+    "reduction": Drawing("reduced moments and inertia", _result("reduction", ":draw_reduction")),
+    "synthesis": Drawing(
+        "the linkage found in its extreme positions with dimensions, or at its points with the coupler curve",
+        _synthesis,
+        (CHOOSE,),
+    ),
+    "flywheel": Drawing("energy-mass curve with its tangents, work over the cycle, all methods", _flywheel),
+    "motion": Drawing("speed and moments over the cycle, the motor's characteristic", _motion),
+    "transient": Drawing("speeds and moments over the time", _result("transient", ":draw_transient")),
+    "unsteady": Drawing("input, outputs and links over the time", _unsteady),
+    "manipulator": Drawing("the path with points equally spaced in time, the arm, obstacles, the joints", _manipulator),
+    "balance": Drawing(
+        "hodographs of the shaking force, what the schemes leave of it, an engine's force and couple",
+        _result("balance", ":draw_balance"),
+    ),
+    "train": Drawing(
+        "a tooth set to scale from two sides, all sets by size and error, what constraints removed, curves of choice",
+        _train,
+        (CHOOSE,),
+    ),
+    "criteria": Drawing(
+        "inertia against mass with the Pareto front, pairs of criteria, the chosen train to scale",
+        _criteria,
+        (CHOOSE,),
+    ),
+    "pair": Drawing("teeth in mesh with the line of action, sliding and pressure along it", _pair, (CHOOSE, PHASE)),
+    "blocking": Drawing("the blocking contour with its numbered lines and points", _blocking, (CHOOSE,)),
+    "profile": Drawing("how the rack cuts the teeth, each tooth enlarged", _profile, (CHOOSE,)),
+    "cam_law": Drawing("displacement and its derivatives over the turn", _cam("cam_law")),
+    "cam_synthesis": Drawing("the admissible places of the cam's axis", _cam("cam_synthesis")),
+    "cam_profile": Drawing("the cam to scale, its curvature", _cam("cam_profile")),
+    "cam_pressure": Drawing("the pressure angle over the turn", _cam("cam_pressure")),
+    "cam_forces": Drawing("spring, reactions, torque", _cam("cam_forces")),
+    "cam_strength": Drawing("slip and contact stress", _cam("cam_strength")),
+    "cam_optimum": Drawing("the blocking contour", _cam("cam_optimum")),
+    "cam_elastic": Drawing("the follower's vibration over the turn, what the laws leave of it", _cam("cam_elastic")),
+    "vibrator": Drawing(
+        "modes, resonance curve, starts, paths of points", _result("vibrator", ".vibration:draw_vibration", named=True)
+    ),
+    "pendulum": Drawing(
+        "mode shapes, Campbell diagram, path of the end", _result("pendulum", ".vibration:draw_vibration", named=True)
+    ),
+    "indexing": Drawing(
+        f"scheme at {PHASE} of a step, pressure angles, tip of the lobe, efficiency, what lambda and the step decide",
+        _indexing,
+        (PHASE,),
+    ),
+    "contact": Drawing(
+        "the field of pressure, and along the axis of x beside Hertz",
+        _result("contact", ".extras:draw_extra", named=True),
+    ),
+    "reliability": Drawing(
+        "reliability and density of failures over the time", _result("reliability", ".extras:draw_extra", named=True)
+    ),
+    "falling_ball": Drawing(
+        "speed and way of the ball over the time", _result("falling_ball", ".extras:draw_extra", named=True)
+    ),
+    "feasibility": Drawing(
+        "the margin of every constraint, and the rule", _result("feasibility", ".feasibility:draw_feasibility")
+    ),
 }
 
 

@@ -2,15 +2,108 @@
 
 from __future__ import annotations
 
-from tmmcalc.cli.stage import summary_command
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
-command = summary_command(
-    "feasibility",
-    "tmmcalc.report.feasibility:feasibility_document",
+import typer
+
+from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.messages import note_written
+from tmmcalc.cli.options import Form, Format
+from tmmcalc.cli.work import Job, check_place, show, title
+from tmmcalc.errors import UsageError
+
+if TYPE_CHECKING:
+    from tmmcalc.feasibility.maps import RegionMap
+
+
+@with_flags
+def command(
+    job: Job,
+    form: Form = Format.table,
+    over: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--over",
+            metavar="KEY=FROM:TO:N",
+            help="Map the region over one or two values of the spec: 'loads[0].factor=0.5:2:16'.",
+            show_default=False,
+        ),
+    ] = None,
+    picture: Annotated[
+        Path | None,
+        typer.Option("--picture", metavar="FILE", help="Draw this map, by suffix svg, png or pdf.", show_default=False),
+    ] = None,
+) -> None:
     """Constraints on results: which hold, by how much, and whether the rule of [feasibility] does.
 
-    With --strict a constraint that fails ends with exit code 5.
+    With --over the scene is solved at every point of a grid of one or two of its values, and the region where the rule
+    holds is told and drawn with the border of every constraint; no stage files are written. With --strict a constraint
+    that fails, or a map without a feasible point, ends with exit code 5.
 
-    Example: tmmcalc feasibility my.toml --strict
-    """,
-)
+    Example: tmmcalc feasibility my.toml --over 'synthesis.crank_rocker.time_ratio=1.05:1.5:19' --picture region.svg
+    """
+    if over:
+        _map(job, form, over, picture)
+        return
+    if picture is not None:
+        raise UsageError(
+            "there is no map to draw", where="--picture", remedy="add --over, or: tmmcalc plot SPEC feasibility"
+        )
+    scene = job.spec()
+    run = job.run(scene, "feasibility")
+    from tmmcalc.report.feasibility import feasibility_document
+
+    job.finish(feasibility_document(run.results["feasibility"], title(scene, job.file, "feasibility")), run, form)
+
+
+def _map(job: Job, form: Format, over: list[str], picture: Path | None) -> None:
+    """Solve, draw and print the map."""
+    _check_flags(job)
+    if picture is not None:
+        from tmmcalc.report.pictures import check_matplotlib, form_of
+
+        check_place(picture, "--picture")
+        form_of(picture)
+        check_matplotlib()
+    result = _solved(job, over)
+    if picture is not None:
+        from tmmcalc.report.pictures.regions import draw_region
+
+        draw_region(result, picture)
+        if not job.quiet:
+            note_written(picture)
+    from tmmcalc.report.regions import region_document
+
+    printed = region_document(result, f"{job.file.stem}: region", everything=form is not Format.table)
+    show(printed, form)
+    job.check_warnings(printed)
+
+
+def _check_flags(job: Job) -> None:
+    """Flags of stage files have no place where none is written."""
+    given = {
+        "--out": job.out,
+        "--fresh": job.fresh,
+        "--from": job.from_stage,
+        "--csv": job.csv,
+        "--depfile": job.depfile,
+    }
+    strange = [flag for flag, value in given.items() if value]
+    if strange:
+        raise UsageError(
+            f"{' and '.join(strange)}: a map leaves no stage files", where="--over", remedy="leave one of them out"
+        )
+
+
+def _solved(job: Job, over: list[str]) -> RegionMap:
+    from tmmcalc.stages.regions import map_feasibility
+
+    if job.quiet or not sys.stderr.isatty():
+        return map_feasibility(job.file, over, job.overrides)
+    from tmmcalc.cli.progress import Progress
+
+    with Progress() as progress:
+        progress.start("feasibility")
+        return map_feasibility(job.file, over, job.overrides)

@@ -9,7 +9,7 @@ import typer
 from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
 from tmmcalc.cli.positions import rows_of
-from tmmcalc.cli.work import Job, title
+from tmmcalc.cli.work import Job, table_file, title
 from tmmcalc.errors import UsageError
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ def command(
             patterns=patterns_of(columns),
             rows=rows_of(positions, result.labels),
             everything=form is not Format.table,
-            where=next((str(file) for file in run.files if file.name == "forces.csv"), ""),
+            where=table_file(run, "forces"),
         )
     job.finish(document, run, form)
 

@@ -2,21 +2,54 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from importlib import import_module
 from typing import Any, ClassVar
 
 import typer
 from typer.core import TyperGroup
 
+Table = Mapping[str, tuple[str, str]]  # module and one line of help, by the command's name
+
+
+def late_group(
+    sections: Mapping[str, Table],
+    example: str,
+    text: str | None = None,
+    callback: Callable[..., None] = lambda: None,
+    **settings: Any,
+) -> typer.Typer:
+    """The application of the commands in ``sections``, which are loaded late, under their headings in the help.
+
+    ``text`` is its help, by default that of ``callback``, which has its own flags; ``settings`` are those of `Typer`.
+    """
+    listed = sections
+
+    class Group(LateGroup):
+        """The commands of these sections."""
+
+        sections = listed
+        table: ClassVar[Table] = {name: line for part in listed.values() for name, line in part.items()}
+
+    app = typer.Typer(
+        cls=Group,
+        rich_markup_mode=None,
+        no_args_is_help=True,
+        context_settings={"help_option_names": ["-h", "--help"]},
+        **settings,
+    )
+    app.callback(help=text or callback.__doc__, epilog=f"Example: {example}")(callback)
+    return app
+
 
 class LateGroup(TyperGroup):
-    """A group whose commands are loaded late from a static table of module and help by name.
+    """A group whose commands are loaded late.
 
-    The module has a function ``command``, or an application ``group`` that is a group in its turn.
+    The module of one has a function ``command``, or an application ``group`` that is a group in its turn.
     """
 
-    table: ClassVar[Mapping[str, tuple[str, str]]] = {}
+    sections: ClassVar[Mapping[str, Table]] = {}
+    table: ClassVar[Table] = {}
 
     def list_commands(self, ctx: Any) -> list[str]:
         """Names in the order of work."""
@@ -45,12 +78,14 @@ class LateGroup(TyperGroup):
         return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:
-        """List the commands from the table."""
-        with formatter.section("Commands"):
-            formatter.write_dl([(name, text) for name, (_, text) in self.table.items()])
+        """List the commands under their headings, all texts at one place."""
+        longest = max(map(len, self.table))
+        for heading, part in self.sections.items():
+            with formatter.section(heading):
+                formatter.write_dl([(f"{name:<{longest}}", text) for name, (_, text) in part.items()])
 
 
-def _what_was_meant(name: str, table: Mapping[str, tuple[str, str]], ctx: Any) -> str:
+def _what_was_meant(name: str, table: Table, ctx: Any) -> str:
     from difflib import get_close_matches
 
     if name.endswith(".toml"):

@@ -91,10 +91,29 @@ Tolerance = Annotated[
         show_default=False,
     ),
 ]
+
+
+def overrides(given: list[str] | None) -> list[str] | None:
+    """The overrides, with those of a row in place of ``@FILE:ROW``."""
+    if not given or not any(each.startswith("@") for each in given):
+        return given
+    from tmmcalc.batch.table import row_of
+
+    found: list[str] = []
+    for each in given:
+        file, _, name = each.removeprefix("@").rpartition(":")
+        found += row_of(Path(file), name) if each.startswith("@") else [each]
+    return found
+
+
 Set = Annotated[
     list[str] | None,
     typer.Option(
-        "--set", metavar="KEY=VALUE", help="Override a value of the spec; may be repeated.", show_default=False
+        "--set",
+        metavar="KEY=VALUE",
+        help="Override a value of the spec, or by @FILE:ROW all of a CSV's row; may be repeated.",
+        show_default=False,
+        callback=overrides,
     ),
 ]
 

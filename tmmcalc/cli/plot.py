@@ -7,16 +7,25 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.drawings import CHOOSE, DRAWINGS, PHASE, POLYGONS, POSITIONS, Order, drawing_of
+from tmmcalc.cli.drawings import DRAWINGS, drawing_of
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Quiet, Set, SpecFile
+from tmmcalc.cli.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
 from tmmcalc.cli.work import Job, check_place
+
+WIDTH = 78  # of the list of pictures, which the help indents by two
+
+
+def _drawn(incomplete: str) -> list[str]:
+    """Stages with a picture that begin so, for the completion of the shell."""
+    return [name for name in DRAWINGS if name.startswith(incomplete)]
 
 
 def command(
     spec: SpecFile,
     stage: Annotated[
-        str, typer.Argument(help=f"Stage to draw: {', '.join(DRAWINGS)}.", metavar="STAGE")
+        str,
+        typer.Argument(help="Stage to draw, one of those above.", metavar="STAGE", autocompletion=_drawn),
     ] = "kinematics",
     out: Annotated[
         Path | None,
@@ -58,31 +67,7 @@ def command(
     quiet: Quiet = False,
     overrides: Set = None,
 ) -> None:
-    """Draw the result of a stage.
-
-    synthesis: the linkage found in its extreme positions with dimensions, or at its points with the coupler curve.
-    kinematics: the scheme in its positions, paths of points, diagrams of the outputs; with --polygons velocities and
-    accelerations. forces: reactions, hodographs, drive; with --polygons load diagrams and force polygons.
-    reduction: reduced moments and inertia. flywheel: energy-mass curve with its tangents, work over the cycle, all
-    methods. motion: speed and moments over the cycle, the motor's characteristic. transient: speeds and moments over
-    the time. unsteady: input, outputs and links over the time. manipulator: the path with points equally spaced in
-    time, the arm, obstacles, the joints. balance: hodographs of the shaking force, what the schemes leave of it, an
-    engine's force and couple.
-    train: a tooth set to scale from the side and from the end, all sets by size and error, what the constraints
-    removed, curves of ratio, efficiency and module ratio. criteria: inertia against mass with the Pareto front, pairs
-    of criteria, the chosen train to scale. pair: teeth in mesh with the line of action, sliding and pressure along it.
-    blocking: the blocking contour with its numbered lines and points. profile: how the rack cuts the teeth, each tooth
-    enlarged. cam_law: displacement and its derivatives over the turn. cam_synthesis: the admissible places of the
-    cam's axis. cam_profile: the cam to scale, its curvature. cam_pressure: the pressure angle. cam_forces: spring,
-    reactions, torque. cam_strength: slip and contact stress. cam_optimum: the blocking contour. cam_elastic: the
-    follower's vibration over the turn, what the laws leave of it. indexing: the scheme at --phase from the
-    beginning of a step, pressure angles, tip of the lobe, efficiency, what lambda and the step decide.
-    feasibility: the margin of every constraint, and the rule.
-    vibrator: modes, resonance curve, starts, paths of points. pendulum: mode shapes, Campbell diagram, path of the end.
-    The stage is computed afresh; no stage files are read or written.
-
-    Example: tmmcalc plot my.toml kinematics -o my.svg --polygons 6
-    """
+    """Draw the result of a stage; it is computed afresh, no stage files are read or written."""
     flags = {POSITIONS: positions, POLYGONS: polygons, CHOOSE: None if choose is None else str(choose), PHASE: phase}
     drawing = drawing_of(stage, flags)
     file = out or Path(f"{spec.stem}.svg")
@@ -92,3 +77,22 @@ def command(
     drawing.draw(Order(scene, job.run(scene, stage).results, file, flags))
     if not quiet:
         note_written(file)
+
+
+def _list() -> str:
+    """What the picture of every stage shows, a paragraph that the help leaves as it is."""
+    from textwrap import wrap
+
+    longest = max(map(len, DRAWINGS)) + 2
+    lines = []
+    for name, drawing in DRAWINGS.items():
+        lines += wrap(f"{name:<{longest}}{drawing.shows}", WIDTH, subsequent_indent=" " * longest)
+    return "\n".join(["\b", *lines])
+
+
+command.__doc__ = f"""{command.__doc__}
+
+{_list()}
+
+Example: tmmcalc plot my.toml kinematics -o my.svg --polygons 6
+"""

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from time import monotonic
 from types import TracebackType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cli.messages import show_event
 from tmmcalc.progress import listening
@@ -78,3 +81,29 @@ class Progress:
             if self._bar is not None:
                 self._bar.stop()
                 self._bar = None
+
+
+@contextmanager
+def counted(what: str, total: int) -> Iterator[Callable[[int, int], None]]:
+    """A bar that is told how many are done and how many of them failed, shown after a moment."""
+    began = monotonic()
+    with ExitStack() as stack:
+        bar: list[tuple[Bar, Any]] = []
+
+        def told(done: int, failed: int) -> None:
+            if not bar and monotonic() - began > PATIENCE:
+                bar.append(_bar(stack, what, total))
+            for progress, task in bar:
+                progress.update(task, completed=done, description=f"{what}, {failed} failed" if failed else what)
+
+        yield told
+
+
+def _bar(stack: ExitStack, what: str, total: int) -> tuple[Bar, Any]:
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
+    from rich.progress import Progress as Bar
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    bar = stack.enter_context(Bar(*columns, console=Console(stderr=True), transient=True))
+    return bar, bar.add_task(what, total=total)

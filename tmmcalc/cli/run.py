@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -11,10 +12,17 @@ from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Form, Format, stages
 from tmmcalc.cli.work import Job, title
 
+if TYPE_CHECKING:
+    from tmmcalc.pipeline.outcome import RunResult
+    from tmmcalc.report.document import Document
+
 
 @with_flags
 def command(
     job: Job,
+    others: Annotated[
+        list[Path] | None, typer.Argument(help="Further specs.", metavar="[SPEC]...", show_default=False)
+    ] = None,
     target: Annotated[
         str | None,
         typer.Option("--to", metavar="STAGE", help="Stop after this stage.", show_default=False, autocompletion=stages),
@@ -26,11 +34,25 @@ def command(
     Stages whose inputs are unchanged are loaded, not computed. A stage without a solution ends only those that read
     it; its error comes last.
 
+    Of several specs each has its folder <spec>.out, in that of -o if it is given. One that fails does not stop the
+    others; the exit code is the largest.
+
     Example: tmmcalc run my.toml -o my.out
     """
     job = replace(job, keep_going=True)
-    scene = job.spec()
-    result = job.run(scene, target)
+    if others:
+        from tmmcalc.cli.several import run_all
+
+        run_all(job, [job.file, *others], target, form)
+    else:
+        document, result = outcome(job, target)
+        job.finish(document, result, form)
+
+
+def outcome(job: Job, target: str | None) -> tuple[Document, RunResult]:
+    """Run one spec; its document."""
     from tmmcalc.report.summary import run_document
 
-    job.finish(run_document(result, title(scene, job.file, "run")), result, form)
+    scene = job.spec()
+    result = job.run(scene, target)
+    return run_document(result, title(scene, job.file, "run")), result

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
 from tmmcalc.cli.positions import rows_of
-from tmmcalc.cli.work import Job, title
+from tmmcalc.cli.work import Job, table_file, title
 
 
 def stage_command(stage: str, document: str, text: str, heading: str = "") -> Callable[..., None]:
@@ -36,7 +36,7 @@ def stage_command(stage: str, document: str, text: str, heading: str = "") -> Ca
             patterns=patterns,
             rows=rows_of(positions, result.labels),
             everything=form is not Format.table,
-            where=next((str(file) for file in run.files if file.name == f"{stage}.csv"), ""),
+            where=table_file(run, stage),
         )
         job.finish(printed, run, form)
 

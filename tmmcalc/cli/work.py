@@ -107,6 +107,10 @@ class Job:
     def finish(self, document: Document, result: RunResult, form: Format) -> None:
         """Print the document, say where the files are; under ``strict`` warnings are the end."""
         show(document, form)
+        self.close(document, result)
+
+    def close(self, document: Document, result: RunResult) -> None:
+        """What comes after the document: where the files are, and the errors."""
         if result.files and not self.quiet:
             say(f"files in {self.folder}: {', '.join(file.name for file in result.files)}", "dim")
         _raise(result)

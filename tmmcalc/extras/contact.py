@@ -7,26 +7,21 @@ a grid of equilateral triangles carry pyramids of pressure; which of them touch 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterator
 from math import pi
 
 import numpy as np
-from numpy.typing import NDArray
 
-from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.extras.activeset import Mask, active_set
+from tmmcalc.extras.hertz import Hertz, hertz
 from tmmcalc.extras.pyramid import HEIGHT, hexagon, settlement
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
 
-Mask = NDArray[np.bool_]
-
 BORDER = "warning: the contact reaches the border of the grid; a larger size shows all of it"
+SMALL = 0.3  # half-axis over radius up to which a body is a half-space to the contact
 REACH = 1.5  # corner of the grid over the larger half-axis of Hertz's contact
-PASSES = 100  # of the active set
-SLACK = 1e-12  # of the approach: a smaller overlap outside is rounding
-ACCURACY = 1e-12  # of the conjugate gradients, relative
-STEPS = 2000  # of them
-FINER = "write more cells, or a smoother gap"
 FEWEST = 7  # nodes in contact that tell a pressure
 
 
@@ -50,16 +45,6 @@ class ContactTask:
     table: GapTable | None = None
     cells: int = 24  # N, steps of the grid from the middle to a corner
     size: float | None = None  # [m] from the middle to the corners on the axis of x; None: by Hertz or by the table
-
-
-@record
-class Hertz:
-    """The contact of two paraboloids in closed form."""
-
-    along_x: float  # half-axes of the ellipse [m]
-    along_y: float
-    peak: float  # p0 [Pa]
-    approach: float  # delta [m]
 
 
 @record
@@ -101,41 +86,6 @@ class _Grid:
     passes: int
 
 
-def composite_modulus(young: tuple[float, float], poisson: tuple[float, float]) -> float:
-    """E* [Pa] of two bodies: 1/E* = sum of (1 - nu^2)/E.
-
-    >>> round(composite_modulus((206e9, 206e9), (0.3, 0.3)) / 1e9, 3)
-    113.187
-    """
-    return 1 / sum((1 - nu**2) / e for e, nu in zip(young, poisson, strict=True))
-
-
-def hertz(load: float, modulus: float, radii: tuple[float, float]) -> Hertz:
-    """The elliptical contact of the gap x^2/(2 Rx) + y^2/(2 Ry); K. L. Johnson, Contact Mechanics, (4.26)-(4.28).
-
-    With k = b/a the ratio of curvatures is R_D(0, 1, k^2)/R_D(0, k^2, 1); Carlson's forms lose no digit at k = 1.
-
-    >>> found = hertz(1.0, 1.0, (1.0, 1.0))
-    >>> round(found.along_x, 5), round(found.peak * found.along_x**2, 6), round(found.approach / found.along_x**2, 12)
-    (0.90856, 0.477465, 1.0)
-    """
-    from scipy.optimize import brentq
-    from scipy.special import elliprd, elliprf
-
-    large, small = max(radii), min(radii)
-
-    def excess(log_ratio: float) -> float:
-        k2 = np.exp(2 * log_ratio)
-        return float(np.log(elliprd(0.0, 1.0, k2) / elliprd(0.0, k2, 1.0) * small / large))
-
-    ratio = float(np.exp(brentq(excess, -2 * np.log(large / small) - 1, 0.0, xtol=1e-15))) if large > small else 1.0
-    major = float(load * large * elliprd(0.0, ratio**2, 1.0) / (pi * modulus)) ** (1 / 3)
-    minor = ratio * major
-    peak = 1.5 * load / (pi * major * minor)
-    axes = (major, minor) if radii[0] >= radii[1] else (minor, major)
-    return Hertz(*axes, peak, float(peak * minor * elliprf(0.0, ratio**2, 1.0) / modulus))
-
-
 def solve_contact(task: ContactTask) -> Contact:
     """Pressures, approach and contact area, with the change against a coarser grid.
 
@@ -173,8 +123,20 @@ def solve_contact(task: ContactTask) -> Contact:
         peak_change=abs(float(np.max(coarse.pressure)) / peak - 1),
         approach_change=abs(coarse.approach - found.approach) / float(np.max(np.abs(found.approach - found.gap))),
         hertz=smooth,
-        notes=(BORDER,) if np.any(found.touching & found.rim) else (),
+        notes=tuple(_notes(task, smooth, bool(np.any(found.touching & found.rim)))),
     )
+
+
+def _notes(task: ContactTask, smooth: Hertz | None, at_border: bool) -> Iterator[str]:
+    if at_border:
+        yield BORDER
+    if task.radii is not None and smooth is not None:
+        part = max(smooth.along_x / task.radii[0], smooth.along_y / task.radii[1])
+        if part > SMALL:
+            yield (
+                f"warning: a half-axis is {part:.3g} of its radius, above {SMALL:g}: bodies are no longer flat against "
+                "the contact, and pressure and approach are rough"
+            )
 
 
 def _size(task: ContactTask, smooth: Hertz | None) -> float:
@@ -223,48 +185,3 @@ def _gap(task: ContactTask, x: Values, y: Values) -> Values:
     degrees = (min(3, len(given.x) - 1), min(3, len(given.y) - 1))
     spline = RectBivariateSpline(given.x, given.y, np.array(given.h).T, kx=degrees[0], ky=degrees[1])
     return np.asarray(spline.ev(x, y))
-
-
-def active_set(
-    settle: Callable[[Values], Values], gap: Values, load: float, touching: Mask
-) -> tuple[Values, float, Values, Mask, int]:
-    """Pressures q >= 0 (n,) with W q + h = delta where q > 0 and the sum ``load``; delta, opening, who touches, passes.
-
-    From a first guess of who touches, nodes that pull are dropped until none does, then those that overlap are
-    admitted. Raises `AccuracyError` if that does not settle.
-    """
-    unit: Values = np.zeros(len(gap))
-    own: Values = np.zeros(len(gap))
-    for passes in range(1, PASSES + 1):
-        unit = _solve(settle, np.ones(len(gap)), unit, touching)
-        own = _solve(settle, gap, own, touching)
-        delta = float((load + own.sum()) / unit.sum())
-        q = delta * unit - own
-        if np.any(q < 0):
-            touching = q > 0
-            continue
-        opening = np.where(touching, 0.0, settle(q) + gap - delta)
-        overlap = opening < -SLACK * (abs(delta) + float(np.ptp(gap)))
-        if not overlap.any():
-            return q, delta, opening, touching, passes
-        touching = touching | overlap
-    raise AccuracyError(f"the nodes in contact did not settle in {PASSES} passes", where="contact", remedy=FINER)
-
-
-def _solve(settle: Callable[[Values], Values], wanted: Values, first: Values, touching: Mask) -> Values:
-    """q, zero where nothing touches, with W q = wanted (n,) elsewhere: conjugate gradients from ``first``."""
-    q = np.where(touching, first, 0.0)
-    enough = ACCURACY**2 * float(wanted[touching] @ wanted[touching])
-    if not enough:
-        return np.zeros(len(q))
-    residual = np.where(touching, wanted - settle(q), 0.0)
-    direction, left = residual, float(residual @ residual)
-    for _ in range(STEPS):
-        if left <= enough:
-            return q
-        turned = np.where(touching, settle(direction), 0.0)
-        part = left / float(direction @ turned)
-        q, residual = q + part * direction, residual - part * turned
-        before, left = left, float(residual @ residual)
-        direction = residual + left / before * direction
-    raise AccuracyError(f"pressures were not found in {STEPS} steps", where="contact", remedy=FINER)

@@ -1,18 +1,18 @@
 """Fall of a ball whose radius decreases as r = r0 e^(-lambda t), with the reaction of the mass that separates.
 
 dv/dt = g - (alpha/r) v|v| + 3 s lambda V, positive downwards; s = 1 accelerates, -1 brakes. V is constant, the relative
-speed of the separated mass, or it is v: that mass then has no speed of its own. With xi = e^(lambda t) and a driving
-acceleration a the speed is a quotient of Bessel functions of eta = 2 sqrt(alpha |a| xi/r0)/lambda.
+speed of the separated mass, or it is v: that mass then has no speed of its own. The speed is in closed form, the way
+its integral.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import exp, expm1, log, log1p, pi, sqrt
+from math import exp
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.extras.ballspeed import Fall, drag_way, falling_speed, stop_time
 from tmmcalc.numerics.panels import Panels, Values, panels, resolved
 from tmmcalc.records import record
 
@@ -21,8 +21,6 @@ LONG = 80.0  # lambda t after which nothing moves
 HALVED = 40  # times that the first panel of the time is halved
 SHOWN = 5.0  # lambda t of the table of a ball that does not stop
 RESOLVED = 1e-13
-LARGE = 1e7  # argument of Bessel functions
-NEAR, FAR = 0.05, 3.4  # steps of tau, and reach, within which a cylinder function of order 0 changes its sign
 
 
 @record
@@ -71,23 +69,6 @@ class Ball:
     notes: tuple[str, ...] = ()
 
 
-@record
-class _Fall:
-    """A fall that never turns back, from t = 0: v0 >= 0, a driving acceleration, the radius it begins with."""
-
-    radius: float
-    drag: float
-    decay: float
-    drive: float
-    orders: tuple[int, int]  # of the Bessel functions above and below
-    initial: float
-
-    def argument(self, t: Values) -> Values:
-        """eta (n,), or tau of a braked ball."""
-        begun = 2 * sqrt(self.drag * abs(self.drive) / self.radius) / self.decay
-        return np.asarray(begun * np.exp(self.decay * t / 2))
-
-
 def solve_falling_ball(task: BallTask) -> Ball:
     """Speed over the time in closed form; its maximum, the stop, the way by quadrature of the speed."""
     own = task.relative is None
@@ -96,7 +77,7 @@ def solve_falling_ball(task: BallTask) -> Ball:
     if abs(drive) <= BALANCED * max(task.gravity, abs(push)):
         drive = 0.0
     orders = (0, 1) if not own else (3, 4) if task.sign > 0 else (3, 2)
-    fall = _Fall(task.radius, task.drag, task.decay, drive, orders, task.initial)
+    fall = Fall(task.radius, task.drag, task.decay, drive, orders, task.initial)
     stop = stop_time(fall) if drive < 0 else None
     speed = _course(fall, stop)
     end = task.duration if task.duration is not None else stop if stop else SHOWN / task.decay
@@ -131,81 +112,12 @@ def solve_falling_ball(task: BallTask) -> Ball:
     )
 
 
-def falling_speed(fall: _Fall, t: Values) -> Values:
-    """v (n,) [m/s] at t (n,) [s]; of a braked ball up to its stop."""
-    if fall.drive == 0:
-        k = fall.drag * fall.initial / (fall.decay * fall.radius)
-        return np.asarray(fall.initial / (1 + k * np.expm1(fall.decay * t)))
-    above, below = _quotient(fall, t)
-    return np.asarray(2 * abs(fall.drive) / fall.decay / fall.argument(t) * above / below)
-
-
-def _quotient(fall: _Fall, t: Values) -> tuple[Values, Values]:
-    """Numerator and denominator of the speed; scaled, so that neither overflows."""
-    from scipy.special import jv, yv
-
-    first, second = (_rising, _fading) if fall.drive > 0 else (jv, yv)
-    n, m = fall.orders
-    begun, eta = fall.argument(np.zeros(1)), fall.argument(t)
-    g, u = 2 * abs(fall.drive), fall.decay * fall.initial * begun
-    if fall.drive < 0:
-        c, d = u * second(m, begun) - g * second(n, begun), g * first(n, begun) - u * first(m, begun)
-        return c * first(n, eta) + d * second(n, eta), c * first(m, eta) + d * second(m, eta)
-    c, d = g * second(n, begun) + u * second(m, begun), g * first(n, begun) - u * first(m, begun)
-    faded = d * np.exp(-2 * (eta - begun))
-    return c * first(n, eta) - faded * second(n, eta), c * first(m, eta) + faded * second(m, eta)
-
-
-def _rising(order: int, x: Values) -> Values:
-    """I_n(x) e^-x, by its asymptotic series where the library has no more digits."""
-    from scipy.special import ive
-
-    return np.where(
-        x < LARGE, ive(order, np.minimum(x, LARGE)), (1 - (4 * order**2 - 1) / (8 * x)) / np.sqrt(2 * pi * x)
-    )
-
-
-def _fading(order: int, x: Values) -> Values:
-    """K_n(x) e^x, likewise."""
-    from scipy.special import kve
-
-    return np.where(
-        x < LARGE, kve(order, np.minimum(x, LARGE)), (1 + (4 * order**2 - 1) / (8 * x)) * np.sqrt(pi / (2 * x))
-    )
-
-
-def stop_time(fall: _Fall) -> float:
-    """The time [s] at which a braked ball stops: the first root of c J0 + Y0 behind tau0 (16)."""
-    from scipy.optimize import brentq
-
-    if fall.initial == 0:
-        return 0.0
-    begun = float(fall.argument(np.zeros(1))[0])
-    if begun > LARGE:
-        raise AccuracyError(
-            f"tau0 = {begun:.4g}: Bessel functions have no digits left there",
-            where="falling_ball",
-            value=begun,
-            limit=LARGE,
-            remedy="write a larger decay, or a smaller drag",
-        )
-
-    def above(tau: Values) -> Values:
-        return _quotient(fall, 2 / fall.decay * np.log(tau / begun))[0]
-
-    tau = begun + np.arange(0.0, FAR, NEAR)
-    values = above(tau)
-    k = int(np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))[0])
-    root = brentq(lambda x: float(above(np.array([x]))[0]), tau[k], tau[k + 1], xtol=1e-15 * begun, rtol=1e-15)
-    return 2 / fall.decay * log(root / begun)
-
-
-def _course(fall: _Fall, stop: float | None) -> Callable[[Values], Values]:
+def _course(fall: Fall, stop: float | None) -> Callable[[Values], Values]:
     """The speed at any time: behind the stop a ball that rises and is driven upwards."""
     if stop is None:
         return lambda t: falling_speed(fall, t)
     radius = fall.radius * exp(-fall.decay * stop)
-    back = _Fall(radius, fall.drag, fall.decay, -fall.drive, fall.orders, 0.0)
+    back = Fall(radius, fall.drag, fall.decay, -fall.drive, fall.orders, 0.0)
 
     def speed(t: Values) -> Values:
         down = falling_speed(fall, np.minimum(t, stop))
@@ -220,7 +132,7 @@ def _resolved(speed: Callable[[Values], Values], end: float, stop: float | None)
     return resolved(lambda t: speed(t)[None], panels(0.0, end, sorted(edges), end / 8), RESOLVED)
 
 
-def _fastest(fall: _Fall, speed: Callable[[Values], Values], own: float) -> float | None:
+def _fastest(fall: Fall, speed: Callable[[Values], Values], own: float) -> float | None:
     """Where dv/dt = 0; there d2v/dt2 < 0 always, so there is one such place at most."""
     from scipy.optimize import brentq
 
@@ -236,22 +148,9 @@ def _fastest(fall: _Fall, speed: Callable[[Values], Values], own: float) -> floa
     return float(brentq(slope, 0.0, high, xtol=1e-14 * high))
 
 
-def _total(fall: _Fall, speed: Callable[[Values], Values]) -> float:
+def _total(fall: Fall, speed: Callable[[Values], Values]) -> float:
     """The way after a long time; without a drive in closed form."""
     if not fall.drive:
         return drag_way(fall, float("inf"))
     on, values, _ = _resolved(speed, LONG / fall.decay, None)
     return float(on.total(values)[0])
-
-
-def drag_way(fall: _Fall, t: float) -> float:
-    """The way [m] of a ball on which nothing but drag acts, S = r0/(alpha b) ln((1 - b e^(-lambda t))/(1 - b)).
-
-    >>> fall = _Fall(1e-3, 1e-4, 2 / 3, 0.0, (0, 1), 6.0)
-    >>> round(drag_way(fall, 1.5), 5), round(drag_way(fall, float("inf")), 6)
-    (5.87685, 9.482446)
-    """
-    k = fall.drag * fall.initial / (fall.decay * fall.radius)
-    part, past = k - 1, -expm1(-fall.decay * t)
-    size = fall.radius * k / fall.drag
-    return size * (log1p(part * past) / part if part else past)

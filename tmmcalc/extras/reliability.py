@@ -169,7 +169,8 @@ def _gamma_exponent(c: float) -> float:
     """
     if c < STIRLING:
         return c + lgamma(c) - c * log(c)
-    return 0.5 * log(2 * pi / c) + 1 / (12 * c) - 1 / (360 * c**3) + 1 / (1260 * c**5)
+    part = 1 / c
+    return 0.5 * log(2 * pi * part) + part / 12 - part**3 / 360 + part**5 / 1260
 
 
 def life_at(law: _Law, part: float) -> float:
@@ -180,10 +181,10 @@ def life_at(law: _Law, part: float) -> float:
 
 def _around(law: _Law, wanted: float) -> tuple[float, float]:
     start, _ = span(law)
-    high = start + wanted / law.rate
-    while hazard(law, np.array([high]))[0] < wanted:
-        high = start + 2 * (high - start)
-    return start, high
+    step = max(wanted / law.rate, 4 * float(np.spacing(start)))  # a shorter one would not move
+    while hazard(law, np.array([start + step]))[0] < wanted:
+        step *= 2
+    return start, start + step
 
 
 def _estimated(task: ReliabilityTask) -> tuple[float, float]:

@@ -129,7 +129,7 @@ def _notes(force: float, preload: float, balanced: float) -> list[str]:
         found.append(f"warning: R = {force:.6g} N is above 2 P0 = {2 * preload:.6g} N: the opposite ties are slack")
     if balanced > force * (1 + 1e-9):
         found.append(
-            f"note: (3) gives R = {force:.6g} N with the preload in the vertical load of two ties; the equilibrium of "
-            f"all four gives {balanced:.6g} N"
+            f"note: the source's (3), R = {force:.6g} N, adds R to the vertical load of the preload, which is a part "
+            f"of R; in equilibrium the tie carries {balanced:.6g} N: choose it by this"
         )
     return found

@@ -12,7 +12,7 @@ from typing import Literal
 
 import numpy as np
 
-from tmmcalc.feasibility.logic import Form, conjunction
+from tmmcalc.feasibility.logic import LARGEST, Form, conjunction
 from tmmcalc.feasibility.rule import failing, function, holds
 from tmmcalc.records import record
 
@@ -111,7 +111,7 @@ class Feasibility:
 def margin(value: float, at_least: float | None, at_most: float | None) -> float:
     """What is left to the nearer limit, as a part of it.
 
-    >>> margin(0.3, 0.2, 0.4)
+    >>> margin(3.0, 2.0, 4.0)
     0.25
     """
     return min(_margins(value, at_least, at_most))
@@ -124,7 +124,7 @@ def _margins(value: float, at_least: float | None, at_most: float | None) -> lis
         parts.append((value - at_least) / (abs(at_least) or 1.0))
     if at_most is not None:
         parts.append((at_most - value) / (abs(at_most) or 1.0))
-    return parts
+    return [min(max(part, -LARGEST), LARGEST) for part in parts]
 
 
 def judge(task: FeasibilityTask, found: Mapping[str, tuple[float, str, float | None, float | None]]) -> Feasibility:

@@ -20,6 +20,7 @@ from tmmcalc.errors import UsageError
 
 Form = Literal["minmax", "R0", "Rm"]
 FORMS = ("minmax", "R0", "Rm")
+LARGEST, LEAST = 1e150, 1e-300  # magnitudes of R-functions; what is beyond counts as these
 Values = NDArray[np.floating[Any]]
 
 
@@ -64,10 +65,16 @@ def _pair(f: ArrayLike, g: ArrayLike, form: Form) -> tuple[Values, Values]:
     return np.asarray(f, dtype=float), np.asarray(g, dtype=float)
 
 
-def _joined(a: Values, b: Values, form: Form, m: int) -> Values:
-    """a + b + sqrt(a^2 + b^2), times the factor of Rm; no two large parts of it cancel."""
+def _joined(f: Values, g: Values, form: Form, m: int) -> Values:
+    """f + g + sqrt(f^2 + g^2), times the factor of Rm; no two large parts cancel, and the sign outlives over- and
+    underflow, so that functions may be joined again and again.
+    """
+    a, b = np.clip(f, -LARGEST, LARGEST), np.clip(g, -LARGEST, LARGEST)
     root, low, high = np.hypot(a, b), np.minimum(a, b), np.maximum(a, b)
-    of_two_signs = high + high**2 / np.where(low < 0, root - low, 1.0)
-    both_below = 2 * low * high / np.where(high < 0, low + high - root, -1.0)
+    of_two_signs = high + high * (high / np.where(low < 0, root - low, 1.0))
+    both_below = high * (2 * low / np.where(high < 0, low + high - root, -1.0))
     total = np.where(high < 0, both_below, np.where(low < 0, of_two_signs, a + b + root))
-    return np.asarray(total * root**m if form == "Rm" else total)
+    if form == "Rm":
+        with np.errstate(over="ignore", under="ignore"):
+            total = np.sign(total) * np.clip(np.abs(total) * np.minimum(root**m, LARGEST), LEAST, LARGEST)
+    return np.asarray(total)

@@ -12,9 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.errors import UsageError
+from tmmcalc.expression.tree import NoTreeError, shown, syntax_tree
 from tmmcalc.feasibility.logic import Form, Values, conjunction, disjunction, negation
 
-LONGEST = 2000  # characters of a rule
+DEEPEST = 150  # brackets or words within each other
+EXAMPLE = 'combine names of constraints by and, or, not and brackets: "stroke and (light or not fast)"'
 
 
 def names_of(rule: str, where: str = "feasibility.rule") -> list[str]:
@@ -24,7 +26,7 @@ def names_of(rule: str, where: str = "feasibility.rule") -> list[str]:
     ['stroke', 'light', 'fast']
     """
     nodes = (node for node in ast.walk(_tree(rule, where)) if isinstance(node, ast.Name))
-    return list(dict.fromkeys(node.id for node in sorted(nodes, key=lambda node: node.col_offset)))
+    return list(dict.fromkeys(node.id for node in sorted(nodes, key=lambda node: (node.lineno, node.col_offset))))
 
 
 def check_names(rule: str, known: list[str], where: str = "feasibility.rule") -> None:
@@ -71,28 +73,24 @@ def function(rule: str, margins: Mapping[str, Values], form: Form, m: int) -> Va
 
 def _tree(rule: str, where: str) -> ast.expr:
     """The syntax tree, of names, and, or, not alone."""
-    if len(rule) > LONGEST:
-        raise UsageError(f"the rule has more than {LONGEST} characters", where=where, remedy="shorten it")
     try:
-        tree = ast.parse(rule.strip(), mode="eval").body
-        _check(tree)
-    except (SyntaxError, ValueError, RecursionError) as error:
-        raise UsageError(
-            f"{rule!r} is no rule: {error.args[0] if error.args else 'too deep'}",
-            where=where,
-            remedy='combine names of constraints by and, or, not and brackets: "stroke and (light or not fast)"',
-        ) from None
+        tree = syntax_tree(rule, "a rule")
+        _check(tree, 0)
+    except NoTreeError as error:
+        raise UsageError(f"{shown(rule)}: {error}", where=where, remedy=EXAMPLE) from None
     return tree
 
 
-def _check(node: ast.AST) -> None:
+def _check(node: ast.expr, depth: int) -> None:
+    if depth == DEEPEST:
+        raise NoTreeError(f"nested deeper than {DEEPEST} times")
     if isinstance(node, ast.BoolOp):
         for value in node.values:
-            _check(value)
+            _check(value, depth + 1)
     elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
-        _check(node.operand)
+        _check(node.operand, depth + 1)
     elif not isinstance(node, ast.Name):
-        raise ValueError(f"{type(node).__name__.lower()} is not allowed")
+        raise NoTreeError(f"{shown(ast.unparse(node))} is no name of a constraint")
 
 
 def _truth(node: Any, truths: Mapping[str, bool]) -> bool:

@@ -29,7 +29,7 @@ TOUCH = 1e-12  # a margin (a squared sine) this small is a change point, not a g
 
 
 def find_domain(chain: Chain, low: float, high: float) -> Domain:
-    """Assembly intervals of the input coordinate; a crank's are sought on the turn from ``low``.
+    """Assembly intervals of the input coordinate; a crank's are sought on the turn (or period) from ``low``.
 
     A driven slider's are sought beyond [low, high] as well, as far as the links can reach; that range itself is
     sampled as densely as a turn. Raises `AssemblyError` if there is none at all.
@@ -38,9 +38,11 @@ def find_domain(chain: Chain, low: float, high: float) -> Domain:
     beyond = 0.0 if turn else 2 * reach_of(chain.mechanism) + high - low
     core = np.empty(0) if turn else np.linspace(low, high, SAMPLES + 1)
     intervals = [Interval(low - beyond, low + turn if turn else high + beyond)]
+    branches = chain.branches
     for k, step in enumerate(chain.steps):
         if not step.group.kind:
-            intervals = _on_branch(step.branch, intervals)  # type: ignore[union-attr]  # a higher group has a branch
+            branch = branches[step.group.name]
+            intervals, turn = _on_branch(branch, intervals), max(turn, branch.period or turn) if turn else None
             continue
         found = [part for interval in intervals for part in _cut(chain, k, interval, turn, core)]
         if not found:
@@ -93,9 +95,9 @@ def _cut(chain: Chain, k: int, interval: Interval, turn: float | None, core: Rea
 
 
 def _on_branch(branch: Branch, intervals: list[Interval]) -> list[Interval]:
-    """What a branch leaves of the intervals in one of which it was followed."""
+    """What a branch leaves of the intervals in one of which it was followed: all its turns, where it comes back."""
     if branch.period is not None:
-        return intervals
+        return [Interval(interval.low, interval.low + branch.period) for interval in intervals]
     return [Interval(branch.low, branch.high, branch.limits)]
 
 
@@ -159,7 +161,7 @@ def check_range(chain: Chain, domain: Domain, low: float, high: float) -> None:
     _check_return(chain, high - low)
     if domain.full:
         return
-    turn = TURN if chain.turns else None
+    turn = chain.period
     if any(interval.holds(low, high, turn) for interval in domain.intervals):
         return
     limits = [limit for interval in domain.intervals for limit in interval.limits]
@@ -173,18 +175,20 @@ def check_range(chain: Chain, domain: Domain, low: float, high: float) -> None:
 
 
 def _check_return(chain: Chain, span: float) -> None:
-    """Raise `AssemblyError` if a whole turn is asked for and a branch comes back after several only."""
-    for step in chain.steps:
-        period = None if step.group.kind else step.branch.period  # type: ignore[union-attr]
-        if period is not None and period > TURN * 1.5 and abs(span - TURN) < 1e-9:
-            turns = round(period / TURN)
-            raise AssemblyError(
-                f"after one turn of the crank the group stands otherwise: it comes back after {turns} turns",
-                where=f"kinematics, group {step.group.name}",
-                value=turns,
-                limit=1,
-                remedy="set grid.span below one turn, or choose another assembly",
-            )
+    """Raise `AssemblyError` if a whole turn is asked for, after which a branch stands otherwise."""
+    if not chain.turns or abs(span - TURN) > 1e-9:
+        return
+    for name, branch in chain.branches.items():
+        turns = round((branch.period or 0.0) / TURN)
+        if turns == 1 or (not turns and branch.high - branch.low < TURN):
+            continue
+        what = f"it comes back after {turns} turns" if turns else "it comes to a limit position before it comes back"
+        whole = f", or to {360 * turns} deg" if turns else ""
+        raise AssemblyError(
+            f"after one turn of the crank the group stands otherwise: {what}",
+            where=f"kinematics, group {name}",
+            remedy=f"set grid.span below one turn{whole}, or choose another assembly",
+        )
 
 
 def _asked(chain: Chain, low: float, high: float) -> str:

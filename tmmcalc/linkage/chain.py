@@ -50,6 +50,21 @@ class Chain(NamedTuple):
         """Whether the input link is a crank (revolute) and not a driven slider."""
         return self.input_joint.kind == "revolute"
 
+    @property
+    def branches(self) -> dict[str, Branch]:
+        """The branches of the higher groups, by name."""
+        return {step.group.name: step.branch for step in self.steps if not isinstance(step, Step)}
+
+    @property
+    def period(self) -> float | None:
+        """After which the motion comes back [rad]: a turn of the crank, or several if a branch does; None: a slider."""
+        periods = [branch.period for branch in self.branches.values() if branch.period is not None]
+        return max((2 * np.pi, *periods)) if self.turns else None
+
+    def joined(self, step: Step | LoopStep) -> Chain:
+        """The chain with one more step."""
+        return self._replace(steps=(*self.steps, step))
+
     def evaluate(
         self, x: Real, *, order: int = 2, method: solvers.Method = solvers.closed, steps: int | None = None
     ) -> Configuration:

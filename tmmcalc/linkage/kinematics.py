@@ -16,9 +16,9 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.errors import AssemblyError, NoSolutionError, SingularityError
+from tmmcalc.errors import NoSolutionError, SingularityError
 from tmmcalc.linkage import solvers
-from tmmcalc.linkage.assembly import TURN, check_range, coordinate
+from tmmcalc.linkage.assembly import check_range, coordinate
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.differentiation import (
     STEPS_DEG,
@@ -29,16 +29,16 @@ from tmmcalc.linkage.differentiation import (
 )
 from tmmcalc.linkage.grid import analysed_range, positions
 from tmmcalc.linkage.model import Mechanism, Output
-from tmmcalc.linkage.outputs import default_outputs, summarise, working_start
-from tmmcalc.linkage.placing import assembled, chosen_at, domain_of
+from tmmcalc.linkage.outputs import default_outputs, summarise
+from tmmcalc.linkage.placing import placed
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.quality import assess, check_regular, grade
-from tmmcalc.linkage.results import Domain, Grade, Kinematics, Method, Trace
+from tmmcalc.linkage.results import Grade, Kinematics, Method, Trace
 from tmmcalc.linkage.rounding import estimate
 from tmmcalc.linkage.structure import Structure, solve_structure
 from tmmcalc.linkage.survey import survey
 from tmmcalc.linkage.trace import continuous, trace
-from tmmcalc.linkage.variants import candidates, distance, given_variants, nearest, sketch_grades, sketched_groups
+from tmmcalc.linkage.variants import sketch_grades
 
 BOOK_STEP = math.radians(1.5)  # recommended for positions with six decimals
 
@@ -55,11 +55,11 @@ def solve_kinematics(
     method = method or Method()
     chain, domain, start = placed(mechanism, structure)
     signs = {step.group.name: step.variant for step in chain.steps}
-    branches = {step.group.name: step.branch for step in chain.steps if not step.group.kind}  # type: ignore[union-attr]
+    branches = chain.branches
     sketched_at = start if mechanism.assembly.at is None else mechanism.assembly.at
     low, high = analysed_range(mechanism, start)
     check_range(chain, domain, low, high)
-    dense = survey(chain, low, high)
+    dense = survey(chain, low, high, start)
     qualities = assess(chain, dense, start)
     check_regular(chain, qualities)
     outputs = default_outputs(chain)
@@ -102,56 +102,6 @@ def solve_kinematics(
         error=estimate(chain, x, evaluate, [q.regularity_at for q in qualities if q.regularity_at is not None]),
         counters={"positions": len(x), "survey_positions": len(dense.x), "groups": len(chain.steps)},
     )
-
-
-def placed(mechanism: Mechanism, structure: Structure) -> tuple[Chain, Domain, float]:
-    """The chain with its variants, where it assembles, and the input coordinate of position 0.
-
-    A sketch of an "extreme" start is compared with each candidate at that candidate's own extreme. With higher groups
-    every group is chosen in turn, where the assembly is chosen: a branch is followed for the choice alone.
-    """
-    given = given_variants(mechanism, structure)
-    if any(not group.kind for group in structure.groups) and chosen_at(mechanism) is not None:
-        from tmmcalc.linkage.listing import list_assemblies  # only groups of class III and higher need it
-
-        given |= {one.group: one.variant for one in list_assemblies(mechanism, structure).assemblies if one.taken}
-    groups = sketched_groups(mechanism, structure, given)
-    tried = []
-    for signs in candidates(groups, given) if groups else ():
-        chain = assembled(mechanism, structure, signs)
-        at = mechanism.assembly.at if mechanism.assembly.at is not None else mechanism.input.start
-        if at is None:
-            at = _start_or_none(chain)
-        if at is not None:
-            tried.append((distance(chain, at), signs))
-    # where no candidate has an extreme to start from, the first one tells why
-    chain = assembled(mechanism, structure, nearest(tried, groups) if tried else given)
-    domain = domain_of(chain)
-    return chain, domain, _start(chain, domain)
-
-
-def _start(chain: Chain, domain: Domain) -> float:
-    """Input coordinate of position 0: given, or the dead centre before the working stroke."""
-    given = chain.mechanism.input.start
-    if given is not None:
-        return given
-    check_range(chain, domain, -math.pi, math.pi)
-    dense = survey(chain, -math.pi, math.pi)
-    check_regular(chain, assess(chain, dense, -math.pi))
-    return _principal(working_start(chain, dense))
-
-
-def _start_or_none(chain: Chain) -> float | None:
-    """The extreme start of a candidate variant, None if that variant does not turn or never reverses."""
-    try:
-        return _start(chain, domain_of(chain))
-    except (AssemblyError, SingularityError, NoSolutionError):
-        return None
-
-
-def _principal(angle: float) -> float:
-    """The angle in (-pi, pi]."""
-    return angle - TURN * math.ceil(angle / TURN - 0.5)
 
 
 def crank_length(chain: Chain) -> float | None:

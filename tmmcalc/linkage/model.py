@@ -19,9 +19,11 @@ These are plain values: the pipeline hashes them to know when a stored result is
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import field
 from typing import Literal
 
+from tmmcalc.errors import UsageError
 from tmmcalc.records import record
 
 FRAME = 0
@@ -127,6 +129,18 @@ class Mechanism:
     grid: Grid = Grid()
     assembly: Assembly = Assembly()
 
+    def __post_init__(self) -> None:
+        """Refuse numbers and names that mean two things, and joints of links that do not exist."""
+        links, joints = [FRAME, *(link.id for link in self.links)], [joint.name for joint in self.joints]
+        _check_once("links", links)
+        _check_once("joints", joints)
+        for joint in self.joints:
+            for k in joint.links:
+                if k not in links:
+                    raise _unknown(f"joint {joint.name} is at link {k}, which does not exist", "links", links)
+        if self.input.joint not in joints:
+            raise _unknown(f"the input is at joint {self.input.joint}, which does not exist", "joints", joints)
+
     def link(self, id: int) -> Link:  # noqa: A002 - the field's own word
         """Return the link with this number; the frame is link 0."""
         return self.frame if id == FRAME else next(link for link in self.links if link.id == id)
@@ -134,3 +148,16 @@ class Mechanism:
     def joint(self, name: str) -> Joint:
         """Return the joint with this name."""
         return next(joint for joint in self.joints if joint.name == name)
+
+
+def _check_once(what: str, keys: Sequence[int | str]) -> None:
+    """Every link has a number, and every joint a name, of its own."""
+    if len(set(keys)) < len(keys):
+        twice = next(key for key in keys if keys.count(key) > 1)
+        number = "the number" if what == "links" else "the name"
+        frame = ", the frame's" if twice == FRAME else ""
+        raise UsageError(f"two {what} have {number} {twice}{frame}", where=f"mechanism.{what}", remedy="rename one")
+
+
+def _unknown(message: str, what: str, keys: Sequence[int | str]) -> UsageError:
+    return UsageError(message, where="mechanism", remedy=f"the {what} are: {', '.join(map(str, keys))}")

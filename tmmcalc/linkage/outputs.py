@@ -19,6 +19,7 @@ from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import DeadCentre, Extreme, OutputSummary
 from tmmcalc.linkage.survey import Survey, along_motion
+from tmmcalc.linkage.trace import continuous
 from tmmcalc.numerics.extrema import around, refine, turning, with_turning_points
 from tmmcalc.numerics.roots import bracketed
 
@@ -99,15 +100,16 @@ def _scale(chain: Chain, output: Output) -> float:
     return (1.0 if output.link is not None else size) / (1.0 if chain.turns else size)
 
 
-def values_at(chain: Chain, output: Output, at: Real, dense: Survey, track: Real) -> Real:
-    """Output coordinate at ``at``, on the branch of its continuous samples ``track`` over the survey."""
+def values_at(chain: Chain, output: Output, at: Real, dense: Survey) -> Real:
+    """Output coordinate at ``at`` (m,), which of a full turn may lie a turn beside the survey; angles continuous."""
     raw = np.broadcast_to(coordinate_of(chain, output, chain.evaluate(at))[0], at.shape)
     if output.link is None:
         return raw
-    return raw + TURN * np.rint((np.interp(at, dense.x, track) - raw) / TURN)
+    x, tracks = dense.tracks()
+    return continuous(raw[None], at, x, tracks[[dense.links.index(output.link)]])[0]
 
 
-def order_from_working(chain: Chain, output: Output, centres: Real, values: Real, gain: float) -> tuple[Real, Real]:
+def order_from_working(chain: Chain, output: Output, centres: Real, values: Real, gain: float) -> Real:
     """Rotate the dead centres of a full turn so that the first is the one before the working stroke.
 
     The working stroke is the one against the useful resistance if its sense is given, else the longest in
@@ -122,8 +124,7 @@ def order_from_working(chain: Chain, output: Output, centres: Real, values: Real
     if output.resistance is not None:
         against = travel < 0 if output.resistance == "positive" else travel > 0
         keys = np.where(against, lengths, -np.inf)
-    first = int(np.argmax(keys))
-    return np.roll(centres, -first), np.roll(values, -first)
+    return np.roll(centres, -int(np.argmax(keys)))
 
 
 def working_start(chain: Chain, dense: Survey) -> float:
@@ -146,8 +147,8 @@ def working_start(chain: Chain, dense: Survey) -> float:
             where="kinematics, input.start",
             remedy='give input.start as a number, e.g. start = "0 deg"',
         )
-    values = values_at(chain, outputs[0], centres, dense, value)
-    return float(order_from_working(chain, outputs[0], centres, values, _gain(outputs[0], value))[0][0])
+    values = values_at(chain, outputs[0], centres, dense)
+    return float(order_from_working(chain, outputs[0], centres, values, _gain(outputs[0], value))[0])
 
 
 def _gain(output: Output, track: Real) -> float:
@@ -159,11 +160,12 @@ def summarise(chain: Chain, output: Output, dense: Survey, start: float) -> Outp
     """Dead centres, strokes and extremes of an output over the survey of a range that begins at ``start``."""
     samples = sampled(chain, output, dense)
     centres = dead_centres(chain, output, dense, samples[1])
-    values = values_at(chain, output, centres, dense, samples[0])
+    values = values_at(chain, output, centres, dense)
     stroke = _stroke(dense, _gain(output, samples[0]), values, samples[0])
     if dense.full and centres.size > 1:
-        centres, values = order_from_working(chain, output, centres, values, _gain(output, samples[0]))
-        centres = along_motion(chain, centres, start)
+        ordered = order_from_working(chain, output, centres, values, _gain(output, samples[0]))
+        centres = along_motion(chain, ordered, start)
+        values = values_at(chain, output, centres, dense)
     angles: tuple[float | None, float | None] = (None, None)
     if dense.full and centres.size == 2:
         angles = _stroke_angles(chain, centres)

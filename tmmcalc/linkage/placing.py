@@ -1,71 +1,93 @@
-"""The chain of a mechanism with its assembly: variants of dyads, branches of higher groups, where it assembles.
+"""A mechanism in place: its chain on the assembly that is meant, where it assembles, and where position 0 is.
 
-A higher group is taken on the assembly that the spec numbers or its sketch is nearest to, at ``assembly.at``, and is
-followed from there along the input.
+Every group is taken on the assembly that the spec tells or its sketch is nearest to (see `ways`), at the input
+coordinate where the sketch was read; a higher group is followed from there along the input.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Mapping
 from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.linkage.assembly import TURN, coordinate, find_domain
-from tmmcalc.linkage.chain import Chain, compile_chain
+from tmmcalc.errors import AssemblyError, NoSolutionError, SingularityError
+from tmmcalc.linkage.assembly import TURN, check_range, coordinate, find_domain
+from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.grid import analysed_range
 from tmmcalc.linkage.model import FRAME, Mechanism
+from tmmcalc.linkage.outputs import working_start
 from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.results import Branch, Domain, Interval, Limit
+from tmmcalc.linkage.quality import assess, check_regular
+from tmmcalc.linkage.results import Domain, Interval, Limit
+from tmmcalc.linkage.steps import build
 from tmmcalc.linkage.structure import Group, Structure
+from tmmcalc.linkage.survey import survey
+from tmmcalc.linkage.trace import principal
+from tmmcalc.linkage.variants import candidates, distance, given_variants, nearest, sketched_groups
+from tmmcalc.linkage.ways import chosen, ways_of
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.loops.closure import Loops
     from tmmcalc.linkage.loops.equations import Equations
+    from tmmcalc.linkage.loops.step import LoopStep
 
 SEAM = 0.01  # the search for assembly intervals starts at an angle where nothing special happens [rad]
-TIED = 1e-6  # relative difference of distances that does not tell two assemblies apart
 
 
-def domain_of(chain: Chain) -> Domain:
-    """Where the chain assembles: within one turn of a crank, or as far as a slider reaches."""
-    if chain.turns:
-        return find_domain(chain, SEAM - np.pi, SEAM + np.pi)
-    return find_domain(chain, *analysed_range(chain.mechanism, chain.mechanism.input.start or 0.0))
+def placed(mechanism: Mechanism, structure: Structure) -> tuple[Chain, Domain, float]:
+    """The chain on its assembly, where it assembles, and the input coordinate of position 0."""
+    told = given_variants(mechanism, structure)
+    if chosen_at(mechanism, structure) is None and structure.dyads_only:
+        told = _at_extremes(mechanism, structure, told)
+    chain = assembled(mechanism, structure, told)
+    domain = domain_of(chain)
+    return chain, domain, _start(chain, domain)
 
 
-def assembled(mechanism: Mechanism, structure: Structure, signs: Mapping[str, int]) -> Chain:
-    """The chain with the dyads on these signs and every higher group on its branch.
+def assembled(mechanism: Mechanism, structure: Structure, told: Mapping[str, int]) -> Chain:
+    """The chain with every group on the assembly of its name in ``told``, else of the sketch; a dyad else on +1.
 
     Raises `NoSolutionError` where nothing tells which assembly of a group is meant, or the group has none.
     """
-    higher = [group for group in structure.groups if not group.kind]
-    variants, branches = dict(signs), dict[str, Branch]()
-    if higher:
-        at = _told_at(mechanism, higher)
-        for group in higher:
-            chain = _before(mechanism, structure, group, variants, branches)
-            variants[group.name], branches[group.name] = _branch(chain, group, at, signs.get(group.name))
-    return compile_chain(mechanism, structure, variants, branches)
+    at = chosen_at(mechanism, structure)
+    sketched = sketched_groups(mechanism, structure, told) if at is not None else []
+    chain = Chain(mechanism, structure, ())
+    for group in structure.groups:
+        variant = told.get(group.name)
+        if not group.kind:
+            chain = chain.joined(_followed(chain, group, at, variant))
+            continue
+        if at is not None and group in sketched:
+            motions = chain.evaluate(np.array([at]), order=0).motions
+            variant = chosen(chain, group, ways_of(mechanism, group, motions, np.array([at])), at, None).variant
+        chain = chain.joined(build(mechanism, group, 1 if variant is None else variant))
+    return chain
 
 
-def _before(
-    mechanism: Mechanism,
-    structure: Structure,
-    group: Group,
-    variants: Mapping[str, int],
-    branches: Mapping[str, Branch],
-) -> Chain:
-    """The chain of the groups before one."""
-    earlier = structure.groups[: structure.groups.index(group)]
-    steps = compile_chain(mechanism, _part(structure, earlier), variants, branches).steps
-    return Chain(mechanism, structure, steps)
+def _followed(chain: Chain, group: Group, at: float | None, number: int | None) -> LoopStep:
+    """A higher group behind a chain, on the branch through the assembly that is meant at ``at``."""
+    from tmmcalc.linkage.loops.equations import equations_of  # only groups of class III and higher need them
+    from tmmcalc.linkage.loops.step import LoopStep
+    from tmmcalc.linkage.loops.track import follow
 
-
-def _part(structure: Structure, groups: tuple[Group, ...]) -> Structure:
-    return Structure(structure.mobility, structure.links, structure.joints, structure.input_link, groups)
+    if at is None:
+        raise NoSolutionError(
+            f"the assembly of {group.name} is chosen at an input coordinate: neither assembly.at nor input.start "
+            "gives one",
+            where="kinematics, assembly",
+            remedy="give assembly.at, the input coordinate of the sketch, or sketch a point of the crank",
+        )
+    interval, x = _interval(chain, group, at), np.array([at])
+    ways = ways_of(chain.mechanism, group, chain.evaluate(x, order=0).motions, x)
+    way = chosen(chain, group, ways, at, number)
+    assert way.unknowns is not None  # a higher group has them
+    equations = equations_of(chain.mechanism, group)
+    turn = TURN if chain.turns else None
+    branch = follow(group.name, partial(loops_at, chain, equations), at, way.unknowns, interval, turn)
+    return LoopStep(group, way.variant, equations, branch)
 
 
 def loops_at(chain: Chain, equations: Equations, x: Real) -> Loops:
@@ -76,29 +98,13 @@ def loops_at(chain: Chain, equations: Equations, x: Real) -> Loops:
     return Loops(equations, motions, equations.given(motions), x)
 
 
-def _branch(chain: Chain, group: Group, at: float, number: int | None) -> tuple[int, Branch]:
-    """Number and branch of the group after a chain, chosen at ``at``."""
-    from tmmcalc.linkage.loops.assemblies import assemblies
-    from tmmcalc.linkage.loops.equations import equations_of
-    from tmmcalc.linkage.loops.track import follow
-
-    equations = equations_of(chain.mechanism, group)
-    loops = partial(loops_at, chain, equations)
-    interval = _interval(chain, group, at)
-    found = assemblies(loops(np.array([at])))
-    k = _choice(chain, group, found, loops(np.array([at])), at, number)
-    turn = TURN if chain.turns else None
-    return k + 1, follow(group.name, loops, at, found[:, k], interval, turn)
-
-
 def _interval(chain: Chain, group: Group, at: float) -> Interval:
     """The interval around ``at`` where the groups before assemble."""
-    turn = TURN if chain.turns else None
     for interval in domain_of(chain).intervals:
-        if interval.holds(at, at, turn):
-            shift = turn * np.floor((at - interval.low) / turn) if turn else 0.0
-            limits = tuple(Limit(limit.x + shift, limit.group, limit.reason) for limit in interval.limits)
-            return Interval(interval.low + shift, interval.high + shift, limits)
+        if interval.holds(at, at, chain.period):
+            shift = interval.shift(at, chain.period)
+            limits = tuple(Limit(limit.x - shift, limit.group, limit.reason) for limit in interval.limits)
+            return Interval(interval.low - shift, interval.high - shift, limits)
     raise NoSolutionError(
         f"at {coordinate(chain, at)}, where its assembly is chosen, the groups before it do not assemble",
         where=f"kinematics, group {group.name}",
@@ -106,23 +112,23 @@ def _interval(chain: Chain, group: Group, at: float) -> Interval:
     )
 
 
-def chosen_at(mechanism: Mechanism) -> float | None:
-    """The input coordinate at which assemblies are chosen: assembly.at, input.start, or the sketched crank's angle."""
+def domain_of(chain: Chain) -> Domain:
+    """Where the chain assembles: within one turn of a crank, or as far as a slider reaches."""
+    if chain.turns:
+        return find_domain(chain, SEAM - np.pi, SEAM + np.pi)
+    return find_domain(chain, *analysed_range(chain.mechanism, chain.mechanism.input.start or 0.0))
+
+
+def chosen_at(mechanism: Mechanism, structure: Structure) -> float | None:
+    """The input coordinate at which assemblies are chosen: assembly.at, or input.start.
+
+    With groups of class III and higher else the sketched angle of the crank; None: position 0, a dead centre.
+    """
     if mechanism.assembly.at is not None:
         return mechanism.assembly.at
-    return mechanism.input.start if mechanism.input.start is not None else _sketched_angle(mechanism)
-
-
-def _told_at(mechanism: Mechanism, groups: Sequence[Group]) -> float:
-    at = chosen_at(mechanism)
-    if at is None:
-        names = ", ".join(group.name for group in groups)
-        raise NoSolutionError(
-            f"the assembly of {names} is chosen at an input coordinate: neither assembly.at nor input.start gives one",
-            where="kinematics, assembly",
-            remedy="give assembly.at, the input coordinate of the sketch, or sketch a point of the crank",
-        )
-    return at
+    if mechanism.input.start is not None or structure.dyads_only:
+        return mechanism.input.start
+    return _sketched_angle(mechanism)
 
 
 def _sketched_angle(mechanism: Mechanism) -> float | None:
@@ -138,65 +144,33 @@ def _sketched_angle(mechanism: Mechanism) -> float | None:
     return None
 
 
-def _choice(chain: Chain, group: Group, found: Real, loops: Loops, at: float, number: int | None) -> int:
-    """Which of the assemblies (N, a) at ``at`` is meant: numbered, sketched, or the only one."""
-    count, where = found.shape[1], f"kinematics, group {group.name}"
-    if count == 0:
-        raise NoSolutionError(
-            f"no assembly exists at {coordinate(chain, at)}",
-            where=where,
-            remedy="give assembly.at, another input coordinate, or check the lengths",
-        )
-    if number is not None:
-        if not 1 <= number <= count:
-            raise UsageError(
-                f"there is no assembly {number}: at {coordinate(chain, at)} the group has {count}",
-                where=f"mechanism.assembly.variants, {group.name}",
-                remedy="tmmcalc structure --assemblies lists them",
-            )
-        return number - 1
-    gaps = _distances(chain, group, loops, found)
-    if gaps is None:
-        if count == 1:
-            return 0
-        raise NoSolutionError(
-            f"the group has {count} assemblies at {coordinate(chain, at)}, and nothing tells which one is meant",
-            where=where,
-            remedy="sketch its points in assembly.sketch, or give the number of the assembly in assembly.variants; "
-            "tmmcalc structure --assemblies lists them",
-        )
-    order = np.argsort(gaps)
-    if count > 1 and tied(gaps[order[0]], gaps[order[1]]):
-        raise NoSolutionError(
-            f"the sketch stands equally near to the assemblies {order[0] + 1} and {order[1] + 1}",
-            where=where,
-            remedy="sketch more of its points, or give the number of the assembly in assembly.variants",
-        )
-    return int(order[0])
+def _at_extremes(mechanism: Mechanism, structure: Structure, told: dict[str, int]) -> dict[str, int]:
+    """The variants nearest to a sketch of position 0, compared with each candidate at its own extreme."""
+    groups = sketched_groups(mechanism, structure, told)
+    tried = []
+    for signs in candidates(groups, told) if groups else ():
+        chain = assembled(mechanism, structure, signs)
+        at = _start_or_none(chain)
+        if at is not None:
+            tried.append((distance(chain, at), signs))
+    # where no candidate has an extreme to start from, the first one tells why
+    return nearest(tried, groups) if tried else told
 
 
-def tied(nearest: float, next_one: float) -> bool:
-    """Whether two distances of a sketch [m] do not tell two assemblies apart."""
-    return next_one <= nearest * (1 + TIED) + 1e-15
+def _start(chain: Chain, domain: Domain) -> float:
+    """Input coordinate of position 0: given, or the dead centre before the working stroke."""
+    given = chain.mechanism.input.start
+    if given is not None:
+        return given
+    check_range(chain, domain, -math.pi, math.pi)
+    dense = survey(chain, -math.pi, math.pi)
+    check_regular(chain, assess(chain, dense, -math.pi))
+    return float(principal(np.asarray(working_start(chain, dense))))
 
 
-def _distances(chain: Chain, group: Group, loops: Loops, found: Real) -> Real | None:
-    """Root mean square distances (a,) [m] of the sketched points of a group from its assemblies; None without any."""
-    motions = dict(loops.motions)
-    placed = loops.place(found)
-    still = np.zeros_like(found)
-    loops.move(placed, still, still, motions, {})
-    sketch = chain.mechanism.assembly.sketch
-    own = [(name, k, p) for name, k, p in own_points(chain.mechanism, group) if name in sketch]
-    gaps = [np.abs(motions[k].point(p).r - sketch[name]) for name, k, p in own]
-    if not gaps:
+def _start_or_none(chain: Chain) -> float | None:
+    """The extreme start of a candidate variant, None if that variant does not turn or never reverses."""
+    try:
+        return _start(chain, domain_of(chain))
+    except (AssemblyError, SingularityError, NoSolutionError):
         return None
-    return np.asarray(np.sqrt(np.mean(np.square(np.broadcast_arrays(*gaps)), axis=0)))
-
-
-def own_points(mechanism: Mechanism, group: Group) -> list[tuple[str, int, complex]]:
-    """Named points of the links of a group, with link and place on it, but for outer pins, which others place."""
-    outer = [mechanism.joint(name) for name in group.outer]
-    pins = {pin for joint in outer if joint.kind == "revolute" for pin in zip(joint.links, joint.points, strict=True)}
-    points = ((name, k, p) for k in group.links for name, p in mechanism.link(k).points.items())
-    return [(name, k, p) for name, k, p in points if (k, p) not in pins]

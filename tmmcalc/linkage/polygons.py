@@ -15,7 +15,6 @@ the point of link 3 that coincides with it. A name that is taken keeps its capit
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Literal
 
 import numpy as np
 
@@ -25,44 +24,7 @@ from tmmcalc.linkage.model import FRAME, Joint, Mechanism
 from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.structure import Group
-from tmmcalc.records import record
-
-Kind = Literal["absolute", "relative", "normal", "tangential", "sliding", "coriolis"]
-
-
-@record
-class Vector:
-    """A vector of a polygon from one vertex to another; ``link`` is the one that turns, or the slider."""
-
-    tail: str
-    head: str
-    kind: Kind
-    link: int
-
-
-@record
-class Polygon:
-    """Vertices by name, the pole among them at 0, and the vectors; [m/s] or [m/s^2]."""
-
-    pole: str
-    vertices: dict[str, complex]
-    vectors: tuple[Vector, ...]
-
-    def value(self, vector: Vector) -> complex:
-        """The vector itself, head less tail."""
-        return self.vertices[vector.head] - self.vertices[vector.tail]
-
-
-@record
-class VectorPolygons:
-    """Both polygons of a position, the points in the pole, and omega [rad/s] and eps [rad/s^2] of turning links."""
-
-    position: int
-    velocity: Polygon
-    acceleration: Polygon
-    fixed: tuple[str, ...]
-    omega: dict[int, float]
-    eps: dict[int, float]
+from tmmcalc.linkage.vectors import Polygon, Vector, VectorPolygons
 
 
 def polygons(mechanism: Mechanism, result: Kinematics, position: int) -> VectorPolygons:

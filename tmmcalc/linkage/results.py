@@ -58,11 +58,21 @@ class Interval:
     high: float
     limits: tuple[Limit, ...] = ()
 
+    @property
+    def slack(self) -> float:
+        """What rounding may put a coordinate beyond the ends."""
+        return 1e-9 * (self.high - self.low)
+
+    def shift(self, x: float, turn: float | None) -> float:
+        """Whole turns that bring x into the interval; 0 where it is wider than a turn, for its turns differ."""
+        if turn is None or self.high - self.low > turn + self.slack:
+            return 0.0
+        return -turn * math.floor((x - self.low + self.slack) / turn)
+
     def holds(self, low: float, high: float, turn: float | None) -> bool:
         """Whether [low, high] lies inside, counted modulo ``turn`` if there is one."""
-        slack = 1e-9 * (self.high - self.low)
-        shift = turn * math.floor((low - self.low + slack) / turn) if turn else 0.0
-        return self.low - slack <= low - shift and high - shift <= self.high + slack
+        shift = self.shift(low, turn)
+        return self.low - self.slack <= low + shift and high + shift <= self.high + self.slack
 
 
 @record
@@ -78,6 +88,7 @@ class Branch:
     low: float
     high: float
     limits: tuple[Limit, ...]
+    turn: float | None  # of the crank [rad], modulo which a branch of one turn or less is meant; None: a slider
     period: float | None  # after which it comes back [rad]; None: it does not
     q: Real  # (N, m) unknowns: angles [rad], then coordinates of prismatic joints [m]
     dq: Real  # (N, m) their derivative by t

@@ -59,6 +59,11 @@ class Structure:
         return next((group for group in self.groups if group.drive), None)
 
     @property
+    def dyads_only(self) -> bool:
+        """Whether no group is of class III or higher, nor holds the drive."""
+        return all(group.kind for group in self.groups)
+
+    @property
     def formula(self) -> str:
         """Structural formula such as ``I(0,1) -> II RPR(2,3) -> II RRP(4,5)``."""
         parts = [f"I(0,{self.input_link})"] if self.driven is None else []

@@ -10,7 +10,7 @@ import numpy as np
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.trace import unwrapped
+from tmmcalc.linkage.trace import principal, unwrapped
 
 STEPS = 360  # one a degree on a full turn
 SWIFT = 1.0  # a link that turns more in one step [rad] gets that step halved
@@ -41,8 +41,8 @@ class Survey(NamedTuple):
         return (self.x[:-1] + turns[:, None]).ravel(), angles
 
 
-def survey(chain: Chain, low: float, high: float) -> Survey:
-    """Sample the range, which must assemble.
+def survey(chain: Chain, low: float, high: float, start: float | None = None) -> Survey:
+    """Sample the range, which must assemble. Angles lie in (-pi, pi] at ``start``, by default ``low``.
 
     The samples of a full turn are shifted by half a step, so that a dead centre at position 0 falls between
     two of them and is found exactly once.
@@ -62,12 +62,23 @@ def survey(chain: Chain, low: float, high: float) -> Survey:
         x = np.sort(np.concatenate((x, (x[swift] + x[swift + 1]) / 2)))
         configuration = chain.evaluate(x)
         angles = _angles(configuration, links, x)
-    return Survey(x, configuration, links, angles, full)
+    return Survey(x, configuration, links, _counted(chain, links, angles, x, low if start is None else start), full)
 
 
 def _angles(configuration: Configuration, links: tuple[int, ...], x: Real) -> Real:
     u = [np.broadcast_to(configuration.motions[k].u, x.shape) for k in links]
     return unwrapped(np.angle(u))
+
+
+def _counted(chain: Chain, links: tuple[int, ...], angles: Real, x: Real, start: float) -> Real:
+    """Continuous angles (L, m) moved by whole turns into (-pi, pi] at ``start``; that of a crank is its coordinate."""
+    motions = chain.evaluate(np.array([start]), order=0).motions
+    first = principal(np.array([np.angle(motions[k].u).item() for k in links]))
+    near = np.array([np.interp(start, x, row) for row in angles])
+    counted = angles + TURN * np.rint((first - near) / TURN)[:, None]
+    if chain.turns:
+        counted[links.index(chain.structure.input_link)] = x
+    return counted
 
 
 def along_motion(chain: Chain, x: Real, start: float) -> Real:

@@ -19,6 +19,7 @@ from tmmcalc.linkage.results import Trace
 # rows: temporaries of 64 kB stay in cache, and below the 128 kB at which malloc maps fresh pages for every one
 BLOCK = 4096
 TURN = 2 * np.pi
+SEAM = 1e-9  # an angle that exceeds -pi by less [rad] is pi
 
 
 class Layout(NamedTuple):
@@ -120,14 +121,15 @@ def unwrapped(angle: Real) -> Real:
     return result
 
 
-def continuous(angle: Real, x: Real, survey_x: Real, tracks: Real) -> Real:
-    """Angles (L, n) at ``x`` on the branch of the continuous ``tracks`` (L, m) at ascending ``survey_x``.
+def principal(angle: Real) -> Real:
+    """The angles in (-pi, pi]; what rounding alone keeps from pi is pi."""
+    return np.asarray(angle - TURN * np.ceil((angle - SEAM) / TURN - 0.5))
 
-    The first position keeps its principal value in (-pi, pi]; the others follow from it.
-    """
+
+def continuous(angle: Real, x: Real, survey_x: Real, tracks: Real) -> Real:
+    """Angles (L, n) at ``x`` in the turns of the continuous ``tracks`` (L, m) at ascending ``survey_x``."""
     result = np.empty_like(angle)
     for row, track in enumerate(tracks):
         near = np.interp(x, survey_x, track)
-        turns = np.rint((near - angle[row]) / TURN)
-        result[row] = angle[row] + TURN * (turns - turns[0])
+        result[row] = angle[row] + TURN * np.rint((near - angle[row]) / TURN)
     return result

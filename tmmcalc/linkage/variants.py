@@ -19,8 +19,7 @@ from tmmcalc.linkage.chain import Chain, compile_chain
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Branch, Grade
 from tmmcalc.linkage.structure import Group, Structure
-
-ONE_ASSEMBLY = ("PRP", "RPP")
+from tmmcalc.linkage.ways import ONE_ASSEMBLY, own_points, tied
 
 
 def given_variants(mechanism: Mechanism, structure: Structure) -> dict[str, int]:
@@ -45,7 +44,7 @@ def given_variants(mechanism: Mechanism, structure: Structure) -> dict[str, int]
     return signs
 
 
-def sketched_groups(mechanism: Mechanism, structure: Structure, given: dict[str, int]) -> list[Group]:
+def sketched_groups(mechanism: Mechanism, structure: Structure, given: Mapping[str, int]) -> list[Group]:
     """Dyads whose sign the sketch has to tell: two variants, none given, a sketched point that they place."""
     return [
         group
@@ -53,15 +52,8 @@ def sketched_groups(mechanism: Mechanism, structure: Structure, given: dict[str,
         if group.kind
         and group.kind not in ONE_ASSEMBLY
         and group.name not in given
-        and any(name in mechanism.assembly.sketch for k in group.links for name in _placed(mechanism, group, k))
+        and not mechanism.assembly.sketch.keys().isdisjoint(own_points(mechanism, group))
     ]
-
-
-def _placed(mechanism: Mechanism, group: Group, link: int) -> list[str]:
-    """Names of the points of a link but its outer pins, which the source chain places."""
-    outer = [j for j in map(mechanism.joint, group.outer) if j.kind == "revolute" and link in j.links]
-    pins = [joint.points[joint.links.index(link)] for joint in outer]
-    return [name for name, p in mechanism.link(link).points.items() if p not in pins]
 
 
 def candidates(groups: list[Group], given: dict[str, int]) -> Iterator[dict[str, int]]:
@@ -94,7 +86,7 @@ def nearest(found: list[tuple[float, dict[str, int]]], groups: list[Group]) -> d
             where="kinematics, assembly.sketch",
             remedy="give assembly.at, the input coordinate of the sketch, or check the lengths",
         )
-    if len(found) > 1 and found[1][0] <= found[0][0] * (1 + 1e-6) + 1e-15:
+    if len(found) > 1 and tied(found[0][0], found[1][0]):
         differ = [g.name for g in groups if found[0][1][g.name] != found[1][1][g.name]]
         if any(g.kind != "RPR" for g in groups if g.name in differ):
             raise NoSolutionError(

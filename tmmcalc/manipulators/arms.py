@@ -11,11 +11,15 @@ second derivative. Angles are principal values.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from tmmcalc.linkage.plane import Plane
 from tmmcalc.manipulators.task import Arm
 from tmmcalc.numerics.panels import Values
+
+TURN = 2 * math.pi
 
 
 def inverse(arm: Arm, p: Values) -> Values:
@@ -64,6 +68,16 @@ def from_polar(length: Values, angle: Values) -> Plane:
     v = length[1] + 1j * length[0] * angle[1]
     a = length[2] - length[0] * angle[1] ** 2 + 1j * (length[0] * angle[2] + 2 * length[1] * angle[1])
     return np.stack((length[0] * e, v * e, a * e))
+
+
+def elbow_angle(q: Values, start: Values) -> Values:
+    """States (3, n) of the angle from the upper arm to the forearm at joint states q (3, J, n).
+
+    It is within half a turn of zero at the joint coordinates ``start`` (J,), and continuous from there.
+    """
+    rows = q[:, -1] - q[:, -2]
+    rows[0] -= TURN * np.rint((start[-1] - start[-2]) / TURN)
+    return np.asarray(rows)
 
 
 def elbow_point(arm: Arm, q: Values) -> Values:

@@ -19,8 +19,6 @@ from tmmcalc.columns import Column
 from tmmcalc.manipulators.results import Manipulator
 from tmmcalc.numerics.panels import Values
 
-RATES = {"psi": ("omega_1", "eps_1"), "phi_2": ("omega_2", "eps_2"), "phi_3": ("omega_3", "eps_3")}
-LINEAR_RATES = {"l_3": ("v_3", "a_3"), "h": ("v_h", "a_h"), "r": ("v_r", "a_r")}
 AXES = "xyz"
 
 
@@ -37,13 +35,12 @@ def _columns(result: Manipulator) -> Iterator[Column]:
     for order, (prefix, unit) in enumerate((("", "m"), ("v", "m/s"), ("a", "m/s^2"))):
         for axis, row in zip(AXES, result.gripper[order], strict=False):
             yield _column(f"{prefix}{axis}", unit, row)
-    for k, (name, angular) in enumerate(zip(result.joints, result.angular, strict=True)):
-        units = ("deg", "rad/s", "rad/s^2") if angular else ("m", "m/s", "m/s^2")
-        names = (name, *(RATES if angular else LINEAR_RATES)[name])
-        for order, (column, unit) in enumerate(zip(names, units, strict=True)):
-            yield _column(column, unit, np.degrees(result.q[order, k]) if unit == "deg" else result.q[order, k])
-    if result.elbow is not None:
-        yield _column("elbow", "deg", np.degrees(result.q[0, -1] - result.q[0, -2]))
+    for k, joint in enumerate(result.arm.joints):
+        units = ("deg", "rad/s", "rad/s^2") if joint.turns else ("m", "m/s", "m/s^2")
+        for order, (name, unit) in enumerate(zip(joint[:3], units, strict=True)):
+            yield _column(name, unit, np.degrees(result.q[order, k]) if unit == "deg" else result.q[order, k])
+    if result.elbow is not None and result.elbow_angle is not None:
+        yield _column("elbow", "deg", np.degrees(result.elbow_angle[0]))
         for axis, row in zip(AXES, result.elbow, strict=False):
             yield _column(f"{axis}_E", "m", row)
 

@@ -1,214 +1,52 @@
-"""The course of a motion in time: along the legs of a route, or of the joints by laws or a table.
-
-A course gives states at any instant, one-sided where something jumps, and tells where that is.
-"""
+"""Courses: states over the time, of the gripper along its route or of the joints by laws or a table."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.manipulators.routes import Leg
-from tmmcalc.manipulators.task import Drive, JointMove, LawTask, TableTask
+from tmmcalc.errors import UsageError
+from tmmcalc.manipulators.task import JointMove, LawTask, TableTask
 from tmmcalc.numerics.panels import Values
 from tmmcalc.numerics.roots import Indices
-from tmmcalc.timelaw import TimeLaw, by_travel, by_travel_and_duration, motion, phase_of
+from tmmcalc.timelaw import TimeLaw, by_travel, by_travel_and_duration, motion
 
 WHERE = "manipulator"
 SAME = 1e-12  # of the duration or the length
+DENSE = 1440  # equal steps along which a course is followed
+PARTS = 8  # further steps between two breaks
 
 
 class Course(NamedTuple):
-    """States over the time: ``at(t (n,), side (n,)) -> (3, K, n)``."""
+    """States over the time: ``at(t (n,), side (n,)) -> (3, K, n)``, one-sided where something jumps."""
 
     duration: float  # [s]
-    breaks: tuple[float, ...]  # where accelerations jump, with both ends [s]
+    jumps: tuple[float, ...]  # where accelerations jump, with both ends [s]
     at: Callable[[Values, Indices | int], Values]
-
-
-class Timed(NamedTuple):
-    """Legs of a route with their laws and the times at which they begin [s]."""
-
-    legs: tuple[Leg, ...]
-    laws: tuple[TimeLaw, ...]
-    begins: tuple[float, ...]
-
-    @property
-    def duration(self) -> float:
-        """T [s]."""
-        return self.begins[-1] + self.laws[-1].duration
-
-    @property
-    def length(self) -> float:
-        """S [m]."""
-        return math.fsum(law.travel for law in self.laws)
-
-    def leg_of(self, t: Values, side: Indices | int) -> Indices:
-        """Numbers (n,) of the legs; between two of them ``side`` decides, 0 as +1."""
-        begins, near = np.array(self.begins), SAME * self.duration
-        before = np.searchsorted(begins, t - near, side="left") - 1
-        after = np.searchsorted(begins, t + near, side="right") - 1
-        return np.clip(np.where(np.asarray(side) < 0, before, after), 0, len(self.legs) - 1)
-
-    def way(self, t: Values, side: Indices | int) -> Values:
-        """s from the start of the route, v, a: (3, n)."""
-        return self._by_leg(t, side, lambda k, at, which: self._way(k, at, which), 3)
-
-    def phase(self, t: Values, side: Indices | int) -> Indices:
-        """Phase (n,) of the leg's law: 1 acceleration, 2 uniform motion, 3 deceleration."""
-
-        def of_leg(k: int, at: Values, which: Indices) -> Values:
-            return phase_of(self.laws[k], at, which)[None].astype(float)
-
-        return np.rint(self._by_leg(t, side, of_leg, 1)[0]).astype(np.intp)
-
-    def gripper(self, t: Values, side: Indices | int) -> Values:
-        """States (3, D, n) of the gripper: v and a by the tangent and the curvature ((2.96) to (2.99))."""
-        dimensions = len(self.legs[0][0].start)
-        flat = self._by_leg(t, side, lambda k, at, which: self._states(k, at, which), 3 * dimensions)
-        return flat.reshape(3, dimensions, -1)
-
-    def _by_leg(self, t: Values, side: Indices | int, f: Callable[[int, Values, Indices], Values], rows: int) -> Values:
-        which = self.leg_of(t, side)
-        sides = np.broadcast_to(np.asarray(side), t.shape)
-        found = np.empty((rows, len(t)))
-        for k, begin in enumerate(self.begins):
-            own = np.flatnonzero(which == k)
-            if own.size:
-                found[:, own] = f(k, t[own] - begin, sides[own]).reshape(rows, -1)
-        return found
-
-    def _way(self, k: int, t: Values, side: Indices) -> Values:
-        rows = motion(self.laws[k], t, side)
-        rows[0] += math.fsum(law.travel for law in self.laws[:k])
-        return rows
-
-    def _states(self, k: int, t: Values, side: Indices) -> Values:
-        """States (3, D, n) on leg k at its own times; at the joint of two pieces ``side`` decides."""
-        s, v, a = motion(self.laws[k], t, side)
-        leg = self.legs[k]
-        number, starts = self._piece(k, s, side)
-        found = np.empty((3, len(leg[0].start), len(t)))
-        for j, piece in enumerate(leg):
-            own = np.flatnonzero(number == j)
-            place, along, bend = piece.at(s[own] - starts[j])
-            found[:, :, own] = place, along * v[own], along * a[own] + bend * v[own] ** 2
-        return found
-
-    def normal(self, t: Values, side: Indices | int) -> Values:
-        """Normal acceleration v^2/R (n,) [m/s^2]."""
-
-        def of_leg(k: int, at: Values, which: Indices) -> Values:
-            s, v, _ = motion(self.laws[k], at, which)
-            bend = np.array([1 / piece.radius if piece.radius else 0.0 for piece in self.legs[k]])
-            return np.asarray(bend[self._piece(k, s, which)[0]] * v * v)
-
-        return self._by_leg(t, side, of_leg, 1)[0]
-
-    def _piece(self, k: int, s: Values, side: Indices) -> tuple[Indices, Values]:
-        """Numbers (n,) of the pieces of leg k that hold the ways s (n,), and the ways at which the pieces begin."""
-        starts = np.concatenate(([0.0], np.cumsum([piece.length for piece in self.legs[k]])))
-        near = SAME * starts[-1]
-        before = np.searchsorted(starts[:-1], s - near, side="left") - 1
-        after = np.searchsorted(starts[:-1], s + near, side="right") - 1
-        return np.clip(np.where(side < 0, before, after), 0, len(self.legs[k]) - 1), starts
+    knots: tuple[float, ...] = ()  # where accelerations only have kinks [s]
 
     @property
     def breaks(self) -> tuple[float, ...]:
-        """Where the acceleration jumps: phases of the laws, joints of pieces."""
-        found = [0.0, self.duration]
-        for begin, law, leg in zip(self.begins, self.laws, self.legs, strict=True):
-            joints = np.cumsum([piece.length for piece in leg])[:-1].tolist()
-            found += [begin + t for t in (*law.instants, *(time_of(law, s) for s in joints))]
-        return _apart(found, self.duration)
-
-    def times(self, leg: int, s: float) -> float:
-        """The time [s] at which the way on a leg is s [m]."""
-        return self.begins[leg] + time_of(self.laws[leg], s)
+        """Instants between which the course is smooth [s]."""
+        return distinct([*self.jumps, *self.knots], self.duration)
 
     @property
-    def course(self) -> Course:
-        """The gripper over the time."""
-        return Course(self.duration, self.breaks, self.gripper)
+    def dense(self) -> Values:
+        """Ascending instants (m,) [s] that leave out no part of the course, however short."""
+        parts = [np.linspace(a, b, PARTS + 1) for a, b in pairwise(self.breaks)]
+        return np.sort(np.concatenate((np.linspace(0.0, self.duration, DENSE + 1), *parts)))
 
 
-def _apart(instants: list[float], duration: float) -> tuple[float, ...]:
+def distinct(instants: list[float], duration: float) -> tuple[float, ...]:
     """Ascending instants, of those within rounding the first."""
     kept: list[float] = []
     for t in sorted(instants):
         if not kept or t - kept[-1] > 4 * SAME * duration:
             kept.append(t)
     return tuple(kept)
-
-
-def time_of(law: TimeLaw, s: float) -> float:
-    """The time [s] at which a law of travel above zero has gone s [m]."""
-    s = min(max(s, 0.0), law.travel)
-    if s <= law.ramp_travel:
-        return math.sqrt(2 * s / law.acceleration)
-    if s >= law.travel - law.ramp_travel:
-        return law.duration - math.sqrt(2 * (law.travel - s) / law.acceleration)
-    return law.ramp + (s - law.ramp_travel) / law.speed
-
-
-def timed(legs: tuple[Leg, ...], drive: Drive) -> Timed:
-    """The legs with their laws: each from rest to rest, no quicker than the limits of its curvature allow.
-
-    Raises `NoSolutionError` for limits or a duration that cannot be kept.
-    """
-    laws, begins, begin = [], [], 0.0
-    for leg in legs:
-        law = _law(leg, drive, len(legs))
-        laws.append(law)
-        begins.append(begin)
-        begin += law.duration
-    return Timed(legs, tuple(laws), tuple(begins))
-
-
-def _law(leg: Leg, drive: Drive, count: int) -> TimeLaw:
-    length = math.fsum(piece.length for piece in leg)
-    limits = [limit for limit in (drive.speed, speed_limit(leg, drive)) if limit is not None]
-    speed = min(limits) if limits else None
-    if drive.duration is not None:
-        if count > 1:
-            raise UsageError(
-                f"the path has {count - 1} stops, and one duration does not divide itself between {count} legs",
-                where=f"{WHERE}, duration",
-                remedy="round the corners with corner_radius, or give speed in place of duration",
-            )
-        return by_travel_and_duration(length, drive.duration, drive.acceleration, speed)
-    if speed is None:
-        raise UsageError("neither a speed nor a duration is given", where=WHERE, remedy="give speed")
-    return by_travel(length, speed, drive.acceleration)
-
-
-def speed_limit(leg: Leg, drive: Drive) -> float | None:
-    """The largest speed [m/s] that keeps the limits of normal and total acceleration on the sharpest arc.
-
-    v^2/R <= a_n, and at the end of the acceleration a_m^2 + (v^2/R)^2 <= a^2. Raises `NoSolutionError` where a_m alone
-    is beyond the total.
-    """
-    radii = [piece.radius for piece in leg if piece.radius is not None]
-    found = []
-    if drive.total is not None and (drive.total < drive.acceleration or (radii and drive.total == drive.acceleration)):
-        raise NoSolutionError(
-            f"the tangential acceleration {drive.acceleration:.9g} m/s^2 alone takes up the total acceleration of "
-            f"{drive.total:.9g} m/s^2",
-            where=f"{WHERE}, total_acceleration",
-            value=drive.acceleration,
-            limit=drive.total,
-            remedy="write a smaller acceleration",
-        )
-    if radii and drive.normal is not None:
-        found.append(math.sqrt(drive.normal * min(radii)))
-    if radii and drive.total is not None:
-        normal = math.sqrt((drive.total - drive.acceleration) * (drive.total + drive.acceleration))
-        found.append(math.sqrt(normal * min(radii)))
-    return min(found) if found else None
 
 
 def course_of_laws(task: LawTask, names: tuple[str, ...]) -> tuple[Course, tuple[TimeLaw, ...]]:
@@ -229,7 +67,7 @@ def course_of_laws(task: LawTask, names: tuple[str, ...]) -> tuple[Course, tuple
         return rows
 
     instants = [t for law in laws for t in law.instants]
-    return Course(duration, _apart([0.0, duration, *instants], duration), at), tuple(laws)
+    return Course(duration, distinct([0.0, duration, *instants], duration), at), tuple(laws)
 
 
 def _joint_law(move: JointMove) -> TimeLaw:
@@ -257,5 +95,5 @@ def course_of_table(task: TableTask) -> Course:
     def at(t: Values, side: Indices | int) -> Values:
         return np.stack([f(t + task.t[0]) for f in rates])
 
-    duration = float(task.t[-1] - task.t[0])
-    return Course(duration, tuple((task.t - task.t[0]).tolist()), at)
+    knots = tuple((task.t - task.t[0]).tolist())
+    return Course(knots[-1], (), at, knots)

@@ -1,30 +1,24 @@
-"""Obstacles: whether the path, the straight line or the arm crosses a polygon, in space a prism.
+"""Obstacles: whether a piece of a path or a segment of an arm crosses a polygon, in space a prism.
 
-The path is cut where it meets the lines (in space the planes) of all faces, in closed form; between two cuts it is
-inside or outside as a whole. The arm is looked at densely, and its times of contact are narrowed down by halving.
+A piece is cut where it meets the lines (in space the planes) of all faces, in closed form; between two cuts it is
+inside or outside as a whole.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.linkage.results import Grade
-from tmmcalc.manipulators.results import Contact
 from tmmcalc.manipulators.routes import Piece
 from tmmcalc.manipulators.task import Obstacle
 from tmmcalc.numerics.panels import Values
 
 Flags = NDArray[np.bool_]
-Segments = Callable[[Values], Sequence[tuple[Values, Values]]]  # ends (D, n) of the arms at times (n,)
 
 NEAR = 1e-12  # of the obstacle's size: what is nearer to its border touches it
-SAMPLES = 1441  # instants at which the arm is looked at
-HALVINGS = 40
 
 
 def inside(obstacle: Obstacle, p: Values) -> Flags:
@@ -110,26 +104,7 @@ def _meet(piece: Piece, normal: Values, level: float) -> list[float]:
     return found
 
 
-def arm_contacts(segments: Segments, obstacle: Obstacle, duration: float) -> list[tuple[float, float]]:
-    """Intervals of time [s] in which a part of the arm crosses an obstacle."""
-    t = np.linspace(0.0, duration, SAMPLES) if duration else np.zeros(1)
-
-    def hit(at: Values) -> Flags:
-        flags = [_segment_hits(obstacle, a, b) for a, b in segments(at)]
-        return np.any(flags, axis=0)
-
-    within = hit(t)
-    change = np.flatnonzero(within[1:] != within[:-1])
-    low, high = t[change].copy(), t[change + 1].copy()
-    for _ in range(HALVINGS if change.size else 0):
-        middle = (low + high) / 2
-        same = hit(middle) == within[change]
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
-    edges = [0.0, *((low + high) / 2).tolist(), duration]
-    return [(a, b) for k, (a, b) in enumerate(pairwise(edges)) if within[0] == (k % 2 == 0)]
-
-
-def _segment_hits(obstacle: Obstacle, a: Values, b: Values) -> Flags:
+def segment_hits(obstacle: Obstacle, a: Values, b: Values) -> Flags:
     """Whether the segments from a to b (D, n) have a point in an obstacle."""
     flat = np.ones(a.shape[1], bool)
     if len(a) == 3:
@@ -159,19 +134,3 @@ def _between_heights(obstacle: Obstacle, a: Values, b: Values) -> tuple[Values, 
     there = first <= last
     first, last = np.where(there, first, 0.0), np.where(there, last, 0.0)
     return a + first * (b - a), a + last * (b - a), there
-
-
-def contact_grades(contacts: Sequence[Contact]) -> tuple[Grade, ...]:
-    """A warning where path or arm crosses an obstacle; what the straight line does is no fault."""
-    return tuple(
-        Grade("warning", f"obstacle {each.obstacle}", f"the {each.what} {_words(each)}")
-        for each in contacts
-        if each.what != "straight line" and each.intervals
-    )
-
-
-def _words(each: Contact) -> str:
-    if all(a == b for a, b in each.intervals):
-        return f"touches it at t = {', '.join(f'{a:.6g}' for a, _ in each.intervals)} s"
-    shown = " and ".join(f"from t = {a:.6g} to {b:.6g} s" for a, b in each.intervals)
-    return f"crosses it {shown}"

@@ -1,52 +1,76 @@
-"""Ranges of the joints: by how much and when they are passed."""
+"""Ranges of the joints and of the elbow: by how much and when they are passed."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from tmmcalc.linkage.results import Grade
+from tmmcalc.manipulators.motions import Motion
 from tmmcalc.manipulators.results import LimitExcess
 from tmmcalc.manipulators.task import JointLimit
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.roots import bracketed
-from tmmcalc.timerows import TimedExtreme
+from tmmcalc.numerics.panels import Values, resolved
+from tmmcalc.numerics.roots import Indices, bracketed
+from tmmcalc.timerows import RESOLVED, over_time
 
 SAME = 1e-12  # of the size of a coordinate: what passes its limit by less, keeps it
-SAMPLES = 721  # among which the first passing is sought
 
 
-def find_excesses(
-    limits: Sequence[JointLimit],
-    angular: Sequence[bool],
-    reached: Sequence[TimedExtreme],
-    joint: Callable[[int, Values], Values],
-    duration: float,
-) -> tuple[LimitExcess, ...]:
-    """What passes its limits: ``reached`` and ``joint(k, t)`` are extremes and coordinates of the limited joints."""
-    found = []
-    for k, (limit, turns, extreme) in enumerate(zip(limits, angular, reached, strict=True)):
-        for edge, value, t, sign in (
-            (limit.low, extreme.least, extreme.least_at, -1.0),
-            (limit.high, extreme.largest, extreme.largest_at, 1.0),
-        ):
-            if edge is not None and sign * (value - edge) > SAME * max(abs(edge), abs(value)):
-                first = _first(lambda at, k=k, e=edge, s=sign: s * (joint(k, at) - e), duration, t)  # type: ignore[misc]
-                found.append(LimitExcess(limit.name, turns, edge, value, t, first))
-    return tuple(found)
+def find_excesses(moved: Motion, limits: Sequence[JointLimit]) -> tuple[LimitExcess, ...]:
+    """What passes its limits, with the farthest value and the first instant beyond."""
+    if not limits:
+        return ()
+    names = [joint.name for joint in moved.arm.ranged]
+    rows = [names.index(limit.name) for limit in limits]
+    tracks = _tracks(moved, rows)
+    found = (
+        _excess(moved, k, track, (limit.name, edge, sign))
+        for limit, k, track in zip(limits, rows, tracks, strict=True)
+        for edge, sign in ((limit.low, -1.0), (limit.high, 1.0))
+        if edge is not None
+    )
+    return tuple(each for each in found if each is not None)
 
 
-def _first(beyond: Callable[[Values], Values], duration: float, last: float) -> float:
-    """The first time at which a function is above zero, at the latest ``last``."""
-    t = np.linspace(0.0, duration, SAMPLES)
-    over = np.flatnonzero(beyond(t) > 0)
-    if not over.size or t[over[0]] > last:
-        return last
-    if over[0] == 0:
-        return 0.0
-    return float(bracketed(lambda at, _: beyond(at), t[over[0] - 1 : over[0]], t[over[0] : over[0] + 1])[0])
+def _tracks(moved: Motion, rows: Sequence[int]) -> list[tuple[Values, Values]]:
+    """Times and values (m,) of the local extremes and of the breaks of coordinates, in the order of time."""
+
+    def coordinates(t: Values) -> Values:
+        return moved.ranged(t)[0, rows]
+
+    duration = moved.given.duration
+    if not duration:
+        begin: Values = np.zeros(1)
+        return [(begin, value[None]) for value in coordinates(begin)[:, 0]]
+    on, values, _ = resolved(coordinates, over_time(duration, moved.given.breaks), RESOLVED)
+    found: list[tuple[Values, Values]] = []
+    for row in values:
+        at, value = on.turning(row)
+        order = np.argsort(at, kind="stable")
+        found.append((at[order], value[order]))
+    return found
+
+
+def _excess(
+    moved: Motion, row: int, track: tuple[Values, Values], limit: tuple[str, float, float]
+) -> LimitExcess | None:
+    """How a coordinate passes one end of its range: its name, the end, and -1 for the lower or +1 for the upper one."""
+    name, edge, sign = limit
+    at, value = track
+    beyond = sign * (value - edge)
+    far = int(np.argmax(beyond))
+    if beyond[far] <= SAME * max(abs(edge), abs(float(value[far]))):
+        return None
+    k = int(np.flatnonzero(beyond > 0)[0])
+
+    def past(t: Values, _: Indices) -> Values:
+        return np.asarray(sign * (moved.ranged(t)[0, row] - edge))
+
+    # between two neighbouring extremes a coordinate passes its limit once
+    first = float(bracketed(past, at[k - 1 : k], at[k : k + 1])[0]) if k else float(at[0])
+    return LimitExcess(name, moved.arm.ranged[row].turns, edge, float(value[far]), float(at[far]), first)
 
 
 def excess_grades(excesses: Sequence[LimitExcess]) -> tuple[Grade, ...]:

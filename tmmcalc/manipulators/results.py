@@ -93,6 +93,7 @@ class Manipulator:
     angular: tuple[bool, ...]  # (J,) whether the joint is an angle
     q: Values  # (3, J, n) joint coordinates [rad or m] and their derivatives; angles are continuous
     elbow: Values | None  # (D, n) the elbow of an angular arm [m]
+    elbow_angle: Values | None  # (3, n) from its upper arm to its forearm [rad] with derivatives; continuous
     legs: tuple[LegFacts, ...]  # of the path; none in the direct problem
     laws: tuple[TimeLaw, ...]  # of the joints, in the direct problem by laws
     extremes: tuple[TimedExtreme, ...]

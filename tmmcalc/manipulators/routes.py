@@ -21,6 +21,7 @@ from tmmcalc.records import record
 
 WHERE = "manipulator, path"
 SAME = 1e-12  # of the route's size: nearer points are one, and turns by a smaller angle are none
+REVERSAL = 1e-9  # a turn so near to half a turn has no arc that rounds it [rad]
 
 
 @record
@@ -164,28 +165,40 @@ def _arc_through(route: ArcThrough) -> Piece:
 
 def _polyline(route: PolyRoute) -> tuple[Leg, ...]:
     """Lines between the points, rounded or with a stop at every corner."""
-    points = [_vector(point) for point in route.points]
-    size = max(float(np.linalg.norm(point - points[0])) for point in points)
-    points = [p for k, p in enumerate(points) if k == 0 or np.linalg.norm(p - points[k - 1]) > SAME * size]
-    if len(points) < 2:
-        return ((line(points[0], points[0]),),)
-    sides = [line(a, b) for a, b in pairwise(points)]
+    corners, size = _corners([_vector(point) for point in route.points])
+    (_, begin), (_, end) = corners[0], corners[-1]
+    if len(corners) < 2:
+        return ((line(begin, end),),)
+    sides = [line(a, b) for (_, a), (_, b) in pairwise(corners)]
     legs: list[list[Piece]] = [[]]
-    begin, used = points[0], 0.0
-    for k, (side, after) in enumerate(pairwise(sides), 1):
+    used = 0.0
+    for (number, corner), (side, after) in zip(corners[1:-1], pairwise(sides), strict=True):
         turn = _turn(side.e1, after.e1)
-        rounded = SAME < turn < math.pi - 1e-9 and route.corner > 0
+        rounded = turn < math.pi - REVERSAL and route.corner > 0
         cut = route.corner * math.tan(turn / 2) if rounded else 0.0
-        _check_corner(k, cut, side.length - used, after.length)
-        legs[-1].append(line(begin, points[k] - cut * side.e1))
+        _check_corner(number, cut, side.length - used, after.length)
+        legs[-1].append(line(begin, corner - cut * side.e1))
         if rounded:
-            legs[-1].append(_fillet(points[k], side.e1, after.e1, cut, turn))
-        elif turn > SAME:
+            legs[-1].append(_fillet(corner, side.e1, after.e1, cut, turn))
+        else:
             legs.append([])
-        begin, used = points[k] + cut * after.e1, cut
-    legs[-1].append(line(begin, points[-1]))
+        begin, used = corner + cut * after.e1, cut
+    legs[-1].append(line(begin, end))
     kept = [tuple(piece for piece in leg if piece.length > SAME * size) for leg in legs]
     return tuple(leg for leg in kept if leg)
+
+
+def _corners(points: list[Values]) -> tuple[list[tuple[int, Values]], float]:
+    """The points at which a polyline turns, with both ends, each with its number from 1; and the route's size [m]."""
+    size = max(float(np.linalg.norm(point - points[0])) for point in points)
+    kept = [(1, points[0])]
+    for number, point in enumerate(points[1:], 2):
+        if np.linalg.norm(point - kept[-1][1]) <= SAME * size:
+            continue
+        if len(kept) > 1 and _turn(*(line(a, b).e1 for a, b in pairwise((kept[-2][1], kept[-1][1], point)))) <= SAME:
+            kept.pop()
+        kept.append((number, point))
+    return kept, size
 
 
 def _turn(before: Values, after: Values) -> float:
@@ -193,11 +206,11 @@ def _turn(before: Values, after: Values) -> float:
     return 2 * math.atan2(float(np.linalg.norm(after - before)), float(np.linalg.norm(after + before)))
 
 
-def _check_corner(k: int, cut: float, before: float, after: float) -> None:
+def _check_corner(number: int, cut: float, before: float, after: float) -> None:
     if cut > min(before, after) * (1 + SAME):
         left = min(before, after)
         raise NoSolutionError(
-            f"the rounding of corner {k + 1} takes {cut:.9g} m of its sides, which have {left:.9g} m left",
+            f"the rounding of corner {number} takes {cut:.9g} m of its sides, which have {left:.9g} m left",
             where=WHERE,
             value=cut,
             limit=left,

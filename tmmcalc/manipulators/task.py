@@ -6,7 +6,7 @@ Points have two coordinates [m] for an arm in its vertical plane (x, y upwards),
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
@@ -14,13 +14,24 @@ from tmmcalc.records import record
 ArmKind = Literal["spherical", "cylindrical", "angular"]
 Place = tuple[float, ...]  # 2 or 3 coordinates [m]
 
-JOINTS: dict[str, tuple[tuple[str, bool], ...]] = {  # joints of the arm: name, and whether it is an angle
-    "spherical": (("phi_2", True), ("l_3", False)),
-    "cylindrical": (("h", False), ("r", False)),
-    "angular": (("phi_2", True), ("phi_3", True)),
+
+class Joint(NamedTuple):
+    """A joint coordinate: its name, those of its derivatives by the time, and whether it is an angle."""
+
+    name: str
+    rate: str
+    acceleration: str
+    turns: bool
+
+
+BASE = Joint("psi", "omega_1", "eps_1", True)
+_ELEVATION = Joint("phi_2", "omega_2", "eps_2", True)
+JOINTS: dict[str, tuple[Joint, ...]] = {
+    "spherical": (_ELEVATION, Joint("l_3", "v_3", "a_3", False)),
+    "cylindrical": (Joint("h", "v_h", "a_h", False), Joint("r", "v_r", "a_r", False)),
+    "angular": (_ELEVATION, Joint("phi_3", "omega_3", "eps_3", True)),
 }
-BASE = ("psi", True)
-ELBOW = ("elbow", True)  # the angle between the arms, phi_3 - phi_2: no coordinate, but it has limits
+ELBOW = Joint("elbow", "omega_elbow", "eps_elbow", True)
 
 
 @record
@@ -40,9 +51,14 @@ class Arm:
     height: float = 0.0  # of the shoulder above the origin [m]
 
     @property
-    def joints(self) -> tuple[tuple[str, bool], ...]:
-        """Names of the coordinates, and whether they are angles."""
+    def joints(self) -> tuple[Joint, ...]:
+        """The joint coordinates."""
         return (*((BASE,) if self.spatial else ()), *JOINTS[self.kind])
+
+    @property
+    def ranged(self) -> tuple[Joint, ...]:
+        """What has a range: the joints, and between two links the angle of the elbow, which is no coordinate."""
+        return (*self.joints, *((ELBOW,) if self.kind == "angular" else ()))
 
     @property
     def dimensions(self) -> int:

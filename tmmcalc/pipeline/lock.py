@@ -28,6 +28,15 @@ def locked(folder: Path) -> Iterator[None]:
             _release(file)
 
 
+def locked_at_once(file: BinaryIO) -> bool:
+    """Lock an open file until it is closed, without waiting; return False if another process has it."""
+    try:
+        _try(file)
+    except OSError:
+        return False
+    return True
+
+
 if sys.platform == "win32":
     import msvcrt
     from errno import EDEADLOCK
@@ -44,6 +53,10 @@ if sys.platform == "win32":
             else:
                 return
 
+    def _try(file: BinaryIO) -> None:
+        file.seek(0)
+        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+
     def _release(file: BinaryIO) -> None:
         file.seek(0)
         msvcrt.locking(file.fileno(), msvcrt.LK_UNLCK, 1)
@@ -53,6 +66,9 @@ else:
 
     def _acquire(file: BinaryIO) -> None:
         fcntl.flock(file, fcntl.LOCK_EX)
+
+    def _try(file: BinaryIO) -> None:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
     def _release(file: BinaryIO) -> None:
         fcntl.flock(file, fcntl.LOCK_UN)

@@ -20,8 +20,7 @@ from tmmcalc.machine.balancing.weights import Weight
 from tmmcalc.numerics.fourier import Magnitude
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import NOISE, angle, number
-from tmmcalc.report.places import choose
-from tmmcalc.report.positions import positions_view
+from tmmcalc.report.positions import with_positions
 from tmmcalc.report.shakingmoment import less, moment, moment_left, moved, phi_at, raised
 from tmmcalc.report.weights import direction, size_text, size_values
 
@@ -80,13 +79,11 @@ def balance_document(
         return summary
     available = columns(result.linkage)
     usual = available if everything else _first(available)
-    view = positions_view(result.labels, available, usual=usual, patterns=patterns, rows=rows)
-    return replace(
-        summary,
-        table=replace(view, peaks=_peaks(view, result.linkage.shaking.scale)),
-        wide=not patterns,
-        more=choose("phi,R,D_*", where),
+    told = with_positions(
+        summary, result.labels, available, patterns, rows, usual=usual, example="phi,R,D_*", where=where
     )
+    assert told.table is not None
+    return replace(told, table=replace(told.table, peaks=_peaks(told.table, result.linkage.shaking.scale)))
 
 
 def _peaks(view: View, scale: float) -> list[float]:

@@ -7,40 +7,26 @@ the normal, which a wire or a side mill needs.
 from __future__ import annotations
 
 import csv
-import math
 from collections.abc import Sequence
 from io import StringIO
-
-import numpy as np
 
 from tmmcalc.cams.profile.columns import polar_angle
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.outline import adaptive, outline
-from tmmcalc.cams.profile.results import Profile, Wall
+from tmmcalc.cams.profile.results import WALLS, Profile, Wall
 from tmmcalc.cams.program import Program
 from tmmcalc.errors import NoSolutionError
-from tmmcalc.numerics.curves import Plane
-from tmmcalc.numerics.strokes import Bow, Outline
-from tmmcalc.report.outlinefiles import MM, dxf, require_dxf, svg
-
-__all__ = ["dxf", "nc_table", "outlines", "require_dxf", "svg"]
-
-NAMES = {"inner": "working profile", "outer": "second wall", "tool": "tool path", "outer tool": "second tool path"}
-DEGREES = 6  # decimals of phi
+from tmmcalc.numerics.strokes import Outline
+from tmmcalc.report.machinetool import HEAD, place_texts, point_texts
+from tmmcalc.report.outlinefiles import MM, circle
 
 
 def outlines(found: Profile, program: Program, tolerance: float) -> tuple[Outline, ...]:
     """All curves of a cam, each on a layer of its own, with the base circle of the pitch curve and a mark at O."""
     rim = Rim(found.follower, program)
     chain = [] if found.flat or not found.follower.roller else [outline(rim, "pitch curve", 0.0, tolerance)]
-    chain += [outline(rim, NAMES[wall.name], wall.distance, tolerance) for wall in found.walls]
-    return (*chain, _circle("base circle", found.follower.base))
-
-
-def _circle(name: str, radius: float) -> Outline:
-    halves = tuple(Bow(0j, radius, start, math.pi) for start in (0.0, math.pi))
-    polygon: Plane = radius * np.exp(0.5j * math.pi * np.arange(4))
-    return Outline(name, name, halves, polygon, True)
+    chain += [outline(rim, WALLS[wall.name], wall.distance, tolerance) for wall in found.walls]
+    return (*chain, circle("base circle", found.follower.base))
 
 
 def nc_table(found: Profile, program: Program, tolerance: float) -> bytes:
@@ -52,8 +38,7 @@ def nc_table(found: Profile, program: Program, tolerance: float) -> bytes:
     buffer = StringIO()
     writer = csv.writer(buffer, lineterminator="\n")
     tooled = found.tool is not None
-    head = ["curve", "phi[deg]", "X[mm]", "Y[mm]", "R[mm]", "alpha[deg]", "N_x", "N_y"]
-    writer.writerow([*head, *(["X_w[mm]", "Y_w[mm]"] if tooled else [])])
+    writer.writerow(["curve", *HEAD, *(["X_w[mm]", "Y_w[mm]"] if tooled else [])])
     for path, wall in _paths(found):
         _check(found, path)
         writer.writerows(_rows(found, program, tolerance, path, wall if tooled else None))
@@ -74,7 +59,7 @@ def _check(found: Profile, path: Wall) -> None:
     of_tool = path.name.endswith("tool")
     limit = found.largest_tool if of_tool else None if found.inner_reach is None else found.inner_reach.distance
     raise NoSolutionError(
-        f"the {NAMES[path.name]} cannot be cut: it runs backwards or crosses itself",
+        f"the {WALLS[path.name]} cannot be cut: it runs backwards or crosses itself",
         where="--nc",
         value=found.tool_radius if of_tool else found.follower.roller,
         limit=limit,
@@ -84,24 +69,13 @@ def _check(found: Profile, path: Wall) -> None:
 
 def _rows(found: Profile, program: Program, tolerance: float, path: Wall, wall: Wall | None) -> Sequence[list[str]]:
     follower = found.follower
-    rim, places = Rim(follower, program), max(0, math.ceil(-math.log10(tolerance * MM))) + 2
+    rim = Rim(follower, program)
     phi, pieces = adaptive(rim, path.distance, tolerance)
     here = rim.at(phi, pieces)
     points, normal = follower.placed(here.offset(path.distance)), follower.placed(-1j * here.tangent)
     side = 1 if path.name in ("inner", "tool") else -1
-    polar = np.degrees(polar_angle(follower, phi, points))
-    columns = [
-        _texts(np.degrees(phi), DEGREES),
-        *(_texts(MM * values, places) for values in (points.real, points.imag, np.abs(points))),
-        _texts(polar, DEGREES),
-        *(_texts(side * values, DEGREES + 2) for values in (normal.real, normal.imag)),
-    ]
+    columns = point_texts(phi, points, polar_angle(follower, phi, points), side * normal, tolerance)
     if wall is not None:
-        beside = follower.placed(here.offset(wall.distance))
-        columns += [_texts(MM * values, places) for values in (beside.real, beside.imag)]
-    name = NAMES[path.name]
+        columns += place_texts(follower.placed(here.offset(wall.distance)), tolerance)
+    name = WALLS[path.name]
     return [[name, *row] for row in zip(*columns, strict=True)]
-
-
-def _texts(values: np.ndarray, places: int) -> list[str]:
-    return [f"{value:.{places}f}" for value in (np.round(values, places) + 0.0).tolist()]

@@ -68,7 +68,7 @@ def _amount(value: float, unit: str) -> str:
 
 def dwell_table(dwell: Dwell, patterns: Sequence[str], everything: bool) -> View:
     """The positions; ``patterns`` choose columns by name, else the usual ones or ``everything``."""
-    available = columns_of(dwell)
+    available = columns_of(dwell.motion, dwell.output)
     if patterns:
         chosen = select(available, patterns)
     else:

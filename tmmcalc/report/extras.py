@@ -7,7 +7,7 @@ from math import degrees
 
 import numpy as np
 
-from tmmcalc.columns import Column, select
+from tmmcalc.columns import picked
 from tmmcalc.extras.bearing import Bearing
 from tmmcalc.extras.columns import ball_columns, contact_columns, reliability_columns
 from tmmcalc.extras.contact import Contact
@@ -122,14 +122,14 @@ def tie_down_document(result: TieDown, title: str) -> Document:
         ),
         Fact("preload", f"P0 = {number(result.preload, 7)} N", {"P0[N]": result.preload}),
         Fact(
-            "tie force (3)",
+            "R by formula (3)",
             f"{two}{number(result.opposite, 7)} N",
             {"R[N]": result.force, "dR[N]": result.change, "R_opposite[N]": result.opposite},
         ),
         Fact("vertical load of the ties", f"{number(result.vertical, 7)} N", {"vertical[N]": result.vertical}),
         Fact(
-            "equilibrium of all ties",
-            f"{number(result.balanced, 7)} N; {HELD[result.held]}",
+            "R by equilibrium",
+            f"{number(result.balanced, 7)} N of a stretched tie; {HELD[result.held]}",
             {"R_balanced[N]": result.balanced, "held_by": result.held},
         ),
         Fact(
@@ -208,12 +208,7 @@ def _view(
     told: Sequence[int],
 ) -> View:
     """The table of chosen columns; people get the rows that are told, in the units of a drawing."""
-    chosen = dict(columns)
-    if patterns:
-        names = {header.partition("[")[0]: header for header in columns}
-        wanted = [pattern.partition("[")[0] if pattern in columns else pattern for pattern in patterns]
-        found = select([Column(name, "", lambda: np.zeros(0)) for name in names if name != "i"], wanted)
-        chosen = {header: columns[header] for header in ("i", *(names[column.name] for column in found))}
+    chosen = picked(columns, patterns)
     whole = plain(chosen) if everything else drawn(chosen)
     if rows is None:
         rows = range(len(columns["i"])) if everything else told

@@ -14,8 +14,8 @@ from tmmcalc.linkage.forces.results import Forces, PairForces
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import NOISE, number
-from tmmcalc.report.places import choose, extreme_values, place, span_fact, speed_text
-from tmmcalc.report.positions import positions_view
+from tmmcalc.report.places import extreme_values, place, span_fact, speed_text
+from tmmcalc.report.positions import with_positions
 
 SMALL = 1e-6  # a normal force below this part of the largest has no arm worth a number
 SHOWN = 8  # positions named in a line
@@ -53,12 +53,8 @@ def forces_document(
     """
     available = columns(result)
     usual = available if everything else _first(result, available)
-    return replace(
-        forces_summary(result, title),
-        table=positions_view(result.labels, available, usual=usual, patterns=patterns, rows=rows),
-        wide=not patterns,
-        more=choose("phi,M_drive,R_*" if result.turns else "phi,F_drive,R_*", where),
-    )
+    told, example = forces_summary(result, title), "phi,M_drive,R_*" if result.turns else "phi,F_drive,R_*"
+    return with_positions(told, result.labels, available, patterns, rows, usual=usual, example=example, where=where)
 
 
 def _first(result: Forces, available: list[Column]) -> list[Column]:

@@ -1,7 +1,4 @@
-"""Outlines of gears as the bytes of files: SVG and DXF drawings in millimetres, CSV in metres.
-
-Equal outlines give equal bytes. Numbers of an SVG are rounded to a hundredth of the chord tolerance.
-"""
+"""Outlines of gears for drawings, a layer each, and as the bytes of a CSV file in metres."""
 
 from __future__ import annotations
 
@@ -13,20 +10,7 @@ import numpy as np
 
 from tmmcalc.gears.meshing.tracks import Track
 from tmmcalc.numerics.strokes import Outline
-from tmmcalc.report import outlinefiles
-from tmmcalc.report.outlinefiles import layer_name, require_dxf
-
-__all__ = ["dxf", "layer_of", "outline_csv", "require_dxf", "svg"]
-
-
-def svg(tracks: Sequence[Track], tolerance: float, title: str) -> bytes:
-    """One path a track, to the scale 1:1, y upward as on paper; ``tolerance`` [m] sets the digits."""
-    return outlinefiles.svg([_outline(track) for track in tracks], tolerance, title)
-
-
-def dxf(tracks: Sequence[Track]) -> bytes:
-    """Arcs, lines and cubic splines, every track on a layer of its own; raises as `require_dxf` does."""
-    return outlinefiles.dxf([_outline(track) for track in tracks])
+from tmmcalc.report.outlinefiles import layer_name
 
 
 def layer_of(track: Track) -> str:
@@ -34,8 +18,9 @@ def layer_of(track: Track) -> str:
     return layer_name(f"wheel {track.member.label}")
 
 
-def _outline(track: Track) -> Outline:
-    return Outline(track.member.label, layer_of(track), track.pieces, track.polygon, track.closed)
+def outlines(tracks: Sequence[Track]) -> list[Outline]:
+    """Every track on a layer of its own."""
+    return [Outline(each.member.label, layer_of(each), each.pieces, each.polygon, each.closed) for each in tracks]
 
 
 def outline_csv(tracks: Sequence[Track]) -> bytes:

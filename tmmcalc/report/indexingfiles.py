@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import math
 from io import StringIO
 
 import numpy as np
@@ -13,11 +12,11 @@ from tmmcalc.cams.indexing.results import Cam, Indexing
 from tmmcalc.cams.indexing.solve import drive_of
 from tmmcalc.cams.indexing.task import IndexingTask
 from tmmcalc.errors import UsageError
-from tmmcalc.numerics.curves import Plane, knots
-from tmmcalc.numerics.strokes import Bow, Outline
-from tmmcalc.report.outlinefiles import MM
+from tmmcalc.numerics.curves import knots
+from tmmcalc.numerics.strokes import Outline
+from tmmcalc.report.machinetool import HEAD, point_texts
+from tmmcalc.report.outlinefiles import circle
 
-DEGREES = 6  # decimals of phi
 FINEST = 1e-9  # of R0: a finer tolerance would take millions of points
 
 
@@ -35,14 +34,8 @@ def outlines(task: IndexingTask, result: Indexing) -> tuple[Outline, ...]:
     check_tolerance(task, result)
     names = {"pitch curve": False, "working profile": True}
     chain = [outline(name, chain_of(task, result, working), task.tolerance) for name, working in names.items()]
-    circles = [_circle("base circle", result.base), *([_circle("shaft", task.shaft)] if task.shaft else [])]
+    circles = [circle("base circle", result.base), *([circle("shaft", task.shaft)] if task.shaft else [])]
     return (*chain, *circles)
-
-
-def _circle(name: str, radius: float) -> Outline:
-    halves = tuple(Bow(0j, radius, start, math.pi) for start in (0.0, math.pi))
-    polygon: Plane = radius * np.exp(0.5j * math.pi * np.arange(4))
-    return Outline(name, name, halves, polygon, True)
 
 
 def nc_table(task: IndexingTask, result: Indexing) -> bytes:
@@ -52,19 +45,13 @@ def nc_table(task: IndexingTask, result: Indexing) -> bytes:
     the lobe the point stands twice, with either normal. Raises as `chain_of`, and for a tolerance that is too fine.
     """
     check_tolerance(task, result)
-    places = max(0, math.ceil(-math.log10(task.tolerance * MM))) + 2
     buffer = StringIO()
     writer = csv.writer(buffer, lineterminator="\n")
-    writer.writerow(["part", "phi[deg]", "X[mm]", "Y[mm]", "R[mm]", "alpha[deg]", "N_x", "N_y"])
+    writer.writerow(["part", *HEAD])
     for stretch in chain_of(task, result):
         t = knots(stretch.curve, task.tolerance)
         points, normal = stretch.curve.point(t), stretch.normal(t)
-        columns = (
-            _texts(np.degrees(stretch.angle(t)), DEGREES),
-            *(_texts(MM * values, places) for values in (points.real, points.imag, np.abs(points))),
-            _texts(np.degrees(np.angle(points)), DEGREES),
-            *(_texts(values, DEGREES + 2) for values in (normal.real, normal.imag)),
-        )
+        columns = point_texts(stretch.angle(t), points, np.angle(points), normal, task.tolerance)
         writer.writerows([stretch.name, *row] for row in zip(*columns, strict=True))
     return buffer.getvalue().encode()
 
@@ -90,7 +77,3 @@ def _cam(result: Indexing) -> Cam:
         where="cam indexing",
         remedy="name a law of the catalogue",
     )
-
-
-def _texts(values: np.ndarray, places: int) -> list[str]:
-    return [f"{value:.{places}f}" for value in (np.round(values, places) + 0.0).tolist()]

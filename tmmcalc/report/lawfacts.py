@@ -13,18 +13,22 @@ from tmmcalc.timerows import TimedExtreme
 NOTHING = 1e-9  # of the larger extreme: the smaller one is zero
 
 
-def law_facts(law: TimeLaw, angular: bool, what: str, prefix: str = "") -> Iterator[Fact]:
-    """Travel, phases and largest speed of a law; ``prefix`` begins the names for programs."""
+def law_facts(law: TimeLaw, angular: bool, what: str, prefix: str = "", which: str = "the") -> Iterator[Fact]:
+    """Travel, phases and largest speed of a law; ``prefix`` begins the names for programs.
+
+    ``which`` says before "acceleration" what the law is of, where there is another one.
+    """
     unit = "rad" if angular else "m"
     shown = f"{number(math.degrees(law.travel))} deg" if angular else f"{number(law.travel)} m"
     yield Fact(f"travel of {what}", shown, {f"{prefix}S_m[{unit}]": law.travel})
-    yield Fact("phases", _phases(law), {**_times(law, prefix)})
+    ways = {f"{prefix}S_1[{unit}]": law.ramp_travel, f"{prefix}S_2[{unit}]": law.uniform_travel}
+    yield Fact("phases", _phases(law, which), _times(law, prefix) | ways)
     speed = f"{number(law.speed)} {unit}/s, acceleration {number(law.acceleration)} {unit}/s^2"
     values = {f"{prefix}v_peak[{unit}/s]": law.speed, f"{prefix}a[{unit}/s^2]": law.acceleration}
     yield Fact("largest speed", speed, values)
 
 
-def _phases(law: TimeLaw) -> str:
+def _phases(law: TimeLaw, which: str) -> str:
     if not law.speed:
         return "no motion"
     ramp, uniform = number(law.ramp), number(law.uniform)
@@ -34,7 +38,7 @@ def _phases(law: TimeLaw) -> str:
         else f"acceleration {ramp} s, deceleration {ramp} s: the travel is too short for the largest speed"
     )
     instants = ", ".join(number(t) for t in law.instants)
-    return f"{parts}\nT = {number(law.duration)} s; the acceleration jumps at t = {instants} s"
+    return f"{parts}\nT = {number(law.duration)} s; {which} acceleration jumps at t = {instants} s"
 
 
 def _times(law: TimeLaw, prefix: str) -> dict[str, object]:
@@ -42,8 +46,6 @@ def _times(law: TimeLaw, prefix: str) -> dict[str, object]:
         f"{prefix}t_1[s]": law.ramp,
         f"{prefix}t_2[s]": law.uniform,
         f"{prefix}T[s]": law.duration,
-        f"{prefix}S_1": law.ramp_travel,
-        f"{prefix}S_2": law.uniform_travel,
         f"{prefix}jumps[s]": list(law.instants),
     }
 

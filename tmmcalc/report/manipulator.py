@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 from tmmcalc.manipulators.columns import manipulator_columns
 from tmmcalc.manipulators.results import LegFacts, Manipulator, PieceFacts
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.lawfacts import extreme_lines, extreme_values, law_facts
 from tmmcalc.report.numbers import angle, number
-from tmmcalc.report.positions import more, positions_view
+from tmmcalc.report.positions import with_positions
 
 ARMS = {
     "spherical": "spherical: elevation phi_2, extension l_3",
@@ -35,15 +34,10 @@ def manipulator_document(
     everything: bool = False,
     where: str = "",
 ) -> Document:
-    """Summary and table; ``patterns`` choose columns, ``rows`` instants by index."""
-    available = manipulator_columns(result)
-    view = positions_view(result.labels, available, usual=available, patterns=patterns, rows=rows)
-    return replace(
-        manipulator_summary(result, title),
-        table=view,
-        wide=not patterns,
-        more=more(where, f"t,{','.join(result.joints)}"),
-    )
+    """Summary and table; ``patterns`` choose columns, ``rows`` instants by index; there are no further columns."""
+    told, available = manipulator_summary(result, title), manipulator_columns(result)
+    example = f"t,{','.join(result.joints)}"
+    return with_positions(told, result.labels, available, patterns, rows, example=example, where=where)
 
 
 def _facts(result: Manipulator) -> Iterator[Fact]:
@@ -68,9 +62,12 @@ def _arm_fact(result: Manipulator) -> Fact:
     lines = [f"{ARMS[arm.kind]}{'; base psi' if arm.spatial else ''}"]
     values: dict[str, object] = {"arm": arm.kind, "problem": "inverse" if result.inverse else "direct"}
     if arm.kind == "angular":
-        side = "up" if arm.elbow > 0 else "down"
-        lines.append(f"arms of {number(arm.upper)} m and {number(arm.forearm)} m, elbow {side}")
-        values |= {"upper_arm[m]": arm.upper, "forearm[m]": arm.forearm, "elbow": side}
+        values |= {"upper_arm[m]": arm.upper, "forearm[m]": arm.forearm}
+        side = ""
+        if result.inverse:  # else the joints settle it
+            values["elbow"] = "up" if arm.elbow > 0 else "down"
+            side = f", elbow {values['elbow']}"
+        lines.append(f"arms of {number(arm.upper)} m and {number(arm.forearm)} m{side}")
     if arm.height:
         lines.append(f"shoulder at a height of {number(arm.height)} m")
         values["height[m]"] = arm.height
@@ -83,7 +80,7 @@ def _leg_facts(leg: LegFacts, what: str, k: int, count: int) -> Iterator[Fact]:
     begin = f"from t = {number(leg.begin)} s: " if count > 1 else ""
     pieces = [_values(piece) for piece in leg.pieces]
     yield Fact(f"path of {what}", begin + "\n".join(arcs), {f"{prefix}path": pieces})
-    for fact in law_facts(leg.law, False, what, prefix):
+    for fact in law_facts(leg.law, False, what, prefix, "the tangential"):
         label = fact.label if fact.label.startswith("travel") or count == 1 else f"{fact.label}, {what}"
         yield Fact(label, fact.text, fact.values)
     if leg.speed_limit is not None:
@@ -125,14 +122,14 @@ def _values(piece: PieceFacts) -> dict[str, object]:
 
 
 def _extreme_facts(result: Manipulator) -> Iterator[Fact]:
-    hand = [each for each in result.extremes if each.name in GRIPPER]
-    if hand:
-        yield Fact("extremes, gripper", extreme_lines(hand), extreme_values(hand))
-    joints = [each for each in result.extremes if each.name not in GRIPPER]
-    for name in dict.fromkeys(each.name.lstrip("d") for each in joints):
-        found = [each for each in joints if each.name.lstrip("d") == name]
-        if any(each.least != each.largest for each in found):
-            yield Fact(f"extremes, {name}", extreme_lines(found), extreme_values(found))
+    """Extremes of the gripper and of each joint, for people without what never changes."""
+    found = {each.name: each for each in result.extremes}
+    groups = {joint.name: joint[:3] for joint in result.arm.ranged}
+    for what, names in {"gripper": GRIPPER, **groups}.items():
+        own = [found[name] for name in names if name in found]
+        told = [each for each in own if each.least != each.largest]
+        if told:
+            yield Fact(f"extremes, {what}", extreme_lines(told), extreme_values(own))
 
 
 def _place_facts(result: Manipulator) -> Iterator[Fact]:

@@ -21,8 +21,8 @@ from tmmcalc.machine.textbook import Textbook
 from tmmcalc.machine.verdicts import SLACK
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import NOISE, number
-from tmmcalc.report.places import Shaft, choose, span_fact
-from tmmcalc.report.positions import positions_view
+from tmmcalc.report.places import Shaft, span_fact
+from tmmcalc.report.positions import with_positions
 
 NAMES = {"kloss": "Kloss", "table": "tabulated"}
 SHOWN = 6  # speeds of the iteration that are named
@@ -62,13 +62,8 @@ def motion_document(
     ``patterns`` choose columns by name, header or wildcard, ``rows`` positions by index; all columns are shown
     as far as they fit, so ``everything`` changes nothing here. ``where`` is the file that has them all.
     """
-    available = motion_columns(result)
-    return replace(
-        motion_summary(result, title),
-        table=positions_view(result.labels, available, usual=available, patterns=patterns, rows=rows),
-        wide=not patterns,
-        more=choose("phi,omega*", where),
-    )
+    told, available = motion_summary(result, title), motion_columns(result)
+    return with_positions(told, result.labels, available, patterns, rows, example="phi,omega*", where=where)
 
 
 def unevenness(delta: float, digits: int = 7) -> str:

@@ -28,7 +28,7 @@ BARRED = str.maketrans(dict.fromkeys('<>/\\":;?*|=`,', "_"))  # signs that the n
 
 def svg(outlines: Sequence[Outline], tolerance: float, title: str) -> bytes:
     """One path an outline, to the scale 1:1, y upward as on paper; ``tolerance`` [m] sets the digits."""
-    places = max(0, math.ceil(-math.log10(tolerance * MM))) + 2
+    places = places_of(tolerance)
     corner, size = _frame(outlines)
     box = " ".join(f"{value:.6g}" for value in (corner.real, -corner.imag - size.imag, size.real, size.imag))
     paths = "\n".join(f'<path id={quoteattr(outline.name)} d="{_path(outline, places)}"/>' for outline in outlines)
@@ -38,6 +38,22 @@ def svg(outlines: Sequence[Outline], tolerance: float, title: str) -> bytes:
         f'<g fill="none" stroke="black" stroke-width="{STROKE * max(size.real, size.imag):.3g}">\n'
         f"{paths}\n</g>\n</svg>\n"
     ).encode()
+
+
+def places_of(tolerance: float) -> int:
+    """Decimals of millimetres that keep a hundredth of the chord tolerance [m].
+
+    >>> places_of(1e-5)
+    4
+    """
+    return max(0, math.ceil(-math.log10(tolerance * MM))) + 2
+
+
+def circle(name: str, radius: float) -> Outline:
+    """A circle about the origin [m]; its polygon reaches as far as it does."""
+    halves = tuple(Bow(0j, radius, start, math.pi) for start in (0.0, math.pi))
+    polygon: Plane = radius * np.exp(0.5j * math.pi * np.arange(4))
+    return Outline(name, name, halves, polygon, True)
 
 
 def _frame(outlines: Sequence[Outline]) -> tuple[complex, complex]:

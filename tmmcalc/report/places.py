@@ -87,8 +87,3 @@ def speed_text(result: Result) -> str:
     if not result.turns:
         return f"{number(result.speed)} m/s"
     return f"{number(result.speed)} rad/s ({number(result.speed * 30 / math.pi)} rpm)"
-
-
-def choose(example: str, where: str) -> str:
-    """What is said under a table that was cut; ``example`` names columns, ``where`` the file that has them all."""
-    return f"choose with --columns, e.g. --columns '{example}'{f', or see {where}' if where else ''}"

@@ -3,9 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from tmmcalc.columns import Column, select
-from tmmcalc.report.document import View
+from tmmcalc.report.document import Document, View
+
+
+def with_positions(
+    told: Document,
+    labels: Sequence[str],
+    available: Sequence[Column],
+    patterns: Sequence[str],
+    rows: Sequence[int] | None,
+    *,
+    usual: Sequence[Column] | None = None,
+    example: str,
+    where: str,
+) -> Document:
+    """The document with its table of positions, as `positions_view` makes it; ``usual`` None takes all columns.
+
+    Where columns are cut it says so: ``example`` names columns, ``where`` the file that has them all.
+    """
+    shown = available if usual is None else usual
+    view = positions_view(labels, available, usual=shown, patterns=patterns, rows=rows)
+    return replace(told, table=view, wide=not patterns, more=more(where, example))
 
 
 def positions_view(
@@ -20,9 +41,7 @@ def positions_view(
 
     ``rows`` are indices of positions, None for all. Raises `UsageError` for a pattern that matches nothing.
     """
-    names = {"i": "", **{c.header: c.name for c in available}}
-    wanted = [name for name in (names.get(p, p) for p in patterns) if name]
-    chosen = select(available, wanted) if patterns else usual
+    chosen = select(available, patterns) if patterns else usual
     kept = range(len(labels)) if rows is None else rows
     values = [c.make() for c in chosen]
     return View(
@@ -33,5 +52,5 @@ def positions_view(
 
 
 def more(where: str, example: str = "phi,x_*") -> str:
-    """What is said under a table that was cut to the width of the terminal."""
+    """What is said under a table that was cut; ``example`` names columns, ``where`` the file that has them all."""
     return f"choose with --columns, e.g. --columns '{example}'{f', or see {where}' if where else ''}"

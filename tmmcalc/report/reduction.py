@@ -14,8 +14,8 @@ from tmmcalc.linkage.reduction.results import Contribution, Reduction
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import NOISE, number
-from tmmcalc.report.places import choose, span_fact, speed_text
-from tmmcalc.report.positions import positions_view
+from tmmcalc.report.places import span_fact, speed_text
+from tmmcalc.report.positions import with_positions
 
 
 def reduction_summary(result: Reduction, title: str) -> Document:
@@ -55,15 +55,10 @@ def reduction_document(
     ``patterns`` choose columns by name, header or wildcard, ``rows`` positions by index; all columns are shown
     as far as they fit, so ``everything`` changes nothing here. ``where`` is the file that has them all.
     """
-    available = columns(result)
-    return replace(
-        reduction_summary(result, title),
-        table=_blanked(
-            result, positions_view(result.labels, available, usual=available, patterns=patterns, rows=rows), rows
-        ),
-        wide=not patterns,
-        more=choose("phi,M_red*,J_red" if result.turns else "phi,F_red*,m_red", where),
-    )
+    told, example = reduction_summary(result, title), "phi,M_red*,J_red" if result.turns else "phi,F_red*,m_red"
+    told = with_positions(told, result.labels, columns(result), patterns, rows, example=example, where=where)
+    assert told.table is not None
+    return replace(told, table=_blanked(result, told.table, rows))
 
 
 def _blanked(result: Reduction, view: View, rows: Sequence[int] | None) -> View:

@@ -54,8 +54,8 @@ def assemblies_document(listing: Listing, structure: Structure, title: str) -> D
     notes = []
     if listing.undecided:
         notes.append(
-            f"nothing tells which assembly of {listing.undecided} is meant: groups after it are not listed; "
-            "sketch its points in assembly.sketch, or number it in assembly.variants"
+            f"{listing.undecided}: {listing.reason}: groups after it are not listed; "
+            "sketch its points in assembly.sketch, or give its variant in assembly.variants"
         )
     rows = listing.assemblies
     size = max((abs(z) * 1e3 for one in rows for z in one.points.values()), default=0.0)

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.columns import Column, select
+from tmmcalc.columns import picked
 from tmmcalc.linkage.synthesis.columns import columns
-from tmmcalc.linkage.synthesis.results import Check, Design, Precision, Size, StrokeTimes, Synthesis
+from tmmcalc.linkage.synthesis.results import Check, Design, Precision, Size, StrokeTimes, Synthesis, check_key
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
 
@@ -19,9 +19,10 @@ FEW = 10  # points that are listed for people
 
 
 def synthesis_summary(result: Synthesis, title: str) -> Document:
-    """Sizes of the best solution, its checks and warnings."""
+    """Sizes of the best solution, its checks and warnings, and its merits unless the stage's table has them."""
     best = result.best
-    facts = (_kind_fact(result), *(_size_fact(size) for size in best.sizes), *map(_check_fact, best.checks))
+    merits = () if best.dwell is None else _merit_facts(best)
+    facts = (_kind_fact(result), *(_size_fact(size) for size in best.sizes), *map(_check_fact, best.checks), *merits)
     warnings = tuple(note for note in result.notes if note.startswith("warning"))
     return Document(title, facts, warnings)
 
@@ -53,10 +54,9 @@ def _facts(result: Synthesis, design: Design, choose: int) -> Iterator[Fact]:
         yield from _time_facts(design.times)
     for found in design.checks:
         yield _check_fact(found)
-    for name, value in design.merits.items():
-        label, unit = name.rstrip("]").replace("_", " ").partition("[")[::2]
-        yield Fact(label, f"{number(value, 6)} {unit}".strip(), {name: value})
+    yield from _merit_facts(design)
     if design.precision is not None:
+        yield _sense_fact(design.precision)
         yield _precision_fact(design.precision)
     if design.dwell is not None:
         from tmmcalc.report.dwell import dwell_facts
@@ -70,6 +70,12 @@ def _facts(result: Synthesis, design: Design, choose: int) -> Iterator[Fact]:
             f"{value} {name if value != 1 else name.removesuffix('s')}" for name, value in result.counters.items()
         )
         yield Fact("search", text, {"counters": dict(result.counters)})
+
+
+def _merit_facts(design: Design) -> Iterator[Fact]:
+    for name, value in design.merits.items():
+        label, unit = name.rstrip("]").replace("_", " ").partition("[")[::2]
+        yield Fact(label, f"{number(value, 6)} {unit}".strip(), {name: value})
 
 
 def _kind_fact(result: Synthesis) -> Fact:
@@ -96,8 +102,10 @@ def _time_facts(times: StrokeTimes) -> Iterator[Fact]:
     text = f"working {angle(times.working_angle * ANGLE)} deg, idle {angle(times.idle_angle * ANGLE)} deg of the crank"
     yield Fact("strokes", text, {"alpha_p[rad]": times.working_angle, "alpha_x[rad]": times.idle_angle})
     text = f"working {number(times.working_speed)}, idle {number(times.idle_speed)}, cycle {number(times.mean_speed)}"
-    values = {"v_p[m/s]": times.working_speed, "v_x[m/s]": times.idle_speed, "v_mean[m/s]": times.mean_speed}
-    yield Fact("mean speeds, m/s", text, values)
+    symbol = "v" if times.unit == "m" else "omega"
+    speeds = (("p", times.working_speed), ("x", times.idle_speed), ("mean", times.mean_speed))
+    values = {f"{symbol}_{which}[{times.unit}/s]": speed for which, speed in speeds}
+    yield Fact(f"mean speeds, {times.unit}/s", text, values)
 
 
 def _check_fact(found: Check) -> Fact:
@@ -106,7 +114,14 @@ def _check_fact(found: Check) -> Fact:
     if found.target is not None and found.residual is not None:
         text += f", wanted {shown(found.target, found.unit)} (residual {found.residual:.0e})"
         values |= {"target": found.target, "residual": found.residual}
-    return Fact(f"check: {found.name}", text, {f"check_{found.name.replace(' ', '_')}": values})
+    return Fact(f"check: {found.name}", text, {check_key(found.name): values})
+
+
+def _sense_fact(found: Precision) -> Fact:
+    """In which sense the crank turns, and between which angles."""
+    way = "counter-clockwise" if found.sense > 0 else "clockwise"
+    first, last = (angle(float(found.crank[k]) * ANGLE) for k in (0, -1))
+    return Fact("crank turns", f"{way}, from {first} to {last} deg", {"sense": found.sense})
 
 
 def _precision_fact(found: Precision) -> Fact:
@@ -120,9 +135,10 @@ def _precision_fact(found: Precision) -> Fact:
             for p, x, o in zip(found.points.tolist(), found.crank, off, strict=True)
         ]
     else:
-        values |= {"wanted": found.wanted.tolist(), "found": found.found.tolist()}
+        values |= {f"wanted[{found.unit}]": found.wanted.tolist(), f"found[{found.unit}]": found.found.tolist()}
+        factor, unit = (1e3, "mm") if found.unit == "m" else (ANGLE, "deg")
         lines = [
-            f"{angle(x * ANGLE)} deg of the crank, off by {f - w:.1e}"
+            f"{angle(x * ANGLE)} deg of the crank, off by {abs(factor * (f - w)):.0e} {unit}"
             for x, w, f in zip(found.crank, found.wanted, found.found, strict=True)
         ]
     if len(found.angle_errors):
@@ -140,13 +156,7 @@ def _pairs(points: np.ndarray) -> list[list[float]]:
 
 
 def _table(result: Synthesis, patterns: Sequence[str], everything: bool) -> View:
-    found = columns(result)
-    if patterns:
-        headers = {header.partition("[")[0]: header for header in found if header != "i"}
-        names = [pattern.partition("[")[0] if pattern in found else pattern for pattern in patterns]
-        available = [Column(name, "", lambda: np.zeros(0)) for name in headers]
-        chosen = select(available, names)
-        found = {"i": found["i"], **{headers[c.name]: found[headers[c.name]] for c in chosen}}
+    found = picked(columns(result), patterns)
     if everything:
         return View(list(found), list(found.values()))
     drawn = [_drawn(header, values) for header, values in found.items()]

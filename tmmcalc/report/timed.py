@@ -14,16 +14,20 @@ from tmmcalc.machine.transient.results import Event
 from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
 from tmmcalc.numerics.panels import Values
 from tmmcalc.report.document import Document, Fact, View
-from tmmcalc.report.places import choose
+from tmmcalc.report.positions import more
 
 SHOWN = 24  # equal steps of time, at whose rows a motion is shown
-ROUNDING = 1e-9  # of a turn: an angle so near below a whole turn is one
+ROUNDING = 1e-9  # of a turn: an angle so near to a whole turn is one
 
 
 def within(radians: float) -> float:
-    """An angle within the turn, from 0 to less than 360 [deg]."""
-    degrees = math.degrees(radians) % 360.0
-    return degrees if degrees < 360.0 * (1 - ROUNDING) else 0.0
+    """An angle within the turn, from 0 to less than 360 [deg]; 0 within rounding of a whole turn.
+
+    >>> within(2 * math.pi + 2e-15), within(-2e-15), round(within(math.pi / 6), 9)
+    (0.0, 0.0, 30.0)
+    """
+    degrees, near = math.degrees(radians) % 360.0, 360.0 * ROUNDING
+    return degrees if near < degrees < 360.0 - near else 0.0
 
 
 def events_view(events: Sequence[Event]) -> View | None:
@@ -38,14 +42,15 @@ def events_view(events: Sequence[Event]) -> View | None:
         "omega[rad/s]": [event.speed for event in events],
         "event": [event.message for event in events],
     }
-    return View(list(columns), list(columns.values()))
+    fastest = max(abs(event.speed) for event in events)
+    return View(list(columns), list(columns.values()), [0.0, 0.0, 0.0, fastest, 0.0])
 
 
 def course(motion: TimedMotion, patterns: Sequence[str], where: str) -> Document:
     """The rows of a motion nearest to equal times."""
     rows = _equal_times(motion.t)
     available = timed_columns(motion)
-    chosen = _chosen(available, patterns) if patterns else _first(motion, available)
+    chosen = select(available, patterns, "motion") if patterns else _first(motion, available)
     values = [column.make() for column in chosen]
     view = View(
         [column.header for column in chosen],
@@ -53,8 +58,8 @@ def course(motion: TimedMotion, patterns: Sequence[str], where: str) -> Document
         [float(np.abs(v).max()) for v in values],
     )
     facts = (Fact("rows", _shown(len(rows), len(motion.t), where)), *_legend_facts(motion))
-    more = choose("t,omega*,M_*", where)
-    return Document(f"course of {motion.name}", facts, table=view, wide=not patterns, more=more)
+    told = more(where, "t,omega*,M_*")
+    return Document(f"course of {motion.name}", facts, table=view, wide=not patterns, more=told)
 
 
 def _shown(count: int, total: int, where: str) -> str:
@@ -83,12 +88,6 @@ def _equal_times(t: Values) -> list[int]:
     return sorted(set(near.tolist()))
 
 
-def _chosen(available: list[Column], patterns: Sequence[str]) -> list[Column]:
-    """The columns that are named, by name, header or wildcard; the motion itself is no column of a motion."""
-    names = {"motion": "", **{column.header: column.name for column in available}}
-    return select(available, [name for name in (names.get(p, p) for p in patterns) if name])
-
-
 def _first(motion: TimedMotion, available: list[Column]) -> list[Column]:
     """Time, the crank, the moments; then what a reader looks at later."""
     crank = len(motion.masses) if len(motion.masses) > 1 else ""
@@ -102,7 +101,7 @@ def _first(motion: TimedMotion, available: list[Column]) -> list[Column]:
 def whole_table(result: TimedMotions, patterns: Sequence[str]) -> View:
     """All rows of all motions, one after the other; the masses of the drive are the same in all."""
     every = [timed_columns(motion) for motion in result.motions]
-    chosen = [_chosen(available, patterns) for available in every] if patterns else every
+    chosen = [select(available, patterns, "motion") for available in every] if patterns else every
     names = [motion.name for motion in result.motions for _ in range(len(motion.t))]
     same = list(zip(*chosen, strict=True))
     values = [np.concatenate([column.make() for column in each]).tolist() for each in same]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 from tmmcalc.columns import Column
 from tmmcalc.linkage.unsteady.columns import unsteady_columns
@@ -13,7 +12,7 @@ from tmmcalc.linkage.unsteady.results import Unsteady
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.lawfacts import extreme_lines, extreme_values, law_facts
 from tmmcalc.report.numbers import angle, number
-from tmmcalc.report.positions import more, positions_view
+from tmmcalc.report.positions import with_positions
 
 POINTS = ("speed_", "acceleration_")
 CENTRE = re.compile(r"(speed|acceleration)_S\d+")  # of a centre of mass
@@ -34,15 +33,10 @@ def unsteady_document(
     where: str = "",
 ) -> Document:
     """Summary and table; ``patterns`` choose columns, ``rows`` instants by index, ``everything`` takes all columns."""
-    available = unsteady_columns(result)
-    view = positions_view(
-        result.labels,
-        available,
-        usual=available if everything else _first(result, available),
-        patterns=patterns,
-        rows=rows,
-    )
-    return replace(unsteady_summary(result, title), table=view, wide=not patterns, more=more(where, "t,x,v,a,omega_*"))
+    told, available = unsteady_summary(result, title), unsteady_columns(result)
+    usual = available if everything else _first(result, available)
+    example = "t,x,v,a,omega_*"
+    return with_positions(told, result.labels, available, patterns, rows, usual=usual, example=example, where=where)
 
 
 def _first(result: Unsteady, available: list[Column]) -> list[Column]:

@@ -6,10 +6,11 @@ from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import core_schema
 
 from .choices import Known
+from .dimensions import DIMENSIONS
 from .phrases import show
 from .quantities import Number, Quantity, Reader
 from .table import Table
-from .units import DIMENSIONS, UnitError, parse
+from .units import UnitError, parse
 
 # The catalogue of laws, whose module needs numpy; a test holds the two together.
 LAWS = (

@@ -8,9 +8,10 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
+from .dimensions import DIMENSIONS
 from .phrases import listing, nearest, show
 from .quantities import Quantity, Reader
-from .units import DIMENSIONS, UnitError
+from .units import UnitError
 
 _DECIMAL = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{1,3})?"
 _LONGEST = 60  # characters of a number: the arithmetic is exact, whatever the digits

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
-from tmmcalc.linkage.synthesis.dwell.task import DwellTask, Lengths, Optimum, ThreePositions
+from tmmcalc.linkage.synthesis.dwell.task import DwellTask, Lengths, Optimum, OutputKind, Stroke, ThreePositions
 
 if TYPE_CHECKING:
     from .linksynthdwell import DwellOptimumTable, DwellTable
@@ -18,7 +18,7 @@ def to_dwell(table: DwellTable) -> DwellTask:
     p = table.positions
     return DwellTask(
         dwell=table.dwell,
-        output=table.output,  # type: ignore[arg-type]
+        output=cast(OutputKind, table.output),
         positions=ThreePositions(p.phi12, p.psi0, p.psi12, p.psi13, p.CB, p.CD, p.alpha),
         lengths=_lengths(table),
         n=table.n,
@@ -29,7 +29,7 @@ def to_dwell(table: DwellTable) -> DwellTask:
         pivot_left=None if table.pivot_side is None else table.pivot_side == "left",
         exact=table.exact,
         working_angle=table.working_angle,
-        working=table.working,  # type: ignore[arg-type]
+        working=cast(Stroke, table.working),
         frame=table.frame,
         stroke=table.stroke,
         resistance=1.0 if table.resistance is None else table.resistance,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from tmmcalc.errors import UsageError
 
@@ -15,14 +15,15 @@ if TYPE_CHECKING:
 
     from .root import Spec
 
+Given = TypeVar("Given")
+
 
 def to_contact(spec: Spec) -> ContactTask:
     """The contact of the spec; raises `UsageError` if it has none."""
-    from tmmcalc.extras.contact import ContactTask, GapTable, composite_modulus
+    from tmmcalc.extras.contact import ContactTask, GapTable
+    from tmmcalc.extras.hertz import composite_modulus
 
-    table = spec.contact
-    if table is None:
-        raise _absent("contact", "load and radii")
+    table = _given(spec.contact, "contact", "load and radii")
     given = table.table
     (first, second), (nu, other) = table.young, table.poisson
     return ContactTask(
@@ -40,9 +41,7 @@ def to_reliability(spec: Spec) -> ReliabilityTask:
     """The product of the spec; raises `UsageError` if it has none."""
     from tmmcalc.extras.reliability import LifeTest, ReliabilityTask, load_range
 
-    table = spec.reliability
-    if table is None:
-        raise _absent("reliability", "load, rate, and strength with decay or a test")
+    table = _given(spec.reliability, "reliability", "load, rate, and strength with decay or a test")
     low, high = table.load if table.load is not None else load_range(tuple(table.readings or ()))
     test = None
     if table.items is not None and table.least_life is not None and table.mean_life is not None:
@@ -64,9 +63,7 @@ def to_tie_down(spec: Spec) -> TieDownTask:
     """The load of the spec and its ties; raises `UsageError` if it has none."""
     from tmmcalc.extras.tie_down import Support, Thread, TieDownTask
 
-    table = spec.tie_down
-    if table is None:
-        raise _absent("tie_down", "weight, factor, elevation and friction")
+    table = _given(spec.tie_down, "tie_down", "weight, factor, elevation and friction")
     thread, held = table.thread, table.support
     return TieDownTask(
         weight=table.weight,
@@ -88,9 +85,7 @@ def to_ball(spec: Spec) -> BallTask:
     """The ball of the spec; raises `UsageError` if it has none."""
     from tmmcalc.extras.falling_ball import BallTask
 
-    table = spec.falling_ball
-    if table is None:
-        raise _absent("falling_ball", "radius, drag and decay")
+    table = _given(spec.falling_ball, "falling_ball", "radius, drag and decay")
     relative = table.relative_speed
     return BallTask(
         radius=table.radius,
@@ -110,9 +105,7 @@ def to_bearing(spec: Spec) -> BearingTask:
     """The bearing of the spec; raises `UsageError` if it has none."""
     from tmmcalc.extras.bearing import BearingTask
 
-    table = spec.bearing
-    if table is None:
-        raise _absent("bearing", "speed, inner, outer, roller and count")
+    table = _given(spec.bearing, "bearing", "speed, inner, outer, roller and count")
     omega = table.speed
     if omega is None:
         omega = 2 * (table.wheel_speed or 0.0) / (table.wheel_diameter or 1.0)
@@ -128,5 +121,8 @@ def to_bearing(spec: Spec) -> BearingTask:
     )
 
 
-def _absent(name: str, keys: str) -> UsageError:
-    return UsageError(f"the spec has no [{name}]", remedy=f"add [{name}] with {keys}")
+def _given(table: Given | None, name: str, keys: str) -> Given:
+    """The table; raises `UsageError` with its needed keys if the spec has none."""
+    if table is None:
+        raise UsageError(f"the spec has no [{name}]", remedy=f"add [{name}] with {keys}")
+    return table

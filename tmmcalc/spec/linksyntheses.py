@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import fields
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from tmmcalc.errors import UsageError
+from tmmcalc.linkage.synthesis.kinds import SEARCHES
 from tmmcalc.linkage.synthesis.task import (
     CrankRockerTask,
     FunctionTask,
+    MechanismName,
     PoseTask,
     RotatingTask,
     SliderCrankTask,
@@ -20,6 +22,8 @@ from tmmcalc.linkage.synthesis.task import (
 )
 
 if TYPE_CHECKING:
+    from tmmcalc.feasibility.judge import FeasibilityTask
+
     from .linksynthdwell import DwellTable
     from .linksynthgeneration import FunctionTable, MotionSynthesisTable, PathTable
     from .root import Spec
@@ -44,7 +48,21 @@ def to_synthesis(spec: Spec) -> SynthesisTask:
         transmission=table.transmission or 0.0,
         positions=table.positions,
         title=spec.project.title,
+        constraints=_searched(spec),
     )
+
+
+def _searched(spec: Spec) -> FeasibilityTask | None:
+    """The constraints, where a search keeps them: that of a path, function or motion, and of the best dwell."""
+    table = spec.synthesis
+    if table is None or not spec.constraints:
+        return None
+    dwell = table.dwell is not None and table.dwell.optimum is not None
+    if table.kind not in SEARCHES and not (dwell and any(each.stage == "synthesis" for each in spec.constraints)):
+        return None
+    from .constraining import to_feasibility
+
+    return to_feasibility(spec)
 
 
 def _plain(record: Any, **renamed: str) -> Callable[[Any], Any]:
@@ -60,13 +78,13 @@ def _poses(table: PathTable | MotionSynthesisTable) -> PoseTask:
     """Points of a path or poses of a motion."""
     points = np.array([complex(*point) for point in table.points])
     angles, timing = getattr(table, "angles", None), getattr(table, "timing", None)
-    region = None if table.region is None else tuple(complex(*corner) for corner in table.region)
+    low, high = (complex(*corner) for corner in table.region or ((0, 0), (0, 0)))
     return PoseTask(
-        mechanism=table.mechanism,  # type: ignore[arg-type]
+        mechanism=cast(MechanismName, table.mechanism),
         points=points,
         angles=None if angles is None else np.unwrap(np.array(angles)),
         timing=None if timing is None else np.array(timing) - timing[0],
-        region=region,  # type: ignore[arg-type]
+        region=None if table.region is None else (low, high),
         full_turn=table.full_turn,
         largest_ratio=table.largest_ratio,
     )
@@ -77,7 +95,7 @@ def _function(table: FunctionTable) -> FunctionTask:
     inputs, outputs, fine_inputs, fine_outputs = _samples(table)
     every = np.concatenate((inputs, fine_inputs))
     return FunctionTask(
-        mechanism=table.mechanism,  # type: ignore[arg-type]
+        mechanism=cast(MechanismName, table.mechanism),
         inputs=inputs,
         outputs=outputs,
         fine_inputs=fine_inputs,

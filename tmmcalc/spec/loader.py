@@ -48,16 +48,30 @@ def parse_spec(text: str, file: str = "<spec>", overrides: Sequence[str] = (), f
 
     Files that the spec names are read from ``folder``.
     """
-    data = read_toml(text, file)
-    changed: list[Path] = []
-    if overrides:
-        from .override import apply
+    return Variants(text, file, FilePath(folder), overrides).spec()
 
-        data, changed = apply(data, overrides)
-    try:
-        return _checked(data, text, file, changed, FilePath(folder))
-    except RecursionError:
-        raise SpecError(file, [too_deep()]) from None
+
+class Variants:
+    """Variants of one TOML text, which is read once; ``fixed`` are overrides that all of them have.
+
+    Raises as ``load_spec`` for text that is no TOML and for overrides that do not fit.
+    """
+
+    def __init__(self, text: str, file: str, folder: FilePath, fixed: Sequence[str] = ()) -> None:
+        self.text, self.file, self.folder = text, file, folder
+        self.data, self._fixed = _changed(read_toml(text, file), fixed)
+
+    def spec(self, assignments: Sequence[str] = ()) -> Spec:
+        """Return the checked spec with these overrides too; raises as ``load_spec``."""
+        data, changed = _changed(self.data, assignments)
+        if _names_files(data):
+            from copy import deepcopy  # what is read from files takes its place in the document
+
+            data = deepcopy(data)
+        try:
+            return _checked(data, self.text, self.file, [*self._fixed, *changed], self.folder)
+        except RecursionError:
+            raise SpecError(self.file, [too_deep()]) from None
 
 
 def read_text(path: str | FilePath) -> str:
@@ -79,6 +93,15 @@ def read_text(path: str | FilePath) -> str:
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
         raise UsageError(f"{path} is not UTF-8 text (line {line})", remedy="save it as UTF-8") from None
+
+
+def _changed(data: dict[str, Any], overrides: Sequence[str]) -> tuple[dict[str, Any], list[Path]]:
+    """The document with its overrides, and the paths that they set."""
+    if not overrides:
+        return data, []
+    from .override import apply
+
+    return apply(data, overrides)
 
 
 def _checked(data: dict[str, Any], text: str, file: str, changed: list[Path], folder: FilePath) -> Spec:

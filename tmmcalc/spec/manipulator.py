@@ -122,7 +122,7 @@ class ManipulatorTable(Table):
     )
     upper_arm: Size | None = Field(default=None, description="Angular arm: from shoulder to elbow.")
     forearm: Size | None = Field(default=None, description="Angular arm: from elbow to gripper.")
-    elbow: ElbowName | None = Field(default=None, description="Angular arm: elbow up (default) or down.")
+    elbow: ElbowName | None = Field(default=None, description="Angular arm along a path: elbow up (default) or down.")
     height: Length = Field(default=0.0, description="Height of the shoulder over the origin.")
     speed: Speed | None = Field(default=None, description="Largest speed of the gripper along its path.")
     acceleration: Acceleration | None = Field(default=None, description="Largest tangential acceleration.")

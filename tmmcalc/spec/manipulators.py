@@ -8,7 +8,6 @@ import numpy as np
 
 from tmmcalc.errors import UsageError
 from tmmcalc.manipulators.task import (
-    JOINTS,
     ArcRoute,
     ArcThrough,
     Arm,
@@ -72,7 +71,7 @@ def _spatial(table: ManipulatorTable) -> bool:
 
 
 def _motion(table: ManipulatorTable, arm: Arm) -> PathTask | LawTask | TableTask:
-    names = [name for name, _ in arm.joints]
+    names = [joint.name for joint in arm.joints]
     if table.joints is not None:
         moves = tuple(_move(name, getattr(table.joints, name)) for name in names)
         return LawTask(moves, table.joints.together)
@@ -127,12 +126,3 @@ def _obstacle(table: ObstacleTable, k: int) -> Obstacle:
         assert table.corners is not None
         corners = table.corners
     return Obstacle(name, tuple(complex(x, y) for x, y in corners), table.low or 0.0, table.high or 0.0)
-
-
-def known_joints(arm: str, spatial: bool) -> list[str]:
-    """Names of the joints of a kind of arm.
-
-    >>> known_joints("angular", True)
-    ['psi', 'phi_2', 'phi_3']
-    """
-    return [*(["psi"] if spatial else []), *(name for name, _ in JOINTS[arm])]

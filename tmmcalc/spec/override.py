@@ -34,14 +34,17 @@ Step = str | int | _Where
 
 
 def apply(data: dict[str, Any], assignments: Sequence[str]) -> tuple[dict[str, Any], list[Path]]:
-    """Return a copy of the document with the assignments made, and the paths that they set.
+    """Return the document with the assignments made, and the paths that they set.
 
+    ``data`` stays as it is; what is not on the way to a value that is set is shared with it.
     Raises UsageError, which names the assignment: its path or value is not readable, or an element is absent.
     """
-    from copy import deepcopy
-
-    changed = deepcopy(data)
-    return changed, [_assign(changed, assignment) for assignment in assignments]
+    paths = []
+    for assignment in assignments:
+        steps, value = _read(assignment)
+        data, path = _put(data, steps, value, (), assignment)
+        paths.append(path)
+    return data, paths
 
 
 def split(assignment: str) -> tuple[str, str]:
@@ -66,19 +69,16 @@ def value_at(data: dict[str, Any], assignment: str) -> object:
     return here
 
 
-def _assign(data: dict[str, Any], assignment: str) -> Path:
-    steps, value = _read(assignment)
-    *parents, last = steps
-    here: Any = data
-    path: Path = ()
-    for step in parents:
-        step = _resolve(here, step, path, assignment)
-        if isinstance(step, str):
-            here.setdefault(step, {})
-        here, path = here[step], (*path, step)
-    last = _resolve(here, last, path, assignment)
-    here[last] = value
-    return (*path, last)
+def _put(here: Any, steps: Sequence[Step], value: object, path: Path, assignment: str) -> tuple[Any, Path]:
+    """A copy of a table or list with the value at the end of the steps, and the path to it."""
+    step = _resolve(here, steps[0], path, assignment)
+    changed, path = here.copy(), (*path, step)
+    if len(steps) == 1:
+        changed[step] = value
+        return changed, path
+    inner = here.get(step, {}) if isinstance(step, str) else here[step]
+    changed[step], path = _put(inner, steps[1:], value, path, assignment)
+    return changed, path
 
 
 def _resolve(here: Any, step: Step, path: Path, assignment: str) -> str | int:

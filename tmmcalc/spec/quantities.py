@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import Field
 from pydantic_core import core_schema
 
+from .dimensions import DIMENSIONS, UNITS
 from .phrases import either, nearest, show
-from .units import DIMENSIONS, LARGEST, UNITS, UnitError, parse, unit_direction
+from .units import LARGEST, UnitError, parse, unit_direction
 
 if TYPE_CHECKING:
     from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler

@@ -34,16 +34,22 @@ class Axis:
     key: str
     values: tuple[float, ...]
     unit: str = ""
+    si: str = ""  # unit of bare numbers, where it is known
 
     @property
     def name(self) -> str:
         """Header of a column of its values: ``mechanism.crank.speed[rpm]``."""
-        return f"{self.key}[{self.unit}]" if self.unit else self.key
+        unit = self.unit or self.si
+        return f"{self.key}[{unit}]" if unit else self.key
 
     def assignment(self, value: float) -> str:
         """The override that sets the key to ``value``."""
-        text = repr(int(value)) if value == int(value) and abs(value) < 2**53 else repr(value)
-        return f'{self.key}="{text} {self.unit}"' if self.unit else f"{self.key}={text}"
+        return f'{self.key}="{self.number(value)} {self.unit}"' if self.unit else f"{self.key}={self.number(value)}"
+
+    @staticmethod
+    def number(value: float) -> str:
+        """The value as the override has it: whole numbers without a point."""
+        return repr(int(value)) if value == int(value) and abs(value) < 2**53 else repr(value)
 
 
 def is_range(assignment: str) -> bool:
@@ -69,6 +75,8 @@ def axis(assignment: str, data: dict[str, Any]) -> Axis:
     if text.startswith("*"):
         base, unit = _quantity(value_at(data, assignment), assignment)
         values = tuple(base * factor for factor in values)
+    if not all(map(math.isfinite, values)):
+        raise _refusal(assignment, "a number too large", "write numbers below 1e308")
     return Axis(key, values, unit)
 
 

@@ -11,11 +11,12 @@ from typing import Any, get_args
 from pydantic import ValidationError
 
 from .engine import COUNT_TAG, LIST_TAG
-from .examples import ARRAYS_OF_TABLES, INLINE, LISTS, MISSING
+from .examples import ARRAYS_OF_TABLES, INLINE, LISTS
 from .findings import Finding
 from .joints import NAME_TAG, POINT_TAG
 from .late import LateTable
 from .phrases import Path, either, listing, nearest, show
+from .required import MISSING
 from .root import Spec
 from .table import Table
 from .units import UnitError

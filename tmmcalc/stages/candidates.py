@@ -23,7 +23,7 @@ def judge_designs(task: FeasibilityTask, upstream: Mapping[str, Any]) -> Feasibi
     for number, design in enumerate(synthesis.designs, 1):
         own = {**upstream, "synthesis": replace(synthesis, designs=(design,))}
         try:
-            result = judged(task, {**own, **_of_ready(task, design, own)})
+            result = judged(task, {**own, **of_ready(task, design, own)})
         except TmmError as error:
             if error.exit_code < NoSolutionError.exit_code:
                 raise
@@ -52,7 +52,7 @@ def _rank(candidate: Candidate) -> tuple[int, float]:
     return 1, -candidate.function
 
 
-def _of_ready(task: FeasibilityTask, design: Design, own: Mapping[str, Any]) -> dict[str, Any]:
+def of_ready(task: FeasibilityTask, design: Design, own: Mapping[str, Any]) -> dict[str, Any]:
     """Results of the ready spec for the stages that constraints ask about and the scene itself has not."""
     asked = [name for name in dict.fromkeys(each.stage for each in task.constraints) if name not in own]
     if not asked:

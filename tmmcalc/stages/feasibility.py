@@ -57,7 +57,7 @@ def _quantity(constraint: Constraint, upstream: Mapping[str, Any]) -> Quantity:
             remedy="tmmcalc plan says why a stage is left out",
         )
     result = upstream[constraint.stage]
-    told = dict(facts(constraint.stage, result)) if constraint.value else dict(_columns(constraint, result))
+    told = dict(facts(constraint.stage, result)) if constraint.value else dict(columns(constraint, result))
     return of_name(constraint, told)
 
 
@@ -80,7 +80,7 @@ def _numbers(values: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Q
             yield f"{path}{name}", (float(value), unit)
 
 
-def _columns(constraint: Constraint, result: Any) -> Iterator[tuple[str, Quantity]]:
+def columns(constraint: Constraint, result: Any) -> Iterator[tuple[str, Quantity]]:
     """What is asked of every column of numbers of the stage's table, by name."""
     maker = STAGES[constraint.stage].table
     made: Table | None = resolve(maker)(result) if maker else None

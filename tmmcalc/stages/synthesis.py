@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,24 +11,45 @@ import numpy as np
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.records import record
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
 
 
-def inputs(spec: Spec) -> SynthesisTask:
+@record
+class Request:
+    """A synthesis, and the stages of the scene itself, whose constraints do not concern the designs."""
+
+    task: SynthesisTask
+    own: tuple[str, ...] = ()
+
+
+def inputs(spec: Spec) -> Request:
     """What is asked."""
+    from tmmcalc.linkage.synthesis.kinds import SEARCHES
     from tmmcalc.spec.linksyntheses import to_synthesis
 
-    return to_synthesis(spec)
+    task = to_synthesis(spec)
+    if task.constraints is None or task.kind not in SEARCHES:
+        return Request(task)
+    from tmmcalc.pipeline.plan import plan
+
+    return Request(task, plan(spec).running)
 
 
-def solve(given: SynthesisTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Synthesis:
-    """All solutions that are listed, the best first."""
-    from tmmcalc.linkage.synthesis.kinds import solve_synthesis
+def solve(given: Request, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Synthesis:
+    """All solutions that are listed, the best first; those of a search that fail constraints are passed over."""
+    from tmmcalc.linkage.synthesis.kinds import SEARCHES, solve_synthesis
 
-    return solve_synthesis(given)
+    constraints, count = given.task.constraints, given.task.solutions
+    if constraints is None or given.task.kind not in SEARCHES:
+        return solve_synthesis(given.task)
+    from tmmcalc.stages.sifted import SOUGHT, sifted
+
+    found = solve_synthesis(replace(given.task, solutions=max(SOUGHT, count)))
+    return sifted(constraints, found, frozenset(given.own), count)
 
 
 def dump(result: Synthesis) -> Record:
@@ -46,9 +68,9 @@ def table(result: Synthesis) -> Table:
     if result.best.dwell is not None:
         from tmmcalc.linkage.synthesis.dwell.columns import columns_of
 
-        motion = result.best.dwell.motion
-        listed = columns_of(result.best.dwell)
-        return Table(["i", *(c.header for c in listed)], [np.array(motion.labels), *(c.make() for c in listed)])
+        dwell = result.best.dwell
+        listed = columns_of(dwell.motion, dwell.output)
+        return Table(["i", *(c.header for c in listed)], [np.array(dwell.motion.labels), *(c.make() for c in listed)])
     from tmmcalc.linkage.synthesis.columns import columns
 
     found = columns(result)

@@ -6,6 +6,7 @@ Nothing heavy is imported here, because plans ask about every stage.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from tmmcalc.stages.spared import pairs_of_train
@@ -18,9 +19,26 @@ TURN = 2 * math.pi
 SLIDES = "the input is a driven slider: its motion is no cycle"
 
 
-def synthesis(spec: Spec) -> str | None:
-    """A linkage is to be found."""
-    return None if spec.synthesis is not None else "no [synthesis]: no linkage is to be found"
+def _asked(table: str, lacking: str, header: str = "") -> Callable[[Spec], str | None]:
+    """What is wanted where the spec has its table; ``lacking`` is the sense of a spec without it."""
+    reason = f"no {header or f'[{table}]'}: {lacking}"
+    return lambda spec: None if getattr(spec, table) else reason
+
+
+synthesis = _asked("synthesis", "no linkage is to be found")
+train = _asked("train", "no tooth numbers are asked for")
+gearing = _asked("gearing", "no train is written out")
+cam_law = cam_synthesis = cam_profile = cam_pressure = _asked("cam", "no cam is asked for")
+indexing = _asked("indexing", "no indexing drive is asked for")
+manipulator = _asked("manipulator", "no arm is asked for")
+vibrator = _asked("vibrator", "no vibratory device is asked for")
+pendulum = _asked("pendulum", "no pendulum-rotor is asked for")
+contact = _asked("contact", "no bodies are pressed together")
+reliability = _asked("reliability", "no life is asked for")
+tie_down = _asked("tie_down", "no load is tied down")
+falling_ball = _asked("falling_ball", "no ball falls")
+bearing = _asked("bearing", "no bearing is asked for")
+feasibility = _asked("constraints", "nothing is to be kept", "[[constraints]]")
 
 
 def structure(spec: Spec) -> str | None:
@@ -28,9 +46,7 @@ def structure(spec: Spec) -> str | None:
     return None if spec.mechanism is not None else "no [mechanism]"
 
 
-def kinematics(spec: Spec) -> str | None:
-    """What moves is a mechanism."""
-    return structure(spec)
+kinematics = structure  # what moves is a mechanism
 
 
 def forces(spec: Spec) -> str | None:
@@ -40,11 +56,6 @@ def forces(spec: Spec) -> str | None:
     if _masses(spec) or spec.loads or spec.springs:
         return None
     return "no loads, masses or springs: nothing acts on the links"
-
-
-def feasibility(spec: Spec) -> str | None:
-    """Constraints are stated one by one."""
-    return None if spec.constraints else "no [[constraints]]: nothing is to be kept"
 
 
 def reduction(spec: Spec) -> str | None:
@@ -93,11 +104,6 @@ def unsteady(spec: Spec) -> str | None:
     return structure(spec) or ("no [unsteady]: no motion from rest to rest is asked for" if not spec.unsteady else None)
 
 
-def manipulator(spec: Spec) -> str | None:
-    """An arm that is asked for."""
-    return "no [manipulator]: no arm is asked for" if spec.manipulator is None else None
-
-
 def balance(spec: Spec) -> str | None:
     """What shakes is a linkage with masses, an engine, a rotor."""
     if spec.engine is not None or spec.rotor is not None or shakes(spec):
@@ -107,19 +113,12 @@ def balance(spec: Spec) -> str | None:
     return "no masses: nothing shakes the foundation" if not _masses(spec) else _acyclic(spec)
 
 
-def train(spec: Spec) -> str | None:
-    """Tooth numbers are those of a train that is asked for."""
-    return "no [train]: no tooth numbers are asked for" if spec.train is None else None
-
-
 def strength(spec: Spec) -> str | None:
     """Modules are those of tooth sets under a torque."""
     return train(spec) or ("no [strength]: no torque and no materials" if spec.strength is None else None)
 
 
-def criteria(spec: Spec) -> str | None:
-    """Trains are compared by their sizes, which strength gives."""
-    return strength(spec)
+criteria = strength  # trains are compared by their sizes, which strength gives
 
 
 def pair(spec: Spec) -> str | None:
@@ -129,37 +128,15 @@ def pair(spec: Spec) -> str | None:
     return criteria(spec) if pairs_of_train(spec) else None
 
 
+profile = pair  # every pair has profiles
+
+
 def blocking(spec: Spec) -> str | None:
     """The contour is that of two external wheels."""
     reason = pair(spec)
     if reason is None and not pairs_of_train(spec) and "external" not in _kinds(spec):
         return "no external pair: a ring or a rack has no blocking contour"
     return reason
-
-
-def profile(spec: Spec) -> str | None:
-    """Every pair has profiles."""
-    return pair(spec)
-
-
-def cam_law(spec: Spec) -> str | None:
-    """A law is that of a cam."""
-    return "no [cam]: no cam is asked for" if spec.cam is None else None
-
-
-def cam_synthesis(spec: Spec) -> str | None:
-    """Every cam has its sizes."""
-    return cam_law(spec)
-
-
-def cam_profile(spec: Spec) -> str | None:
-    """Every cam has a profile."""
-    return cam_law(spec)
-
-
-def cam_pressure(spec: Spec) -> str | None:
-    """Every follower has a pressure angle, if only that of a flat face."""
-    return cam_law(spec)
 
 
 def cam_forces(spec: Spec) -> str | None:
@@ -194,51 +171,6 @@ def cam_elastic(spec: Spec) -> str | None:
     if spec.cam is None or spec.cam.elastic is None:
         return cam_law(spec) or "no [cam.elastic]: the follower is rigid"
     return _cam_speed(spec, spec.cam)
-
-
-def indexing(spec: Spec) -> str | None:
-    """An indexing drive is asked for by its own table."""
-    return "no [indexing]: no indexing drive is asked for" if spec.indexing is None else None
-
-
-def gearing(spec: Spec) -> str | None:
-    """Speeds and powers are those of a train that is written out."""
-    return "no [gearing]: no train is written out" if spec.gearing is None else None
-
-
-def vibrator(spec: Spec) -> str | None:
-    """Springs and modes are those of a vibratory device."""
-    return "no [vibrator]: no vibratory device is asked for" if spec.vibrator is None else None
-
-
-def pendulum(spec: Spec) -> str | None:
-    """Whirl is that of a pendulum-rotor."""
-    return "no [pendulum]: no pendulum-rotor is asked for" if spec.pendulum is None else None
-
-
-def contact(spec: Spec) -> str | None:
-    """Asked for by its own table."""
-    return "no [contact]: no bodies are pressed together" if spec.contact is None else None
-
-
-def reliability(spec: Spec) -> str | None:
-    """Asked for by its own table."""
-    return "no [reliability]: no life is asked for" if spec.reliability is None else None
-
-
-def tie_down(spec: Spec) -> str | None:
-    """Asked for by its own table."""
-    return "no [tie_down]: no load is tied down" if spec.tie_down is None else None
-
-
-def falling_ball(spec: Spec) -> str | None:
-    """Asked for by its own table."""
-    return "no [falling_ball]: no ball falls" if spec.falling_ball is None else None
-
-
-def bearing(spec: Spec) -> str | None:
-    """Asked for by its own table."""
-    return "no [bearing]: no bearing is asked for" if spec.bearing is None else None
 
 
 def shakes(spec: Spec) -> bool:

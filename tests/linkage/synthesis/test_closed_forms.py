@@ -180,6 +180,68 @@ def test_crank_rocker_with_a_second_size() -> None:
             assert motion.summaries[0].time_ratio == pytest.approx(1.2, rel=1e-9)
 
 
+def test_a_central_crank_rocker_is_told_and_is_one() -> None:
+    found = solved("crank_rocker", CrankRockerTask(RAD(40), 1.0, rocker=0.3))
+    assert any("central" in note for note in found.notes)
+    r, l, rocker, frame = (found.best.size(symbol) for symbol in "rlRL")
+    assert r == pytest.approx(rocker * math.sin(RAD(20)), rel=1e-12)
+    assert r**2 + frame**2 == pytest.approx(l**2 + rocker**2, rel=1e-12)  # the criterion of a central crank-rocker
+    assert not any(
+        "central" in note for note in solved("crank_rocker", CrankRockerTask(RAD(40), 1.1, rocker=0.3)).notes
+    )
+
+
+def test_strokes_of_a_rocker_have_angular_speeds() -> None:
+    times = solved("crank_rocker", CrankRockerTask(RAD(40), 1.2, rocker=0.3), crank_speed=2.0).best.times
+    assert times is not None
+    assert times.unit == "rad"
+    assert times.mean_speed == pytest.approx(2 * RAD(40) * 2.0 / (2 * math.pi), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "sizes",
+    [
+        {"stroke": 0.2, "crank": 0.1, "time_ratio": 1.0},
+        {"stroke": 0.2, "crank": 0.1, "offset": 0.0},
+        {"stroke": 0.2, "offset": 0.02, "offset_part": 0.1},
+        {"crank": 0.1, "rod": 0.4, "crank_ratio": 0.25},
+    ],
+)
+def test_sizes_that_say_the_same_are_told(sizes: dict[str, float]) -> None:
+    with pytest.raises(UsageError, match="say the same"):
+        solved("slider_crank", SliderCrankTask(**sizes))
+
+
+def test_a_slider_that_turns_back_before_its_slotted_link() -> None:
+    """A swing of 75 deg to each side and 30 deg of pressure angle: the path of D bends back along the rod."""
+    ratio = (180 + 150) / (180 - 150)
+    with pytest.raises(NoSolutionError, match="turns back before"):
+        solved("slotted_link", SlottedTask(0.2, ratio, RAD(30), guide=0.1))
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(0, 10**6))
+def test_random_slotted_links_and_crank_rockers_meet_their_targets(seed: int) -> None:
+    """Sizes from micrometres to hundreds of metres; stroke and time ratio of the ready spec, read as any other."""
+    rng = np.random.default_rng(seed)
+    size, ratio = 10 ** rng.uniform(-6, 2), 1 + 10 ** rng.uniform(-2, 0.3)
+    asked: dict[str, Any] = {
+        "slotted_link": SlottedTask(size, ratio, RAD(rng.uniform(2, 25)), guide=size * rng.uniform(1, 4)),
+        "rotating_slotted_link": RotatingTask(size, ratio, RAD(rng.uniform(2, 40)), crank=size * rng.uniform(0.1, 2)),
+        "crank_rocker": CrankRockerTask(RAD(rng.uniform(10, 90)), 1 + rng.uniform(0, 0.3), rocker=size),
+    }
+    for kind, task in asked.items():
+        try:
+            found = solved(kind, task)
+        except NoSolutionError:
+            continue
+        target = task.swing if kind == "crank_rocker" else size
+        for design in found.designs:
+            summary = tmmcalc.solve_kinematics(tmmcalc.parse_spec(design.spec)).summaries[0]
+            assert summary.stroke == pytest.approx(target, rel=1e-9)
+            assert summary.time_ratio == pytest.approx(task.time_ratio, rel=1e-9)
+
+
 def test_the_other_input_sets_agree_with_brentq() -> None:
     """(S, K, nu_x) and (S, nu_x, e/S) as one unknown each."""
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
 
 import tmmcalc
 from tmmcalc.errors import NoSolutionError, UsageError
@@ -27,7 +28,7 @@ from tmmcalc.linkage.synthesis.dwell.linkages import (
 from tmmcalc.linkage.synthesis.dwell.motion import pose
 from tmmcalc.linkage.synthesis.dwell.optimum import Costs, search
 from tmmcalc.linkage.synthesis.dwell.parameters import by_rule
-from tmmcalc.linkage.synthesis.dwell.relative import accuracy, arc_of, gamma, places, reach
+from tmmcalc.linkage.synthesis.dwell.relative import accuracy, arc_of, gamma, places, reach, spline_of
 from tmmcalc.linkage.synthesis.dwell.results import Dwell
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask, Lengths, Optimum, ThreePositions
 from tmmcalc.linkage.synthesis.dwell.turn import TURN, Turn, along, place, whole_turn
@@ -215,6 +216,15 @@ def test_the_relative_trajectory_converges(turn: Turn) -> None:
     assert many.uniform < 3e-4
 
 
+@pytest.mark.parametrize("count", [3, 4, 24, 200])
+def test_the_periodic_spline_is_that_of_scipy(count: int) -> None:
+    rng = np.random.default_rng(count)
+    phi, s = np.sort(rng.uniform(0, TURN, count)), rng.normal(size=count)
+    at = np.linspace(-TURN, 2 * TURN, 2001)
+    wanted = CubicSpline(np.append(phi, phi[0] + TURN), np.append(s, s[0]), bc_type="periodic")(at)
+    assert spline_of(phi, s)(at) == pytest.approx(wanted, abs=1e-12 * np.max(np.abs(wanted)))
+
+
 def test_an_arc_over_both_branches_of_gamma() -> None:
     """Where bar BC turns back in the course of the turn, the pin changes to the other branch; the places stay exact."""
     given, n = swarm(QUARTER, 400)
@@ -260,7 +270,7 @@ def test_extremes_by_brute_force(turn: Turn) -> None:
     assert [float(part[0]) for part in found.criteria[2:]] == pytest.approx(
         [np.max(np.abs(np.tan(forces.delta))), f4, f5], rel=2e-4
     )
-    for exact, coarse in zip(found.criteria, rated(turn, asked), strict=True):
+    for exact, coarse in zip(found.criteria, rated(turn, asked).criteria, strict=True):
         assert coarse == pytest.approx(exact, rel=2e-3)
 
 

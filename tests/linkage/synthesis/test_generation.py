@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.errors import NoSolutionError
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.synthesis.burmester import Poses, centres, circle_points, curve_points, line_points
 from tmmcalc.linkage.synthesis.function import chebyshev
@@ -34,8 +33,8 @@ def traced(phi: Real, a: float = 0.1, b: float = 0.3, c: float = 0.25, d: float 
     return pin + turn * (0.1 + 0.1j), np.unwrap(np.angle(turn))
 
 
-def solved(kind: str, asked: object, **more: int) -> Synthesis:
-    return solve_synthesis(SynthesisTask(kind, asked, **more))
+def solved(kind: str, asked: object, solutions: int = 5) -> Synthesis:
+    return solve_synthesis(SynthesisTask(kind, asked, solutions=solutions))
 
 
 def function_task(mechanism: str, count: int, **given: float) -> FunctionTask:
@@ -218,10 +217,31 @@ def test_vectorised_places_agree_with_the_kinematics() -> None:
     assert np.max(np.abs(np.angle(placed.turn[0] * np.exp(-1j * angles)))) < 1e-15
 
 
-def test_a_region_without_pivots_has_no_solution() -> None:
+def test_in_a_region_without_exact_pivots_the_nearest_are_told() -> None:
     points, angles = traced(ANGLES[:5])
-    with pytest.raises(NoSolutionError):
-        solved("motion", PoseTask("four_bar", points, angles, region=(5 + 5j, 6 + 6j)))
+    low, high = 0.1 + 0.1j, 0.2 + 0.2j
+    found = solved("motion", PoseTask("four_bar", points, angles, region=(low, high)))
+    assert any(note.startswith("warning: no four-bar was found that meets") for note in found.notes)
+    for design in found.designs:
+        for x, y in (("x_A", "y_A"), ("x_D", "y_D")):
+            assert low.real - 1e-12 <= design.size(x) <= high.real + 1e-12
+            assert low.imag - 1e-12 <= design.size(y) <= high.imag + 1e-12
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_the_sense_of_the_crank_is_told_and_is_that_of_the_ready_spec(sense: int) -> None:
+    inputs, outputs = sense * np.radians([0, 30, 70]), np.radians([0, 15, 40])
+    none = np.zeros(0)
+    span = (min(0.0, float(inputs[-1])), max(0.0, float(inputs[-1])))
+    task = FunctionTask("four_bar", inputs, outputs, none, none, span)
+    design = solved("function", task, solutions=1).best
+    assert design.precision is not None
+    assert design.precision.sense == sense
+    assert math.copysign(1, tmmcalc.solve_kinematics(tmmcalc.parse_spec(design.spec)).speed) == sense
+    points, angles = traced(ANGLES[:4][::sense])
+    guided = solved("motion", PoseTask("four_bar", points, angles), solutions=3).best
+    assert guided.precision is not None
+    assert np.all(guided.precision.sense * np.diff(guided.precision.crank) > 0)
 
 
 def test_fixed_pivots_stand_in_the_region() -> None:

@@ -54,7 +54,7 @@ def test_rigid_pendulum_under_a_carrier() -> None:
 
 
 def test_spinning_pendulum_against_the_matrix_exponential() -> None:
-    """M z'' - i Omega G z' + K z = -b a by the matrix exponential; the carrier turns a corner."""
+    """M z'' - i Omega G z' + K z = -b a + f m e Omega^2 exp(i Omega t): the carrier turns a corner, the bowl is off."""
     asked = Swing(
         0.6, 60, tilt=0.01, deflection=0.004, push=0.05, times=(0.0, 0.2, 0.4), x=(0.0, 0.1, 0.1), y=(0.0, 0.0, 0.2)
     )
@@ -66,13 +66,14 @@ def test_spinning_pendulum_against_the_matrix_exponential() -> None:
     pulled /= parts.tip @ pulled
     tilt = np.zeros(n)
     tilt[0] = 0.8
-    y = np.concatenate((0.004 * pulled + 0.01 * tilt, 0.05j * pulled)).astype(complex)
+    y = np.concatenate((0.004 * pulled + 0.01 * tilt, 0.05j * pulled, [1.0])).astype(complex)
 
     def carried(y: np.ndarray, a: complex, step: float) -> np.ndarray:
-        whole = np.zeros((2 * n + 1, 2 * n + 1), complex)
+        whole = np.zeros((2 * n + 2, 2 * n + 2), complex)
         whole[:n, n : 2 * n] = np.eye(n)
         whole[n : 2 * n, :n], whole[n : 2 * n, n : 2 * n] = -inverse @ parts.stiffness, 157j * inverse @ parts.spin
         whole[n : 2 * n, -1] = -a * inverse @ parts.load
+        whole[n : 2 * n, -2], whole[-2, -2] = 157**2 * 4.0 * 2e-4 * inverse @ parts.tip, 157j
         return (expm(whole * step) @ np.append(y, 1.0))[:-1]
 
     for row, t in enumerate(found.t):
@@ -84,10 +85,27 @@ def test_spinning_pendulum_against_the_matrix_exponential() -> None:
 
 
 def test_free_motion_keeps_its_energy() -> None:
-    found = solve_pendulum(centrifuge(swing=Swing(5.0, 200, deflection=0.02, push=0.1))).swing
+    task = centrifuge(swing=Swing(5.0, 200, deflection=0.02, push=0.1))
+    found = solve_pendulum(replace(task, disc=replace(task.disc, eccentricity=0.0))).swing
     assert np.ptp(found.energy) < 1e-9 * found.energy[0]
     assert found.v[0] == pytest.approx(0.02, rel=1e-9)
     assert found.error < 1e-5
+
+
+def test_the_unbalance_does_work_on_what_is_not_its_own_whirl() -> None:
+    """From rest the motion is the steady whirl less modes; its energy is the work of the unbalance."""
+    task = centrifuge(swing=Swing(2.0, 4000))
+    result = solve_pendulum(task)
+    found = result.swing
+    tip = found.v + 1j * found.w
+    assert np.abs(tip[0]) < 1e-9
+    assert found.balance < 1e-9
+    force = 4.0 * 2e-4 * 157.0**2 * np.exp(157j * found.t)
+    power = np.real(np.conj(np.gradient(tip, found.t, edge_order=2)) * force)
+    work = np.append(0.0, np.cumsum((power[1:] + power[:-1]) / 2 * np.diff(found.t)))
+    assert found.energy == pytest.approx(work, abs=2e-2 * np.max(found.energy))
+    turned = tip * np.exp(-157j * found.t)
+    assert np.mean(turned.real) == pytest.approx(result.deflection, rel=0.2)
 
 
 def test_two_planes_move_apart() -> None:

@@ -143,6 +143,7 @@ def test_torsion_of_a_rectangle() -> None:
     """Timoshenko's table for b/h = 1, 1.5, 2, 3, 5, 10, and the reciprocal section has the same J_t."""
     for ratio, alpha in ((1, 0.1406), (1.5, 0.196), (2, 0.229), (3, 0.263), (5, 0.291), (10, 0.312)):
         assert torsion_coefficient(ratio * 0.01, 0.01) == pytest.approx(alpha, abs=6e-4)
+    assert torsion_coefficient(1.0, 1.0) == pytest.approx(0.140577014955154, rel=1e-14)  # the series
     lying = torsion_coefficient(0.01, 0.03) * 0.01 * 0.03**3
     assert lying == pytest.approx(torsion_coefficient(0.03, 0.01) * 0.03 * 0.01**3, rel=1e-14)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from math import pi
 
+import mpmath
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -43,6 +44,25 @@ def test_steady_against_the_direct_solution(speed: float, damping: Damping) -> N
     taken = speed**2 / 2 * (x.conj() @ found.damping @ x).real
     assert steady.power == pytest.approx(taken, rel=1e-9)
     assert steady.error < 1e-11
+
+
+def test_the_error_of_the_amplitudes_holds_for_stiffnesses_far_apart() -> None:
+    """Against forty digits: at a resonance the error of its frequency counts, not rounding alone."""
+    found = []
+    for plate in (6e3, 6e5, 6e7):
+        task = replace(device(), plate=plate, damping=Damping(0.0, (0.5, 0.5, 0.005, 0.002, 0.002, 0.5, 0.002)))
+        task = replace(task, speed=float(solve_vibrator(task).frequency[1]))
+        result = solve_vibrator(task)
+        w, excitation = task.speed, excitation_of(task.unbalance)
+        with mpmath.workdps(40):
+            mass, stiffness = mpmath.matrix(result.mass.tolist()), mpmath.matrix(result.stiffness.tolist())
+            force = mpmath.matrix((task.unbalance.moment * (excitation.cosine - 1j * excitation.sine)).tolist())
+            dynamic = stiffness - mpmath.mpf(w) ** 2 * mass + mpmath.mpc(0, w) * mpmath.diag(list(task.damping.direct))
+            exact = np.array([complex(x) for x in mpmath.lu_solve(dynamic, mpmath.mpf(w) ** 2 * force)])
+        arm = np.array([1.0, 1.0, *[task.rods.radius] * 3, 1.0, task.rods.radius])
+        off = np.abs(result.steady.cosine - 1j * result.steady.sine - exact) * arm
+        found.append(float(np.max(off) / np.max(np.abs(exact) * arm)) / result.steady.error)
+    assert max(found) < 1, found
 
 
 def test_undamped_resonance_is_refused() -> None:
@@ -156,6 +176,14 @@ def test_the_series_of_the_exponential() -> None:
 def test_too_long_a_start_is_refused() -> None:
     with pytest.raises(UsageError, match="steps"):
         solve_vibrator(replace(device(), speed=152.0, run_up=RunUp(400.0, 1e4)))
+
+
+def test_too_long_a_start_by_the_motor_is_refused() -> None:
+    """A plate so stiff that every second has tens of thousands of oscillations."""
+    stiff = replace(device(), plate=6e9, drive=Drive(motor(5.0), "linear", 1.0))
+    with pytest.raises(UsageError, match="steps") as caught:
+        solve_vibrator(stiff)
+    assert caught.value.where == "vibrator.drive"
 
 
 def test_what_is_asked_needs_its_data() -> None:

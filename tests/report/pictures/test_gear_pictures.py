@@ -17,7 +17,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 
 from tmmcalc.api import run
-from tmmcalc.cli.drawings import Order, drawing_of
+from tmmcalc.cli.drawings import drawing_of
+from tmmcalc.cli.order import Order
 from tmmcalc.errors import UsageError
 from tmmcalc.gears.layouts import LAYOUTS, layout_of
 from tmmcalc.gears.model import ToothSets

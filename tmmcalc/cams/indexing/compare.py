@@ -1,11 +1,11 @@
-"""Numbers of rollers and laws side by side: limits, pressure angles and tips of the lobe at both ends of lambda.
+"""Numbers of rollers and laws side by side: pressure angles, tips of the lobe and limits of the step at three lambda.
 
 The reference tables of the method are of this kind: one law over z2, all laws at one z2, and the limits of the step.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import degrees
 from typing import Any
@@ -19,15 +19,17 @@ from tmmcalc.cams.indexing.task import IndexingTask
 from tmmcalc.records import record
 
 CODES = ("0010",)  # laws of the printed tables beside the catalogue; 0000 is linear, 0050 is const
-TABLED = StepLaw("2.9 (its B alone)", 1.625)  # a law of the printed tables that is not identified
+TABLED = StepLaw("2.9 (its B alone)", 1.625)  # of the printed tables, not identified: poly5 has all its values but one
 
 
 @record
 class AtRatio:
-    """What a mechanism would be at one end of lambda."""
+    """What a mechanism would be at one lambda."""
 
     ratio: float
     start: float  # theta_1m [rad]
+    step_min: float  # phi_p,min [rad]: for a smaller step lambda_min is above this lambda
+    step_max: float  # phi_p,max [rad]
     handover: Handover | None  # None: no such mechanism, or the law is known by its B alone
 
 
@@ -40,8 +42,7 @@ class Compared:
     rollers: int
     low: AtRatio  # at lambda_min
     high: AtRatio | None  # at lambda_max; None: lambda is not limited
-    step_min: float | None  # phi_p,min [rad] at lambda_max: the least step for which there is a lambda
-    step_max: float | None  # phi_p,max [rad] there
+    given: AtRatio | None  # at the lambda of the task; None: it is left open
     most: int | None  # z2_max of the law
     possible: bool  # a lambda lies between the limits, a miss of 1.5 % tolerated, and the lobe has a tip
 
@@ -71,8 +72,7 @@ def compared(task: IndexingTask) -> Compared:
         rollers=task.rollers,
         low=low,
         high=None if most is None else _at(task, most),
-        step_min=None if most is None else least_step(task.law.peak, task.rollers, most),
-        step_max=None if most is None else largest_step(task.rollers, most),
+        given=None if task.ratio is None else _at(task, task.ratio),
         most=most_rollers(task),
         possible=exists and limits.excess <= TOLERATED,
     )
@@ -80,7 +80,13 @@ def compared(task: IndexingTask) -> Compared:
 
 def _at(task: IndexingTask, ratio: float) -> AtRatio:
     drive = drive_of(task, ratio)
-    return AtRatio(ratio, start_pressure(task.rollers, ratio), None if drive is None else handover(drive))
+    return AtRatio(
+        ratio=ratio,
+        start=start_pressure(task.rollers, ratio),
+        step_min=least_step(task.law.peak, task.rollers, ratio),
+        step_max=largest_step(task.rollers, ratio),
+        handover=None if drive is None else handover(drive),
+    )
 
 
 def compared_columns(rows: tuple[Compared, ...]) -> dict[str, list[Any]]:
@@ -90,21 +96,26 @@ def compared_columns(rows: tuple[Compared, ...]) -> dict[str, list[Any]]:
         "z2": [row.rollers for row in rows],
         "B": [row.peak for row in rows],
     }
-    for name in ("low", "high"):
-        ends: list[AtRatio | None] = [getattr(row, name) for row in rows]
-        tips = [None if end is None else end.handover for end in ends]
-        index = {"low": "min", "high": "max"}[name]
-        columns |= {
-            f"lambda_{index}": ["" if end is None else end.ratio for end in ends],
-            f"theta1m_{index}[deg]": ["" if end is None else degrees(end.start) for end in ends],
-            f"k_m_{index}": ["" if tip is None else tip.part for tip in tips],
-            f"theta2_{index}[deg]": ["" if tip is None else degrees(tip.angle) for tip in tips],
-            f"source2_{index}[deg]": ["" if tip is None else degrees(tip.source_angle) for tip in tips],
-        }
+    for end, places in (("min", [row.low for row in rows]), ("max", [row.high for row in rows])):
+        columns |= _end_columns(end, places)
+    if rows[0].given is not None:
+        columns |= _end_columns("given", [row.given for row in rows])
     return {
         **columns,
-        "phi_p_min[deg]": ["" if row.step_min is None else degrees(row.step_min) for row in rows],
-        "phi_p_max[deg]": ["" if row.step_max is None else degrees(row.step_max) for row in rows],
         "z2_max": ["" if row.most is None else row.most for row in rows],
         "possible": ["yes" if row.possible else "no" for row in rows],
+    }
+
+
+def _end_columns(end: str, places: Sequence[AtRatio | None]) -> dict[str, list[Any]]:
+    """The columns at one lambda."""
+    tips = [None if place is None else place.handover for place in places]
+    return {
+        f"lambda_{end}": ["" if place is None else place.ratio for place in places],
+        f"theta1m_{end}[deg]": ["" if place is None else degrees(place.start) for place in places],
+        f"k_m_{end}": ["" if tip is None else tip.part for tip in tips],
+        f"theta2_{end}[deg]": ["" if tip is None else degrees(tip.angle) for tip in tips],
+        f"source2_{end}[deg]": ["" if tip is None else degrees(tip.source_angle) for tip in tips],
+        f"least_step_{end}[deg]": ["" if place is None else degrees(place.step_min) for place in places],
+        f"largest_step_{end}[deg]": ["" if place is None else degrees(place.step_max) for place in places],
     }

@@ -120,6 +120,11 @@ class Indexing:
         return self.ratio * self.wheel
 
     @property
+    def wheel_room(self) -> float | None:
+        """What the lobe leaves about O2 [m] for a shaft of the wheel, negative if it sweeps over O2; None: no cam."""
+        return None if self.cam is None else self.centres - self.cam.working_tip
+
+    @property
     def dwell(self) -> float:
         """Angle of the cams [rad] during each of the two dwells of a turn."""
         return pi - self.step

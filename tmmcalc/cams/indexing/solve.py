@@ -133,5 +133,5 @@ def _reached(drive: Drive, name: FlankName, low: float, high: float, limit: floa
     on, values = sampled(Flank(drive, name).pressure, drive, low, high)
     at, found = on.turning(values)
     size = np.abs(found)
-    worst = int(np.flatnonzero(size >= np.max(size) * (1 - 1e-12))[0])
+    worst = int(np.flatnonzero(size >= np.max(size) * (1 - 1e-12))[-1])  # ends stand last, after a root beside them
     return PressureReached(name, float(size[worst]), float(at[worst]), limit)

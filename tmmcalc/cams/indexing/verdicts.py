@@ -44,6 +44,11 @@ def _cam_remarks(found: Indexing, cam: Cam) -> Iterator[str]:
             f"note: the working profile of A ends at k = {cam.working_part:.4g}, where B takes over with a pressure "
             f"angle of {_deg(cam.working_angle)} deg"
         )
+    if cam.working_tip >= found.centres:
+        yield (
+            f"note: the lobe reaches {1e3 * cam.working_tip:.6g} mm from O1 and sweeps over O2 at "
+            f"{1e3 * found.centres:.6g} mm: no shaft of the wheel can pass through the planes of the cams"
+        )
     yield from _roller_remarks(found, cam)
     table = cam.efficiency
     for name, share in (("against", table.against_share), ("along", table.aiding_share)):

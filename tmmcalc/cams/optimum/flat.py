@@ -13,7 +13,7 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Guided, guided
+from tmmcalc.cams.forces.kernels import Guided
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.checks import closure
 from tmmcalc.cams.optimum.guide import TALL, Held, Range, masked, solved
@@ -21,7 +21,7 @@ from tmmcalc.cams.optimum.margins import NAMES, SLACK
 from tmmcalc.cams.optimum.peaks import crest, largest, peak
 from tmmcalc.cams.optimum.relax import bought
 from tmmcalc.cams.optimum.results import Check, Choice, FlatChart, Relaxation
-from tmmcalc.cams.optimum.scene import WHERE, Scene
+from tmmcalc.cams.optimum.scene import WHERE, Scene, carried
 from tmmcalc.cams.strength.kernels import (
     BAD,
     HERTZ,
@@ -203,19 +203,7 @@ def largest_force(scene: Scene, choice: Choice) -> float:
 
 
 def _carried(scene: Scene, start: float, height: float) -> Guided:
-    one = np.ones((1, 1))
-    return guided(
-        scene.follower,
-        scene.motion,
-        scene.load,
-        scene.sense,
-        stroke=scene.stroke,
-        friction=scene.friction,
-        gap=scene.guide.gap,
-        start=start * one,
-        roller=0 * one,
-        top=height * one,
-    )
+    return carried(scene, *np.array([[start], [0.0], [height]]))
 
 
 def _peak(scene: Scene, values: Values) -> float:

@@ -90,8 +90,8 @@ def _ranges(scene: Scene, start: Values, roller: Values) -> dict[int, Range]:
     if need.pin_pressure is not None:
         widest = r2 / need.roller_ratio if pin is None else pin
         found[5] = held(4 * need.pin_ratio * need.pin_pressure * widest**2)
-    if pin is not None:
-        found[5] = found[5].meet(masked(roller >= need.roller_ratio * need.pin * (1 - SLACK)))  # type: ignore[operator]
+    if need.pin is not None:
+        found[5] = found[5].meet(masked(roller >= need.roller_ratio * need.pin * (1 - SLACK)))
     found[6] = _shafted(scene, start, roller, every, held)
     if need.bending is not None and guide.stem is not None:
         limit = need.bending * pi * guide.stem**3 / 4

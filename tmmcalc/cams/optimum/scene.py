@@ -13,7 +13,7 @@ from typing import Any, Literal
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.kernels import driving_torque
+from tmmcalc.cams.forces.kernels import Guided, driving_torque, guided
 from tmmcalc.cams.forces.results import SpringFound
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.turn import WIDEST, Points, at_rows, loads_of
@@ -105,6 +105,22 @@ def scene_of(task: CamTask, follower: Follower, phases: Phases = "turn") -> Scen
         guide=task.guide,
         limits=task.limits,
         requirements=task.requirements,
+    )
+
+
+def carried(scene: Scene, start: Values, roller: Values, top: Values) -> Guided:
+    """What stem and guide carry at the nodes with S0, r2 and H2 (B,) [m], each (B, M); of a flat face r2 is 0."""
+    return guided(
+        scene.follower,
+        scene.motion,
+        scene.load,
+        scene.sense,
+        stroke=scene.stroke,
+        friction=scene.friction,
+        gap=scene.guide.gap,
+        start=start[:, None],
+        roller=roller[:, None],
+        top=top[:, None],
     )
 
 

@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Guided, Mask, guided
+from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.extremes import blocks, spun
 from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.peaks import largest
-from tmmcalc.cams.optimum.scene import Scene
+from tmmcalc.cams.optimum.scene import Scene, carried
 from tmmcalc.cams.strength.kernels import cylinder, pin_radius, resisting, slip
 
 
@@ -32,7 +32,7 @@ def _may_roll(scene: Scene, start: Values, roller: Values, low: Values, high: Va
     pinned = need.pin is not None or need.pin_pressure is not None
     if arm is None or friction is None or (inertia is None and (need.width is None or not pinned)):
         return np.ones(len(start), bool)
-    ends = [_carried(scene, start, roller, top) for top in (low, high)]
+    ends = [carried(scene, start, roller, top) for top in (low, high)]
     least = np.minimum(ends[0].contact, ends[1].contact)
     most = np.maximum(ends[0].contact, ends[1].contact)
     works = np.all(ends[0].works & ends[1].works, axis=1) & np.all(least > 0, axis=1)
@@ -61,18 +61,3 @@ def _pins(scene: Scene, least: Values, most: Values) -> list[Values]:
 
 def _largest(scene: Scene, values: Values) -> Values:
     return largest(values.reshape(len(values), scene.panels, -1))
-
-
-def _carried(scene: Scene, start: Values, roller: Values, top: Values) -> Guided:
-    return guided(
-        scene.follower,
-        scene.motion,
-        scene.load,
-        scene.sense,
-        stroke=scene.stroke,
-        friction=scene.friction,
-        gap=scene.guide.gap,
-        start=start[:, None],
-        roller=roller[:, None],
-        top=top[:, None],
-    )

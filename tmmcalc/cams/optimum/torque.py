@@ -4,26 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import cam_torque, guided
+from tmmcalc.cams.forces.kernels import cam_torque
 from tmmcalc.cams.optimum.peaks import largest
-from tmmcalc.cams.optimum.scene import Scene
+from tmmcalc.cams.optimum.scene import Scene, carried
 
 
 def torques(scene: Scene, start: float, roller: float, top: float) -> tuple[float, float]:
     """Largest |T| of P_c S' (5.75), and the largest driving torque, friction of the guide included [N*m]."""
-    one = np.ones((1, 1))
-    on = guided(
-        scene.follower,
-        scene.motion,
-        scene.load,
-        scene.sense,
-        stroke=scene.stroke,
-        friction=scene.friction,
-        gap=scene.guide.gap,
-        start=start * one,
-        roller=roller * one,
-        top=top * one,
-    )
+    on = carried(scene, *np.array([[start], [roller], [top]]))
     driving = cam_torque(on.contact, on.cosine, scene.motion)[0]
     rows = np.stack((scene.torque, -scene.torque, driving))
     plus, minus, given = largest(rows.reshape(3, scene.panels, -1)).tolist()

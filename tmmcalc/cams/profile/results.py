@@ -10,6 +10,14 @@ from tmmcalc.cams.pivot import PivotRoom
 from tmmcalc.cams.program import Positions
 from tmmcalc.records import record
 
+WallName = Literal["inner", "outer", "tool", "outer tool"]
+WALLS: dict[WallName, str] = {
+    "inner": "working profile",
+    "outer": "second wall",
+    "tool": "tool path",
+    "outer tool": "second tool path",
+}
+
 
 @record
 class Place:
@@ -42,7 +50,7 @@ class Crossing:
 class Wall:
     """An offset of the pitch curve (of the profile under a flat face)."""
 
-    name: Literal["inner", "outer", "tool", "outer tool"]
+    name: WallName
     distance: float  # [m] inwards
     points: Complex  # (n,) [m]
     loops: tuple[tuple[float, float], ...]  # (from, to) [rad] where it runs backwards; to > 2 pi beyond phi = 0

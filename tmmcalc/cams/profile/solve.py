@@ -13,7 +13,7 @@ from tmmcalc.cams.profile.bends import LEVEL, Bends, bends
 from tmmcalc.cams.profile.crossings import crossings
 from tmmcalc.cams.profile.offsets import Frame, Rim, frame
 from tmmcalc.cams.profile.reach import reach
-from tmmcalc.cams.profile.results import Face, Place, Profile, Reach, Wall
+from tmmcalc.cams.profile.results import Face, Place, Profile, Reach, Wall, WallName
 from tmmcalc.cams.profile.verdicts import refuse, remarks
 from tmmcalc.cams.task import CamTask
 from tmmcalc.errors import UsageError
@@ -82,16 +82,16 @@ class _Builder:
     def __init__(self, bend: Bends, here: Frame, inner: Reach | None, outer: Reach | None) -> None:
         self.bend, self.here, self.inner, self.outer = bend, here, inner, outer
 
-    def wall(self, name: str, distance: float) -> Wall:
+    def wall(self, name: WallName, distance: float) -> Wall:
         """The offset inwards by ``distance``."""
         follower = self.bend.rim.follower
         points = follower.placed(self.here.offset(distance))
         if self._within(distance):
-            return Wall(name, distance, points, (), (), True)  # type: ignore[arg-type]
+            return Wall(name, distance, points, (), (), True)
         loops = self.bend.backwards(distance)
         found = crossings(self.bend, distance, loops)
         placed = [replace(each, point=complex(follower.placed(np.array([each.point]))[0])) for each in found]
-        return Wall(name, distance, points, loops, tuple(placed), self.bend.rim.flat and not loops)  # type: ignore[arg-type]
+        return Wall(name, distance, points, loops, tuple(placed), self.bend.rim.flat and not loops)
 
     def _within(self, distance: float) -> bool:
         if self.bend.rim.flat:

@@ -120,27 +120,38 @@ def _flat_remarks(found: Profile, task: CamTask) -> Iterator[str]:
 
 
 def _roller_remarks(found: Profile, task: CamTask) -> Iterator[str]:
-    r2, limit, reach = found.follower.roller, task.limits.convex, found.inner_reach
-    least, bend = found.least_convex, 1 / found.sharpest.value
-    if reach is not None and found.working.sound and r2 >= reach.distance * (1 - AT_LIMIT):
-        yield f"warning: the roller is the largest that works, {_mm(reach.distance)} ({_cause(reach)})"
-    if found.working.sound and least < limit * (1 - AT_LIMIT):
-        yield (
-            f"warning: the profile has a radius of {_mm(least)} {_at(found.sharpest)}, less than r_m = {_mm(limit)}: "
-            f"the roller may have {_mm(max(bend - limit, 0.0))}"
-        )
-    for part, size, name in ((BASE_PART, found.follower.base, "R0"), (BEND_PART, bend, "rho_min")):
+    r2, limit = found.follower.roller, task.limits.convex
+    yield from _wall_remarks(found.working, "the profile", found.inner_reach, found.sharpest, limit)
+    if found.outer is not None:
+        yield from _wall_remarks(found.outer, "the second wall", found.outer_reach, found.hollowest, limit)
+    for part, size, name in ((BASE_PART, found.follower.base, "R0"), (BEND_PART, 1 / found.sharpest.value, "rho_min")):
         if r2 > part * size * (1 + AT_LIMIT):
             yield f"note: the roller of {_mm(r2)} is above {part} {name} = {_mm(part * size)}, the usual rule"
 
 
+def _wall_remarks(wall: Wall, name: str, reach: Reach | None, place: Place | None, limit: float) -> Iterator[str]:
+    """A sound wall where it bulges most: the first where the pitch curve is convex, the second where it is concave."""
+    r2 = abs(wall.distance)
+    if wall.sound and reach is not None and r2 >= reach.distance * (1 - AT_LIMIT):
+        yield f"warning: the roller is the largest that works, {_mm(reach.distance)} ({_cause(reach)})"
+    if not wall.sound or place is None:
+        return
+    bend = 1 / abs(place.value)
+    if bend - r2 < limit * (1 - AT_LIMIT):
+        yield (
+            f"warning: {name} has a radius of {_mm(bend - r2)} {_at(place)}, less than r_m = {_mm(limit)}: "
+            f"the roller may have {_mm(max(bend - limit, 0.0))}"
+        )
+
+
 def _concave_remarks(found: Profile, task: CamTask) -> Iterator[str]:
+    """What r_i says of concave parts; a groove is milled by a tool no larger than its roller."""
     least, place = found.least_concave, found.hollowest
     if least is None or place is None:
         return
     if not task.limits.allow_concave:
         yield f"warning: the profile is concave, with a radius of {_mm(least)} {_at(place)}, which is not allowed"
-    elif least < task.limits.concave * (1 - AT_LIMIT) and found.tool_radius is None:
+    elif least < task.limits.concave * (1 - AT_LIMIT) and found.tool_radius is None and found.outer is None:
         yield (
             f"warning: concave parts have a radius of {_mm(least)} {_at(place)}, less than "
             f"r_i = {_mm(task.limits.concave)} of the tool"

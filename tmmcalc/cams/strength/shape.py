@@ -63,13 +63,14 @@ def _concave(case: Case) -> Margin:
 
 
 def _outer_wall(case: Case) -> Margin:
-    roller, bend = case.follower.roller, case.bend
-    name, formula = "outer wall", "r2 < rho1"
+    """The same as (5.39) of the wall that bulges where the pitch curve is concave."""
+    roller, least, bend = case.follower.roller, case.task.limits.convex, case.bend
+    name, formula = "outer wall", "r2 + r_m <= rho1"
     if bend.least >= 0:
         return Margin(name, None, OK, formula, why="the profile has no concave part")
-    limit = -1 / bend.least
+    margin = float(convex_margin(-bend.least, roller, least))
     return judged(
-        name, None, formula, "r2", "m", roller, limit, float(unused(roller, limit)), bend.least_phi, "undercut"
+        name, None, formula, "r2 + r_m", "m", roller + least, -1 / bend.least, margin, bend.least_phi, "undercut"
     )
 
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.pressure import halved, on_phase
+from tmmcalc.cams.pressure import limited_phases
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.task import CamTask
 from tmmcalc.numerics.panels import Panels
@@ -96,16 +96,11 @@ class Family:
 
 def families(task: CamTask) -> tuple[Family, ...]:
     """The half planes of rise and return, two families each."""
-    program, limits = task.program, task.limits
-    dense = halved(program.panels)
-    motion = program.at(dense.x.ravel())[:2].reshape(2, *dense.x.shape)
-    found = []
-    for kind, limit in (("rise", limits.rise), ("return", limits.back)):
-        if limit is None:
-            continue
-        part, own = on_phase(program, dense, motion, kind)
-        found += [Family(program, kind, limit, side, task.asked.assembly, part, own) for side in (1, -1)]
-    return tuple(found)
+    return tuple(
+        Family(task.program, kind, limit, side, task.asked.assembly, part, motion)
+        for kind, limit, part, motion in limited_phases(task)
+        for side in (1, -1)
+    )
 
 
 def sampled(every: tuple[Family, ...]) -> Lines:

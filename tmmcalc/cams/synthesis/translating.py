@@ -16,7 +16,7 @@ from math import acos, atan, cos, hypot, pi, sin, sqrt, tan
 import numpy as np
 
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure import halved, on_phase
+from tmmcalc.cams.pressure import limited_phases
 from tmmcalc.cams.synthesis.region import polygon
 from tmmcalc.cams.synthesis.results import PLANE, Region
 from tmmcalc.cams.task import CamTask
@@ -48,14 +48,8 @@ Point = tuple[float, float]  # e, S0
 
 def lines_of(task: CamTask) -> Lines:
     """The lines of rise and return, exact: heights are extremes over phi."""
-    program, limits = task.program, task.limits
-    dense = halved(program.panels)
-    motion = program.at(dense.x.ravel())[:2].reshape(2, *dense.x.shape)
     found = []
-    for kind, limit in (("rise", limits.rise), ("return", limits.back)):
-        if limit is None:
-            continue
-        part, (y, y1) = on_phase(program, dense, motion, kind)
+    for _, limit, part, (y, y1) in limited_phases(task):
         t, sides = tan(limit), (1, -1)
         heights = part.extremes_of(np.stack([side * y1 / t - y for side in sides]))
         found += [Line(side / t, height, side, phi) for side, (_, (height, phi)) in zip(sides, heights, strict=True)]
@@ -168,15 +162,9 @@ def textbook(task: CamTask, e: float | None) -> Point:
 
 def _velocity_tops(task: CamTask) -> list[tuple[float, float, float]]:
     """tan[theta], dS and |S'| where S' is largest on the rise and smallest on the return."""
-    program = task.program
-    dense = halved(program.panels)
-    motion = program.at(dense.x.ravel())[:2].reshape(2, *dense.x.shape)
     tops = []
-    for kind, limit, sign in (("rise", task.limits.rise, 1), ("return", task.limits.back, -1)):
-        if limit is None:
-            continue
-        part, (y, y1) = on_phase(program, dense, motion, kind)
-        speed, phi = part.extremes(sign * y1)[1]
+    for kind, limit, part, (y, y1) in limited_phases(task):
+        speed, phi = part.extremes(y1 if kind == "rise" else -y1)[1]
         tops.append((tan(limit), float(part.at(y, np.array([phi]))[0]), speed))
     return tops
 

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.cam.profile import check_files, write_files
+from tmmcalc.cli.exporting import Chord, Dxf, Files, Nc, Svg, check_files, contents_of, files_of, write_files
 from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
-from tmmcalc.cli.work import Job, title
+from tmmcalc.cli.work import Job, table_file, title
 from tmmcalc.errors import UsageError
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from tmmcalc.cams.indexing import Indexing
     from tmmcalc.cams.indexing.task import IndexingTask
 
@@ -26,23 +27,12 @@ def command(
     columns: Columns = None,
     positions: Positions = None,
     compare: Annotated[
-        bool, typer.Option("--compare", help="Print numbers of rollers and laws side by side instead.")
+        bool, typer.Option("--compare", help="Print the reference tables instead: numbers of rollers, then laws.")
     ] = False,
-    svg: Annotated[
-        Path | None, typer.Option("--svg", metavar="FILE", help="Write a drawing 1:1.", show_default=False)
-    ] = None,
-    dxf: Annotated[
-        Path | None,
-        typer.Option("--dxf", metavar="FILE", help="Write arcs and splines in mm (extra cad).", show_default=False),
-    ] = None,
-    nc: Annotated[
-        Path | None,
-        typer.Option("--nc", metavar="FILE", help="Write points for a machine tool as CSV.", show_default=False),
-    ] = None,
-    tolerance: Annotated[
-        str | None,
-        typer.Option("--tolerance", metavar="LENGTH", help="Of chords and cubics in the files.", show_default=False),
-    ] = None,
+    svg: Svg = None,
+    dxf: Dxf = None,
+    nc: Nc = None,
+    tolerance: Chord = None,
 ) -> None:
     """Cam-lantern indexing drive: limits of lambda and step, profiles, pressure angles, rollers, efficiency.
 
@@ -51,22 +41,20 @@ def command(
     Example: tmmcalc cam indexing my.toml --compare
     """
     patterns = patterns_of(columns)
-    files = {flag: file for flag, file in (("--svg", svg), ("--dxf", dxf), ("--nc", nc)) if file is not None}
-    if compare and files:
-        raise UsageError("--compare draws no cam", where=", ".join(files), remedy="leave one of them out")
-    check_files(files, tolerance)
+    files = files_of(svg=svg, dxf=dxf, nc=nc)
+    if compare and (files or positions is not None):
+        where = ", ".join([*files, *(["--positions"] if positions is not None else [])])
+        raise UsageError("--compare draws no cam and has no positions", where=where, remedy="leave one of them out")
+    check_files(files, {"--tolerance": tolerance is not None})
     if tolerance is not None:
         job = replace(job, overrides=[*job.overrides, f'indexing.tolerance="{tolerance}"'])
     scene = job.spec()
-    from tmmcalc.report.cams.indexing import comparison_document, indexing_document
+    from tmmcalc.report.cams.indexing import indexing_document
     from tmmcalc.spec.indexings import to_indexing
 
     heading = title(scene, job.file, "indexing drive")
     if compare:
-        from tmmcalc.cams.indexing.compare import compare as compared
-        from tmmcalc.cli.work import show
-
-        show(comparison_document(compared(to_indexing(scene)), heading, patterns), form)
+        _compare(to_indexing(scene), heading, patterns, form)
         return
     from tmmcalc.cli.positions import rows_of
 
@@ -78,24 +66,22 @@ def command(
         patterns=patterns,
         rows=rows_of(positions, result.labels),
         everything=form is not Format.table,
+        where=table_file(run, "indexing"),
     )
-    contents = _contents(to_indexing(scene), result, files, heading) if files else {}
+    contents = _contents(result, to_indexing(scene), files, heading) if files else {}
     job.finish(document, run, form)
     write_files(contents, job.quiet)
 
 
-def _contents(task: IndexingTask, result: Indexing, files: dict[str, Path], heading: str) -> dict[Path, bytes]:
-    """The bytes of all files, made before the first of them is written."""
-    from tmmcalc.report.indexingfiles import nc_table, outlines
-    from tmmcalc.report.outlinefiles import dxf, svg
+def _compare(task: IndexingTask, heading: str, patterns: list[str], form: Format) -> None:
+    from tmmcalc.cams.indexing.compare import compare
+    from tmmcalc.cli.work import show
+    from tmmcalc.report.cams.indexingcompared import comparison_document
 
-    made: dict[Path, bytes] = {}
-    drawn = outlines(task, result) if {"--svg", "--dxf"} & set(files) else ()
-    for flag, file in files.items():
-        if flag == "--svg":
-            made[file] = svg(drawn, task.tolerance, heading)
-        elif flag == "--dxf":
-            made[file] = dxf(drawn)
-        else:
-            made[file] = nc_table(task, result)
-    return made
+    show(comparison_document(compare(task), heading, patterns, everything=form is not Format.table), form)
+
+
+def _contents(result: Indexing, task: IndexingTask, files: Files, heading: str) -> dict[Path, bytes]:
+    from tmmcalc.report.indexingfiles import nc_table, outlines
+
+    return contents_of(files, heading, task.tolerance, lambda: outlines(task, result), lambda: nc_table(task, result))

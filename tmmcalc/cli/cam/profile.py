@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from tmmcalc.cli.exporting import Chord, Dxf, Files, Nc, Svg, check_files, contents_of, files_of, write_files
 from tmmcalc.cli.flags import with_flags
-from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
-from tmmcalc.cli.work import Job, check_place, title
-from tmmcalc.errors import UsageError
+from tmmcalc.cli.work import Job, table_file, title
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from tmmcalc.cams.profile.results import Profile
     from tmmcalc.cams.task import CamTask
 
@@ -25,21 +25,10 @@ def command(
     form: Form = Format.table,
     columns: Columns = None,
     positions: Positions = None,
-    svg: Annotated[
-        Path | None, typer.Option("--svg", metavar="FILE", help="Write a drawing 1:1.", show_default=False)
-    ] = None,
-    dxf: Annotated[
-        Path | None,
-        typer.Option("--dxf", metavar="FILE", help="Write arcs and splines in mm (extra cad).", show_default=False),
-    ] = None,
-    nc: Annotated[
-        Path | None,
-        typer.Option("--nc", metavar="FILE", help="Write points for a machine tool as CSV.", show_default=False),
-    ] = None,
-    tolerance: Annotated[
-        str | None,
-        typer.Option("--tolerance", metavar="LENGTH", help="Of chords and cubics in the files.", show_default=False),
-    ] = None,
+    svg: Svg = None,
+    dxf: Dxf = None,
+    nc: Nc = None,
+    tolerance: Chord = None,
     tool: Annotated[
         str | None,
         typer.Option("--tool", metavar="RADIUS", help="Radius of the cutter or grinding wheel.", show_default=False),
@@ -52,8 +41,8 @@ def command(
     Example: tmmcalc cam profile my.toml --tool "20 mm" --svg cam.svg --nc cam.csv
     """
     patterns = patterns_of(columns)
-    files = {flag: file for flag, file in (("--svg", svg), ("--dxf", dxf), ("--nc", nc)) if file is not None}
-    check_files(files, tolerance)
+    files = files_of(svg=svg, dxf=dxf, nc=nc)
+    check_files(files, {"--tolerance": tolerance is not None})
     given = {"tool_radius": tool, "tolerance": tolerance}
     more = [f'cam.{key}="{value}"' for key, value in given.items() if value is not None]
     job = replace(job, overrides=[*job.overrides, *more])
@@ -70,48 +59,15 @@ def command(
         patterns=patterns,
         rows=rows_of(positions, result.positions.labels),
         everything=form is not Format.table,
+        where=table_file(run, "cam_profile"),
     )
     contents = _contents(result, to_cam(scene), files, heading) if files else {}
     job.finish(document, run, form)
     write_files(contents, job.quiet)
 
 
-def check_files(files: dict[str, Path], tolerance: str | None) -> None:
-    """Refuse flags without effect, and places where no file can be, before anything is computed."""
-    for flag, file in files.items():
-        check_place(file, flag)
-    if len({file.resolve() for file in files.values()}) < len(files):
-        raise UsageError("one file cannot have two formats", where=", ".join(files), remedy="name two files")
-    if not files and tolerance is not None:
-        raise UsageError("there is no file to draw into", where="--tolerance", remedy="add --svg, --dxf or --nc")
-    if "--dxf" in files:
-        from tmmcalc.report.outlinefiles import require_dxf
+def _contents(result: Profile, task: CamTask, files: Files, heading: str) -> dict[Path, bytes]:
+    from tmmcalc.report.camfiles import nc_table, outlines
 
-        require_dxf()
-
-
-def _contents(result: Profile, task: CamTask, files: dict[str, Path], heading: str) -> dict[Path, bytes]:
-    """The bytes of all files, made before the first of them is written."""
-    from tmmcalc.report.camfiles import dxf, nc_table, outlines, svg
-
-    made: dict[Path, bytes] = {}
-    tolerance = task.asked.tolerance
-    drawn = outlines(result, task.program, tolerance) if {"--svg", "--dxf"} & set(files) else ()
-    for flag, file in files.items():
-        if flag == "--svg":
-            made[file] = svg(drawn, tolerance, heading)
-        elif flag == "--dxf":
-            made[file] = dxf(drawn)
-        else:
-            made[file] = nc_table(result, task.program, tolerance)
-    return made
-
-
-def write_files(contents: dict[Path, bytes], quiet: bool) -> None:
-    """Write the files, each in one step; one that has these bytes already is left alone."""
-    from tmmcalc.pipeline.atomic import replace_file
-
-    for file, data in contents.items():
-        replace_file(file, data)
-    if contents and not quiet:
-        note_written(*contents)
+    given = result, task.program, task.asked.tolerance
+    return contents_of(files, heading, task.asked.tolerance, lambda: outlines(*given), lambda: nc_table(*given))

@@ -8,7 +8,7 @@ import typer
 
 from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
-from tmmcalc.cli.work import Job, title
+from tmmcalc.cli.work import Job, table_file, title
 
 
 @with_flags
@@ -38,7 +38,8 @@ def command(
     everything = form is not Format.table
     if turn or patterns or positions or form is Format.csv:
         rows = rows_of(positions, result.positions.labels)
-        printed = turn_document(result, heading, patterns=patterns, rows=rows, everything=everything)
+        where = table_file(run, "cam_strength")
+        printed = turn_document(result, heading, patterns=patterns, rows=rows, everything=everything, where=where)
     else:
         printed = strength_document(result, heading, everything=everything)
     job.finish(printed, run, form)

@@ -2,27 +2,12 @@
 
 from __future__ import annotations
 
-import typer
-
 from tmmcalc.cli.commands import EXTRA
-from tmmcalc.cli.late import LateGroup
+from tmmcalc.cli.late import late_group
 
-
-class Extra(LateGroup):
-    """The small calculators."""
-
-    table = EXTRA
-
-
-group = typer.Typer(
-    cls=Extra,
-    rich_markup_mode=None,
-    no_args_is_help=True,
+group = late_group(
+    {"Commands": EXTRA},
+    "tmmcalc extra contact my.toml",
+    "Small calculators: elastic contact, reliability, tie-down of loads, a falling ball, rolling bearings.",
     add_completion=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
 )
-
-
-@group.callback(epilog="Example: tmmcalc extra contact my.toml")
-def extra() -> None:
-    """Small calculators: elastic contact, reliability, tie-down of loads, a falling ball, rolling bearings."""

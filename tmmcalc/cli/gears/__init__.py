@@ -2,27 +2,12 @@
 
 from __future__ import annotations
 
-import typer
-
 from tmmcalc.cli.commands import GEARS
-from tmmcalc.cli.late import LateGroup
+from tmmcalc.cli.late import late_group
 
-
-class Gears(LateGroup):
-    """The commands for gears."""
-
-    table = GEARS
-
-
-group = typer.Typer(
-    cls=Gears,
-    rich_markup_mode=None,
-    no_args_is_help=True,
+group = late_group(
+    {"Commands": GEARS},
+    "tmmcalc gears synth my.toml",
+    "Gears: tooth numbers of trains within all constraints, strength, pairs, contours, tooth profiles, measures.",
     add_completion=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
 )
-
-
-@group.callback(epilog="Example: tmmcalc gears synth my.toml")
-def gears() -> None:
-    """Gears: tooth numbers of trains within all constraints, strength, pairs, contours, tooth profiles, measures."""

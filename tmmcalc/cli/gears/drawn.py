@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.cli.messages import note_written
-from tmmcalc.cli.work import check_place, within_turns
+from tmmcalc.cli.exporting import Files, check_files, contents_of
+from tmmcalc.cli.work import within_turns
 from tmmcalc.errors import UsageError
 from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from pathlib import Path
 
     from tmmcalc.gears.meshing.members import Member
     from tmmcalc.gears.meshing.results import Pairs
@@ -24,18 +24,10 @@ FINENESS = 1e-4  # chord tolerance in modules
 class Drawn:
     """What is to be drawn into which files."""
 
-    svg: Path | None
-    dxf: Path | None
-    outline: Path | None
+    files: Files
     tolerance: float | None  # [m]; None: FINENESS
     whole: bool
     phase: float  # [rad]
-
-    @property
-    def files(self) -> dict[str, Path]:
-        """The files by their flags."""
-        each = {"--svg": self.svg, "--dxf": self.dxf, "--outline": self.outline}
-        return {flag: file for flag, file in each.items() if file is not None}
 
 
 def length_of(text: str, flag: str, example: str) -> float:
@@ -62,20 +54,10 @@ def _quantity(text: str, dimension: Any, flag: str, example: str) -> float:
 
 def check_flags(drawn: Drawn, wheel: str | None, tolerance: str | None, phase: str | None) -> None:
     """Refuse flags without effect, and places where no file can be, before anything is computed."""
-    for flag, file in drawn.files.items():
-        check_place(file, flag)
-    if len({file.resolve() for file in drawn.files.values()}) < len(drawn.files):
-        raise UsageError("one file cannot have two formats", where=", ".join(drawn.files), remedy="name two files")
     idle = {"--tolerance": tolerance is not None, "--tooth": not drawn.whole, "--phase": phase is not None}
-    if not drawn.files and any(idle.values()):
-        flags = ", ".join(flag for flag, given in idle.items() if given)
-        raise UsageError("there is no file to draw into", where=flags, remedy="add --svg, --dxf or --outline")
+    check_files(drawn.files, idle, "--svg, --dxf or --outline")
     if wheel is not None and phase is not None:
         raise UsageError("one wheel is not in mesh", where="--phase", remedy="leave --wheel or --phase out")
-    if drawn.dxf is not None:
-        from tmmcalc.report.gearfiles import require_dxf
-
-        require_dxf()
 
 
 def tracks_of(pairs: Pairs, chosen: Sequence[Member] | None, drawn: Drawn) -> tuple[Track, ...]:
@@ -101,28 +83,11 @@ def tracks_of(pairs: Pairs, chosen: Sequence[Member] | None, drawn: Drawn) -> tu
     )
 
 
-def contents_of(tracks: Sequence[Track], drawn: Drawn, heading: str) -> dict[Path, bytes]:
-    """The bytes of all files, made before the first of them is written."""
+def drawn_bytes(tracks: Sequence[Track], drawn: Drawn, heading: str) -> dict[Path, bytes]:
+    """The bytes of all files."""
     if not drawn.files:
         return {}
-    from tmmcalc.report.gearfiles import dxf, outline_csv, svg
+    from tmmcalc.report.gearfiles import outline_csv, outlines
 
-    made: dict[Path, bytes] = {}
-    if drawn.svg is not None:
-        finest = drawn.tolerance or FINENESS * min(track.member.module for track in tracks)
-        made[drawn.svg] = svg(tracks, finest, heading)
-    if drawn.dxf is not None:
-        made[drawn.dxf] = dxf(tracks)
-    if drawn.outline is not None:
-        made[drawn.outline] = outline_csv(tracks)
-    return made
-
-
-def write(contents: dict[Path, bytes], quiet: bool) -> None:
-    """Write the files, each in one step; one that has these bytes already is left alone."""
-    from tmmcalc.pipeline.atomic import replace_file
-
-    for file, data in contents.items():
-        replace_file(file, data)
-    if contents and not quiet:
-        note_written(*contents)
+    finest = drawn.tolerance or FINENESS * min(track.member.module for track in tracks)
+    return contents_of(drawn.files, heading, finest, lambda: outlines(tracks), lambda: outline_csv(tracks))

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from tmmcalc.cli.exporting import Dxf, Svg, files_of, write_files
 from tmmcalc.cli.flags import with_flags
-from tmmcalc.cli.gears.drawn import Drawn, angle_of, check_flags, contents_of, length_of, tracks_of, write
+from tmmcalc.cli.gears.drawn import Drawn, angle_of, check_flags, drawn_bytes, length_of, tracks_of
 from tmmcalc.cli.gears.known import check_wheel
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.work import Job, title
@@ -86,13 +87,8 @@ def command(
             show_default=False,
         ),
     ] = None,
-    svg: Annotated[
-        Path | None, typer.Option("--svg", metavar="FILE", help="Write a drawing 1:1.", show_default=False)
-    ] = None,
-    dxf: Annotated[
-        Path | None,
-        typer.Option("--dxf", metavar="FILE", help="Write arcs and splines in mm (extra cad).", show_default=False),
-    ] = None,
+    svg: Svg = None,
+    dxf: Dxf = None,
     outline: Annotated[
         Path | None,
         typer.Option("--outline", metavar="FILE", help="Write points of the outline as CSV.", show_default=False),
@@ -122,9 +118,7 @@ def command(
     Example: tmmcalc gears profile my.toml --wheel 1 --axis pitch --svg wheel.svg
     """
     drawn = Drawn(
-        svg,
-        dxf,
-        outline,
+        files_of(svg=svg, dxf=dxf, outline=outline),
         None if tolerance is None else length_of(tolerance, "--tolerance", "1 um"),
         whole,
         angle_of(phase),
@@ -146,9 +140,9 @@ def command(
     document = _document(
         run, heading, chosen, (axis or AxisChoice.tooth).value, intervals or INTERVALS, at, everything, asked
     )
-    contents = contents_of(tracks_of(pairs, chosen if wheel else None, drawn), drawn, heading)
+    contents = drawn_bytes(tracks_of(pairs, chosen if wheel else None, drawn), drawn, heading)
     job.finish(document, run, form)
-    write(contents, job.quiet)
+    write_files(contents, job.quiet)
 
 
 def _rolls(text: str, flag: str) -> Values:

@@ -13,10 +13,10 @@ import numpy as np
 
 from tmmcalc.errors import UsageError
 from tmmcalc.linkage.chain import Configuration
-from tmmcalc.linkage.crossings import STILL
 from tmmcalc.linkage.forces import drive as driving
 from tmmcalc.linkage.forces.cut import Cut, Held, Plan, Post, plan_of, post_of
 from tmmcalc.linkage.forces.dyad import Dyad
+from tmmcalc.linkage.forces.scales import scale_of
 from tmmcalc.linkage.forces.wrench import NOTHING, Seat, Slideway, Wrench, seat_of, sliding
 from tmmcalc.linkage.loading import Pair
 from tmmcalc.linkage.loads.scene import Scene
@@ -220,32 +220,8 @@ def compile_statics(scene: Scene, with_inertia: bool = True) -> Statics:
     plans = tuple(plan_of(chain.mechanism, group, pairs) for group in reversed(chain.structure.groups))
     driver = post_of(chain.input_joint, chain.structure.input_link, pairs)
     posts = (*(() if chain.structure.driven else (driver,)), *(post for plan in plans for post in plan.posts))
-    scales = {post.joint.name: _scale(post.joint, scene) for post in posts if post.coefficient > 0}
+    scales = {post.joint.name: scale_of(post.joint, scene) for post in posts if post.coefficient > 0}
     return Statics(scene, (*scene.sources, *dynamic), pairs, scales, plans, driver)
-
-
-def _scale(joint: Joint, scene: Scene) -> float:
-    """Largest relative rate in a joint over the survey; of a pair that never slides what counts as motion at all."""
-    configuration = scene.survey.configuration
-    own = float(np.max(np.abs(sliding(joint, configuration)[0])))
-    around = _size(scene) if joint.kind == "prismatic" else _fastest(joint, scene)
-    return own if own > STILL * around else around
-
-
-def _size(scene: Scene) -> float:
-    """Largest coordinate of the metric, per unit of the input coordinate."""
-    if not scene.chain.turns:
-        return 1.0
-    mechanism = scene.chain.mechanism
-    points = (p for link in (mechanism.frame, *mechanism.links) for p in link.points.values())
-    pins = (p for joint in mechanism.joints for p in joint.points)
-    return max(abs(p) for p in (*points, *pins)) or 1.0
-
-
-def _fastest(joint: Joint, scene: Scene) -> float:
-    """Largest rate of turning of the two links; of links that never turn one radian per unit of the input."""
-    motions = scene.survey.configuration.motions
-    return max(float(np.max(np.abs(motions[k].omega))) for k in joint.links) or 1.0
 
 
 def reversals(statics: Statics) -> list[Knot]:

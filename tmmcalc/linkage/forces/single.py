@@ -27,10 +27,11 @@ def one_pair(base: Real, response: Real, c: Real) -> tuple[Real, Real, Flags]:
     own, along = base[0] * base[0] + base[1] * base[1], c * (base[0] * response[0] + base[1] * response[1])
     across = np.abs(c * (base[0] * response[1] - base[1] * response[0]))
     gain = np.abs(c) * np.sqrt(response[0] * response[0] + response[1] * response[1])
-    end = np.where(own == 0, np.inf, np.where(along < 0, 1 / gain, np.sqrt(own) / across))
-    moves = end > 1
     leading = (1 - gain) * (1 + gain)
     root = np.sqrt(np.maximum(own - across * across, 0.0))  # of the discriminant, for 1 - gain^2 < 0 too
-    direct = np.where(along < 0, (root - along) / leading, own / (along + root))
+    with np.errstate(divide="ignore", invalid="ignore"):  # in the case that is not taken
+        end = np.where(own == 0, np.inf, np.where(along < 0, 1 / gain, np.sqrt(own) / across))
+        direct = np.where(along < 0, (root - along) / leading, own / (along + root))
+    moves = end > 1
     size = np.where(moves & (own > 0), direct, 0.0)
     return -(c * size)[None], np.where(moves, 1.0, end), moves & (leading < 0) & (own > 0)

@@ -9,10 +9,19 @@ from tmmcalc.linkage.results import Branch
 
 
 def within(branch: Branch, x: Real) -> Real:
-    """The coordinates (n,) shifted by whole periods into the branch; NaN beyond its ends."""
+    """The coordinates (n,) shifted by whole periods into the branch; NaN beyond its ends.
+
+    On a branch that does not come back they are shifted by whole turns, unless it is wider than one: its turns differ.
+    """
     if branch.period is not None:
         return branch.low + np.mod(x - branch.low, branch.period)
-    return np.where((x >= branch.low) & (x <= branch.high), x, np.nan)
+    if branch.turn is not None and branch.high - branch.low < branch.turn:
+        x = np.where(_inside(branch, x), x, branch.low + np.mod(x - branch.low, branch.turn))
+    return np.where(_inside(branch, x), x, np.nan)
+
+
+def _inside(branch: Branch, x: Real) -> np.ndarray:
+    return (x >= branch.low) & (x <= branch.high)
 
 
 def parameter(branch: Branch, x: Real) -> Real:

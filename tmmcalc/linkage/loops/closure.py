@@ -44,19 +44,27 @@ class Closed(NamedTuple):
     @property
     def determinant(self) -> Real:
         """Determinant (n,) of the Jacobian with unit columns; its sign is constant along a branch."""
-        matrix = np.moveaxis(np.asarray(self.jacobian, dtype=float), -1, 0)
-        return np.asarray(np.linalg.det(matrix / np.sqrt(np.add.reduce(matrix * matrix, axis=1))[:, None]))
+        matrix, fine = _unit_columns(self.jacobian)
+        found = np.zeros(len(fine))
+        found[fine] = np.linalg.det(matrix)
+        return found
 
 
 def unit_singular(jacobian: Real) -> Real:
     """Smallest singular value (n,) of matrices (N, N, n) whose columns are brought to length one."""
+    matrix, fine = _unit_columns(jacobian)
+    found = np.zeros(len(fine))
+    if len(matrix):
+        found[fine] = np.linalg.svd(matrix, compute_uv=False)[:, -1]
+    return found
+
+
+def _unit_columns(jacobian: Real) -> tuple[Real, np.ndarray]:
+    """Matrices (m, N, N) with columns of length one, and which (n,) they are: those without a column of zeros."""
     matrix = np.moveaxis(np.asarray(jacobian, dtype=float), -1, 0)
     lengths = np.sqrt(np.add.reduce(matrix * matrix, axis=1))
-    found = np.zeros(len(matrix))
     fine = np.isfinite(lengths).all(axis=1) & (lengths > 0).all(axis=1)
-    if fine.any():
-        found[fine] = np.linalg.svd(matrix[fine] / lengths[fine, None], compute_uv=False)[:, -1]
-    return found
+    return matrix[fine] / lengths[fine, None], fine
 
 
 class Loops(NamedTuple):

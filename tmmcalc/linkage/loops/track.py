@@ -17,6 +17,7 @@ import numpy as np
 from tmmcalc.errors import SingularityError
 from tmmcalc.linkage.loops.branch import coordinate, slope
 from tmmcalc.linkage.loops.closure import Loops
+from tmmcalc.linkage.loops.equations import Equations
 from tmmcalc.linkage.loops.turning import turning
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Branch, Interval, Limit
@@ -76,9 +77,10 @@ def follow(name: str, at: At, x: float, q: Real, interval: Interval, turn: float
         )
     round_turn = turn if not interval.limits else None
     low, high = (x - TURNS * round_turn, x + TURNS * round_turn) if round_turn else (interval.low, interval.high)
-    follower = _Follower(at, at(np.array([x])).size, (turn or interval.high - interval.low) / STEPS, round_turn)
+    here, longest = at(np.array([x])), (turn or interval.high - interval.low) / STEPS
+    follower = _Follower(at, here.equations, here.size, longest, round_turn)
     ahead = follower.go(start, high)
-    bare = Branch(name, x, x, ahead.end, (), ahead.period, q[:, None], q[:, None])
+    bare = Branch(name, x, x, ahead.end, (), turn, ahead.period, q[:, None], q[:, None])
     if ahead.period is not None:
         return _sampled(at, ahead.places, bare)
     behind = follower._replace(turn=None).go(start, low)
@@ -92,6 +94,7 @@ class _Follower(NamedTuple):
     """A group, what its unknowns (N,) are measured by, its longest step, a whole turn if its crank may go round."""
 
     at: At
+    equations: Equations
     size: Real
     longest: float
     turn: float | None
@@ -135,7 +138,7 @@ class _Follower(NamedTuple):
     @property
     def _angles(self) -> int:
         """How many of the unknowns are angles."""
-        return self.at(np.zeros(1)).equations.classes.shape[1]
+        return self.equations.classes.shape[1]
 
     def _measure(self, q: Real) -> Real:
         """What a change of the unknowns (N,) is measured by: a coordinate that is far out by itself."""
@@ -150,7 +153,7 @@ class _Follower(NamedTuple):
 
     def _running(self, unknown: int) -> str:
         """Why a branch ends where a sliding coordinate runs to infinity."""
-        eq = self.at(np.zeros(1)).equations
+        eq = self.equations
         joint = eq.rails[eq.free[unknown - self._angles]].joint
         return f"the slider of joint {joint} runs to infinity along its guide, which turns parallel to what holds it"
 

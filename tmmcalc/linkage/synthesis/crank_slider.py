@@ -13,9 +13,9 @@ import math
 from collections.abc import Callable, Iterator
 
 from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.linkage.model import Grid, Output
-from tmmcalc.linkage.synthesis.builders import Scene, SliderCrank, slider_crank
-from tmmcalc.linkage.synthesis.designs import Closed, closed_form, speed_of
+from tmmcalc.linkage.model import Output
+from tmmcalc.linkage.synthesis.builders import SliderCrank, slider_crank
+from tmmcalc.linkage.synthesis.designs import Closed, closed_form, scene_of
 from tmmcalc.linkage.synthesis.results import Check, Size, Synthesis
 from tmmcalc.linkage.synthesis.simulation import check, simulate, tilts
 from tmmcalc.linkage.synthesis.strokes import overlap, time_ratio
@@ -98,7 +98,7 @@ def _lengths(asked: SliderCrankTask, offset: float | None) -> Iterator[Demand]:
 def _scale(asked: SliderCrankTask, lam: float, kappa: float) -> float | None:
     """Length of the rod by the first length that gives it."""
     if asked.stroke is not None:
-        return asked.stroke / float(stroke_of(lam, kappa))  # type: ignore[arg-type]
+        return asked.stroke / float(stroke_of(lam, kappa))
     if asked.rod is not None:
         return asked.rod
     if asked.crank is not None:
@@ -112,10 +112,9 @@ def _closed(task: SynthesisTask, asked: SliderCrankTask, lam: float, kappa: floa
     r, e = lam * l, kappa * l
     if asked.offset == 0 or kappa == 0:
         e = 0.0
-    psi = float(overlap_of(lam, kappa))  # type: ignore[arg-type]
-    stroke, ratio = l * float(stroke_of(lam, kappa)), time_ratio(psi)  # type: ignore[arg-type]
-    speed = speed_of(task, stroke, ratio)
-    scene = Scene(speed, None, Grid(task.positions, extremes=True), (Output("C", resistance="positive"),))
+    psi = float(overlap_of(lam, kappa))
+    stroke, ratio = l * float(stroke_of(lam, kappa)), time_ratio(psi)
+    scene = scene_of(task, stroke, ratio, Output("C", resistance="positive"))
     mechanism = slider_crank(SliderCrank(0j, r, l, 1j * e), scene)
     found = simulate(mechanism)
     working, idle = tilts(found, 2, 1 + 0j)

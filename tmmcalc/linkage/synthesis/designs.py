@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from tmmcalc.errors import AccuracyError
-from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.model import Grid, Mechanism, Output
+from tmmcalc.linkage.synthesis.builders import Scene
 from tmmcalc.linkage.synthesis.ready import ready_spec
 from tmmcalc.linkage.synthesis.results import Check, Design, Size, Synthesis
 from tmmcalc.linkage.synthesis.simulation import Simulation
@@ -33,11 +34,15 @@ class Closed:
     defects: tuple[str, ...] = ()
 
 
-def speed_of(task: SynthesisTask, stroke: float, ratio: float) -> float:
-    """Speed of the crank [rad/s]: given, or by the mean speed of the working stroke, or 1 rad/s."""
-    if task.crank_speed is not None:
-        return task.crank_speed
-    return SPEED if task.working_speed is None else crank_speed(stroke, ratio, task.working_speed)
+def scene_of(task: SynthesisTask, stroke: float, ratio: float, output: Output) -> Scene:
+    """Motion of a mechanism that is checked: from the dead centre before the working stroke of its output.
+
+    The crank's speed is given, or by the mean speed of the working stroke, or 1 rad/s.
+    """
+    speed = SPEED if task.crank_speed is None else task.crank_speed
+    if task.working_speed is not None:
+        speed = crank_speed(stroke, ratio, task.working_speed)
+    return Scene(speed, None, Grid(task.positions, extremes=True), (output,))
 
 
 def closed_form(task: SynthesisTask, kind: str, rule: str, found: Sequence[Closed]) -> Synthesis:
@@ -50,7 +55,7 @@ def closed_form(task: SynthesisTask, kind: str, rule: str, found: Sequence[Close
             where=f"synthesis.{kind}, post-check",
             value=residual,
             limit=CLOSED,
-            remedy="keep clear of sizes at which the mechanism only just turns",
+            remedy="keep clear of sizes at which the mechanism only just turns, and of links that differ a millionfold",
         )
     notes = [note for closed in found[: task.solutions] for note in closed.notes]
     if task.crank_speed is None and task.working_speed is None:
@@ -65,7 +70,8 @@ def largest_residual(design: Design) -> float:
 
 def _design(task: SynthesisTask, closed: Closed) -> Design:
     found = closed.simulation
-    times = stroke_times(found.stroke, found.time_ratio, abs(found.result.speed))
+    unit = "m" if closed.mechanism.outputs[0].link is None else "rad"
+    times = stroke_times(found.stroke, found.time_ratio, abs(found.result.speed), unit)
     title = task.title or closed.name
     text = ready_spec(closed.mechanism, title, tuple(remarks(closed.sizes)))
     return Design(closed.name, closed.sizes, closed.checks, closed.merits, closed.defects, text, times)

@@ -27,7 +27,8 @@ from tmmcalc.progress import tell
 
 RULE = "fewest defects; then the least structural error over the range"
 GRID = 72  # values of a free offset that are tried
-KEPT = 400  # candidates that are looked at closely
+KEPT = 400  # candidates that are compared
+LOOKED = 40  # that are simulated, at most
 
 
 def solve(task: SynthesisTask) -> Synthesis:
@@ -61,7 +62,7 @@ def _best(fitted: Fitted, closure: Closure) -> list[int]:
         sizes = fitted.sizes[k]
         if all(np.max(np.abs(sizes - fitted.sizes[j])) > 0.02 * np.max(np.abs(sizes)) for j in kept):
             kept.append(k)
-        if len(kept) >= 24:
+        if len(kept) == LOOKED:
             break
     return kept
 

@@ -40,6 +40,7 @@ def design_of(task: SynthesisTask, closure: Closure, fitted: Fitted, k: int) -> 
     error = difference(closure, _outputs(closure, mechanism, result, fine), (closure.fine[1] + v) * closure.unit)
     precision = Precision(
         unit="m" if closure.slides else "rad",
+        sense=_sense(asked),
         crank=x,
         wanted=wanted,
         found=wanted + off,
@@ -67,6 +68,11 @@ def design_of(task: SynthesisTask, closure: Closure, fitted: Fitted, k: int) -> 
     return Design(name, sizes, checks, merits, tuple(_defects(task, transmission, sizes, met)), text, None, precision)
 
 
+def _sense(asked: FunctionTask) -> int:
+    """Sense of the crank while x grows."""
+    return 1 if asked.inputs[-1] >= asked.inputs[0] else -1
+
+
 def _type(fitted: Fitted, k: int) -> str:
     return f"four-bar, {grashof(fitted.sizes[k][:, None])[0]}"
 
@@ -77,7 +83,7 @@ def _mechanism(task: SynthesisTask, closure: Closure, fitted: Fitted, k: int) ->
     a, b, c, d = (fitted.sizes[k] * closure.unit).tolist()
     u, sign = float(fitted.offsets[k, 0]), int(fitted.sign[k])
     low, high = asked.span
-    sense = 1.0 if asked.inputs[-1] >= asked.inputs[0] else -1.0
+    sense = _sense(asked)
     start = u + (low if sense > 0 else high)
     extra = tuple(float(along) for along in np.sort(sense * (asked.inputs + u - start)) if along > 0)
     speed = sense * abs(task.crank_speed or SPEED)

@@ -6,23 +6,17 @@ those of a curve of four, up to four real points of five (see `burmester`). More
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
 from tmmcalc.linkage.plane import Plane
 from tmmcalc.linkage.synthesis.burmester import Poses, centres, circle_points, curve_points, line_points
-from tmmcalc.linkage.synthesis.designs import CLOSED
-from tmmcalc.linkage.synthesis.planar import Bars
-from tmmcalc.linkage.synthesis.posed import RULE, best_first, designed, pinned, ranked
-from tmmcalc.linkage.synthesis.posefit import fitted
-from tmmcalc.linkage.synthesis.rating import Rating
-from tmmcalc.linkage.synthesis.results import Design, Synthesis
+from tmmcalc.linkage.synthesis.posed import pinned, ranked, spread, within
+from tmmcalc.linkage.synthesis.posesearch import Found, search
+from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.synthesis.task import PoseTask, SynthesisTask
 from tmmcalc.progress import tell
 
-MOST = {False: 5, True: 4}  # poses that are met exactly, by whether it slides
+MOST = {"four_bar": 5, "slider_crank": 4}  # poses that are met exactly
 DYADS = 100  # pins that are paired, of each kind
 REACH = 3.0  # pins and pivots stand within so many spreads of the poses
 
@@ -30,58 +24,23 @@ REACH = 3.0  # pins and pivots stand within so many spreads of the poses
 def solve(task: SynthesisTask) -> Synthesis:
     """The linkages that guide the body; raises `NoSolutionError` if none does."""
     asked: PoseTask = task.asked
-    assert asked.angles is not None
-    slides = asked.mechanism == "slider_crank"
-    exact = len(asked.points) <= MOST[slides]
-    tell(0.0, "pins of the body")
-    designs = _designs(task, _exact(task, slides)) if exact else []
-    designs = best_first([design for design in designs if error_of(design, spread(asked.points)) < CLOSED])
-    met = bool(designs)
-    if not met and (not exact or asked.region is None):
-        designs = _designs(task, fitted(task))
-        designs.sort(key=lambda design: (len(design.defects), design.merits["error_max[mm]"]))
-    if not designs:
-        linkage, count = asked.mechanism.replace("_", "-"), len(asked.points)
-        raise NoSolutionError(
-            f"no {linkage} was found that guides the body through the {count} poses",
-            where="synthesis.motion",
-            value=float(count),
-            remedy="change a pose, leave region out, or give one pose less",
-        )
-    shown = tuple(designs[: task.solutions])
-    residual = max(error_of(design, 1.0) for design in shown) if met else 0.0
-    counters = {"designs": len(designs)}
-    rule = RULE if met else "fewest defects; then the least distance from the points"
-    return Synthesis("motion", rule, shown, residual, tuple(_notes(asked, exact, met, shown)), counters)
+    if len(asked.points) > MOST[asked.mechanism]:
+        return search(task, "motion", None)
+    return search(task, "motion", lambda: _exact(task))
 
 
-def _designs(task: SynthesisTask, found: list[tuple[Bars, Rating]]) -> list[Design]:
-    return [design for bars, rating in found if (design := designed(task, bars, rating, "motion generator"))]
-
-
-def spread(points: Plane) -> float:
-    """Largest distance of the points from their middle [m]."""
-    return float(np.max(np.abs(points - points.mean()))) or 1.0
-
-
-def error_of(design: Design, unit: float) -> float:
-    """Largest error of a design: of angles in rad, of places in units."""
-    found = design.precision
-    assert found is not None
-    angles = float(np.max(np.abs(found.angle_errors))) if len(found.angle_errors) else 0.0
-    return max(float(found.found.max()) / unit, angles)
-
-
-def _exact(task: SynthesisTask, slides: bool) -> list[tuple[Bars, Rating]]:
+def _exact(task: SynthesisTask) -> Found:
+    """Pairs of the body's pins, ranked."""
     asked: PoseTask = task.asked
     assert asked.angles is not None
+    tell(0.0, "pins of the body")
     poses = Poses(asked.points, asked.angles - asked.angles[0])
     rng = np.random.default_rng(task.seed)
     z, c = _pins(poses, rng)
-    good = _within(asked, c, z)
+    good = within(asked.region, c) & _near(asked, c, z)
     z, c = z[good][:DYADS], c[good][:DYADS]
     turn = np.exp(1j * poses.angles)[None, :]
-    if slides:
+    if asked.mechanism == "slider_crank":
         lines = _line_pins(poses, rng)
         i, j = (rows.ravel() for rows in np.meshgrid(np.arange(len(z)), np.arange(len(lines)), indexing="ij"))
         bars, b, ends = pinned(poses.points, turn, z[i], c[i], lines[j], None)
@@ -93,7 +52,7 @@ def _exact(task: SynthesisTask, slides: bool) -> list[tuple[Bars, Rating]]:
     sound = lengths.max(axis=0) <= asked.largest_ratio * np.maximum(lengths.min(axis=0), 1e-300)
     if not sound.any() and len(sound):
         sound[:] = lengths.min(axis=0) > 1e-9 * lengths.max(axis=0)
-    return ranked(task, bars.rows(sound), b[sound], ends[sound]) if len(sound) else []
+    return ranked(task, bars.rows(sound), b[sound], ends[sound]), {"pairs": len(sound)}
 
 
 def _pins(poses: Poses, rng: np.random.Generator) -> tuple[Plane, Plane]:
@@ -121,25 +80,9 @@ def _line_pins(poses: Poses, rng: np.random.Generator) -> Plane:
     return np.asarray(REACH / 2 * unit * (rng.normal(size=DYADS) + 1j * rng.normal(size=DYADS)))
 
 
-def _within(asked: PoseTask, centre: Plane, z: Plane) -> np.ndarray:
-    """Which pivots stand where they may; without a region those not too far away."""
-    if asked.region is not None:
-        low, high = asked.region
-        inside = (centre.real >= low.real) & (centre.real <= high.real)
-        return np.asarray(inside & (centre.imag >= low.imag) & (centre.imag <= high.imag))
-    if len(asked.points) >= 5:
+def _near(asked: PoseTask, centre: Plane, z: Plane) -> np.ndarray:
+    """Which pins and pivots are not too far away, where there is a choice."""
+    if asked.region is not None or len(asked.points) >= MOST["four_bar"]:
         return np.ones(len(z), bool)
     far = 2 * REACH * spread(asked.points)
-    return np.asarray(np.abs(centre - asked.points.mean()) < far) & (np.abs(z) < far)
-
-
-def _notes(asked: PoseTask, exact: bool, met: bool, designs: tuple[Design, ...]) -> Iterator[str]:
-    count = len(asked.points)
-    if met:
-        yield f"note: {count} poses are met exactly"
-    elif exact:
-        yield f"warning: no linkage meets the {count} poses exactly: they are met in the least squares"
-    else:
-        yield f"note: {count} poses are more than can be met exactly: they are met in the least squares"
-    if designs[0].defects:
-        yield f"warning: the best design has a defect: {'; '.join(designs[0].defects)}"
+    return np.asarray((np.abs(centre - asked.points.mean()) < far) & (np.abs(z) < far))

@@ -16,6 +16,7 @@ KINDS = {  # kind -> "module:function", called as function(task)
     "motion": f"{_HOME}.guidance:solve",
     "dwell": f"{_HOME}.dwell.solve:solve",
 }
+SEARCHES = ("path", "function", "motion")  # which find more designs than they list
 
 
 def solve_synthesis(task: SynthesisTask) -> Synthesis:

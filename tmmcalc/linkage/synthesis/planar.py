@@ -60,6 +60,19 @@ class Bars(NamedTuple):
         """The linkages with these indices."""
         return bars_of([part[which] for part in self[:-1]], self.slides)
 
+    def moved(self, ratio: Plane | float, shift: Plane | complex) -> Bars:
+        """The linkages turned and scaled by ``ratio``, (m, 1) or one for all, then shifted."""
+        size = np.abs(ratio)
+        return self._replace(
+            pivot=self.pivot * ratio + shift,
+            crank=self.crank * size,
+            coupler=self.coupler * size,
+            end=self.end * ratio + shift,
+            rocker=self.rocker * size,
+            guide=self.guide * ratio / size,
+            point=self.point * size,
+        )
+
     def lengths(self) -> Real:
         """Lengths (k, m): crank, coupler, rocker, frame; of a slider-crank crank and coupler."""
         if self.slides:

@@ -33,19 +33,29 @@ class Check:
     residual: float | None = None
 
 
+def check_key(name: str) -> str:
+    """The name of a check in the documents.
+
+    >>> check_key("stroke h")
+    'check_stroke_h'
+    """
+    return f"check_{name.replace(' ', '_')}"
+
+
 @record
 class StrokeTimes:
     """Times, angles and mean speeds of the two strokes at a constant speed of the crank."""
 
     crank_speed: float  # [rad/s]
     time_ratio: float  # K
-    stroke: float  # [m], or the swing [rad]
+    stroke: float  # S, or the swing 2 phi
+    unit: str  # of the stroke, m or rad
     period: float  # t [s]
     working_time: float  # t_p [s]
     idle_time: float  # t_x [s]
-    working_speed: float  # v_p [m/s]
-    idle_speed: float  # v_x [m/s]
-    mean_speed: float  # 2 S/t over the cycle [m/s]
+    working_speed: float  # v_p, or omega_p [unit/s]
+    idle_speed: float  # v_x, or omega_x [unit/s]
+    mean_speed: float  # 2 S/t over the cycle [unit/s]
     working_angle: float  # alpha_p [rad]
     idle_angle: float  # alpha_x [rad]
     overlap: float  # psi [rad]
@@ -56,6 +66,7 @@ class Precision:
     """What was wanted at the n points, and what the simulated mechanism does there."""
 
     unit: str  # of the output, rad or m
+    sense: int  # of the crank from the first point on, +1 counter-clockwise
     crank: Real  # (n,) angle of the crank [rad]
     wanted: Real  # (n,) output [rad or m]; of a path the distance 0 from the point
     found: Real  # (n,)

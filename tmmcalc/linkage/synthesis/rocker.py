@@ -18,10 +18,10 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError
-from tmmcalc.linkage.model import Grid, Output
+from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.plane import Plane, Real, cross
-from tmmcalc.linkage.synthesis.builders import FourBar, Scene, four_bar
-from tmmcalc.linkage.synthesis.designs import Closed, closed_form, speed_of
+from tmmcalc.linkage.synthesis.builders import FourBar, four_bar
+from tmmcalc.linkage.synthesis.designs import Closed, closed_form, scene_of
 from tmmcalc.linkage.synthesis.results import Check, Size, Synthesis
 from tmmcalc.linkage.synthesis.simulation import Simulation, check, simulate
 from tmmcalc.linkage.synthesis.strokes import overlap
@@ -170,8 +170,7 @@ def _closed(task: SynthesisTask, asked: CrankRockerTask, found: Family) -> Close
     pivot = complex(found.pivot[0])
     turn = -pivot / abs(pivot)  # A to D along x
     above = (np.exp(1j * (math.pi / 2 + asked.swing / 2)) / turn).imag
-    speed = speed_of(task, asked.swing * rocker, asked.time_ratio)
-    scene = Scene(speed, None, Grid(task.positions, extremes=True), (Output(link=3),))
+    scene = scene_of(task, asked.swing, asked.time_ratio, Output(link=3))
     sizes4 = FourBar(0j, r, l, rocker, complex(frame), variant=1 if above > 0 else -1)
     mechanism = four_bar(sizes4, scene)
     simulation = simulate(mechanism)
@@ -187,7 +186,7 @@ def _closed(task: SynthesisTask, asked: CrankRockerTask, found: Family) -> Close
     )
     checks = tuple(_checks(asked, simulation, (r, l, rocker, frame), transmission))
     merits = {"transmission_min[deg]": math.degrees(transmission), "r/L": r / frame}
-    return Closed("crank-rocker", sizes, checks, merits, mechanism, simulation, tuple(_notes(transmission)))
+    return Closed("crank-rocker", sizes, checks, merits, mechanism, simulation, tuple(_notes(asked, transmission)))
 
 
 def _checks(
@@ -201,6 +200,11 @@ def _checks(
             yield check(symbol, value, "m", getattr(asked, name))
 
 
-def _notes(transmission: float) -> Iterator[str]:
+def _notes(asked: CrankRockerTask, transmission: float) -> Iterator[str]:
+    if asked.time_ratio == 1:
+        yield (
+            "note: K = 1: the crank-rocker is central, a special case: the crank's pivot stands in line with both ends "
+            "of the rocker pin, both swings take the same time, and r = R sin(phi)"
+        )
     if transmission < math.radians(30):
         yield f"warning: the least transmission angle is {math.degrees(transmission):.4g} deg, below 30 deg"

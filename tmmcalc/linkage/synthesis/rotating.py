@@ -11,17 +11,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError
-from tmmcalc.linkage.model import Grid, Output
 from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.synthesis.builders import Scene, slotted_link
-from tmmcalc.linkage.synthesis.designs import Closed, closed_form, speed_of
-from tmmcalc.linkage.synthesis.results import Check, Size, Synthesis
-from tmmcalc.linkage.synthesis.simulation import Tilt, check, simulate, tilts
+from tmmcalc.linkage.synthesis.designs import Closed, closed_form
+from tmmcalc.linkage.synthesis.results import Size, Synthesis
+from tmmcalc.linkage.synthesis.slottedpost import checked, checks
 from tmmcalc.linkage.synthesis.strokes import TURN, overlap
 from tmmcalc.linkage.synthesis.task import RotatingTask, SynthesisTask
 from tmmcalc.numerics.roots import bracketed
@@ -106,11 +104,8 @@ def _roots(f: Callable[[Real], Real], x: Real) -> Real:
 def _closed(task: SynthesisTask, asked: RotatingTask, arm: float, rod: float, ratio: float) -> Closed:
     crank = asked.crank if asked.crank is not None else (asked.centres or math.nan) / ratio
     centres = asked.centres if asked.centres is not None else crank * ratio
-    speed = speed_of(task, asked.stroke, asked.time_ratio)
-    scene = Scene(speed, None, Grid(task.positions, extremes=True), (Output("E", resistance="positive"),))
-    mechanism = slotted_link(crank, centres, arm, rod, asked.guide, scene)
-    found = simulate(mechanism)
-    both = tilts(found, 4, 1 + 0j)
+    post = checked(task, (crank, centres, arm, rod, asked.guide))
+    found = post.simulation
     second = (found.first + found.working) % TURN
     sizes = (
         Size("r", crank, "m", "crank AB"),
@@ -122,15 +117,5 @@ def _closed(task: SynthesisTask, asked: RotatingTask, arm: float, rod: float, ra
         Size("phi_zero", found.first, "rad", "crank at the far end of the stroke"),
         Size("phi_second", second, "rad", "crank at the near end of the stroke"),
     )
-    merits = {"pressure_max[deg]": math.degrees(max(tilt.largest for tilt in both)), "L/r": centres / crank}
-    checks = tuple(_checks(asked, found.stroke, found.time_ratio, both))
-    return Closed("rotating slotted link", sizes, checks, merits, mechanism, found)
-
-
-def _checks(asked: RotatingTask, stroke: float, ratio: float, both: tuple[Tilt, Tilt]) -> Iterator[Check]:
-    working, idle = both
-    yield check("S", stroke, "m", asked.stroke)
-    yield check("K", ratio, "-", asked.time_ratio)
-    yield check("nu_max", max(working.largest, idle.largest), "rad", asked.pressure)
-    yield check("largest pressure angle working", working.largest, "rad")
-    yield check("largest pressure angle idle", idle.largest, "rad")
+    merits = {"pressure_max[deg]": math.degrees(post.pressure), "L/r": centres / crank}
+    return Closed("rotating slotted link", sizes, tuple(checks(asked, post)), merits, post.mechanism, found)

@@ -13,11 +13,9 @@ import math
 from collections.abc import Iterator
 
 from tmmcalc.errors import NoSolutionError
-from tmmcalc.linkage.model import Grid, Output
-from tmmcalc.linkage.synthesis.builders import Scene, slotted_link
-from tmmcalc.linkage.synthesis.designs import Closed, closed_form, speed_of
-from tmmcalc.linkage.synthesis.results import Check, Size, Synthesis
-from tmmcalc.linkage.synthesis.simulation import Tilt, check, simulate, tilts
+from tmmcalc.linkage.synthesis.designs import Closed, closed_form
+from tmmcalc.linkage.synthesis.results import Size, Synthesis
+from tmmcalc.linkage.synthesis.slottedpost import Lengths, checked, checks
 from tmmcalc.linkage.synthesis.strokes import overlap
 from tmmcalc.linkage.synthesis.task import SlottedTask, SynthesisTask
 
@@ -41,6 +39,16 @@ def solve(task: SynthesisTask) -> Synthesis:
             value=rod,
             limit=max(levers),
             remedy="change guide, or give a longer rod",
+        )
+    tilt = math.degrees(math.asin(levers[1] / rod)) + math.degrees(phi)
+    if guide > arm * math.cos(phi) and tilt >= 90:
+        raise NoSolutionError(
+            "the slider turns back before the slotted link does: at the ends the swing and the pressure angle make "
+            f"{tilt:.6g} deg, and the rod stands along the path of its pin D at 90 deg",
+            where=f"synthesis.{KIND}",
+            value=tilt,
+            limit=90.0,
+            remedy="ask for a smaller time ratio or pressure angle, or a longer rod",
         )
     return closed_form(task, KIND, RULE, [_closed(task, asked, phi, (crank, centres, arm, rod, guide))])
 
@@ -71,14 +79,9 @@ def _layout(asked: SlottedTask, phi: float) -> tuple[float, float, float]:
     return crank, centres, centres + k * crank if asked.guide is None else asked.guide
 
 
-def _closed(task: SynthesisTask, asked: SlottedTask, phi: float, lengths: tuple[float, ...]) -> Closed:
+def _closed(task: SynthesisTask, asked: SlottedTask, phi: float, lengths: Lengths) -> Closed:
     crank, centres, arm, rod, guide = lengths
-    speed = speed_of(task, asked.stroke, asked.time_ratio)
-    scene = Scene(speed, None, Grid(task.positions, extremes=True), (Output("E", resistance="positive"),))
-    mechanism = slotted_link(crank, centres, arm, rod, guide, scene)
-    found = simulate(mechanism)
-    both = tilts(found, 4, 1 + 0j)
-    largest = max(tilt.largest for tilt in both)
+    found = checked(task, lengths)
     sizes = (
         Size("r", crank, "m", "crank AB"),
         Size("L", centres, "m", "line of centres CA"),
@@ -90,18 +93,9 @@ def _closed(task: SynthesisTask, asked: SlottedTask, phi: float, lengths: tuple[
         Size("phi_zero", -phi, "rad", "crank at the far end of the stroke"),
         Size("phi_second", math.pi + phi, "rad", "crank at the near end of the stroke"),
     )
-    merits = {"pressure_max[deg]": math.degrees(largest), "r/L": crank / centres}
-    checks = tuple(_checks(asked, found.stroke, found.time_ratio, both))
-    return Closed("slotted link", sizes, checks, merits, mechanism, found, tuple(_notes(*lengths)))
-
-
-def _checks(asked: SlottedTask, stroke: float, ratio: float, both: tuple[Tilt, Tilt]) -> Iterator[Check]:
-    working, idle = both
-    yield check("S", stroke, "m", asked.stroke)
-    yield check("K", ratio, "-", asked.time_ratio)
-    yield check("nu_max", max(working.largest, idle.largest), "rad", asked.pressure)
-    yield check("largest pressure angle working", working.largest, "rad")
-    yield check("largest pressure angle idle", idle.largest, "rad")
+    merits = {"pressure_max[deg]": math.degrees(found.pressure), "r/L": crank / centres}
+    made, notes = tuple(checks(asked, found)), tuple(_notes(*lengths))
+    return Closed("slotted link", sizes, made, merits, found.mechanism, found.simulation, notes)
 
 
 def _notes(crank: float, centres: float, arm: float, rod: float, guide: float) -> Iterator[str]:

@@ -31,8 +31,8 @@ def crank_speed(stroke: float, ratio: float, working_speed: float) -> float:
     return TURN * working_speed / (stroke * (1 + 1 / ratio))
 
 
-def stroke_times(stroke: float, ratio: float, speed: float) -> StrokeTimes:
-    """Times [s], angles [rad] and mean speeds of both strokes at the crank's ``speed`` [rad/s].
+def stroke_times(stroke: float, ratio: float, speed: float, unit: str = "m") -> StrokeTimes:
+    """Times [s], angles [rad] and mean speeds of both strokes, in ``unit``, at the crank's ``speed`` [rad/s].
 
     >>> times = stroke_times(0.28, 1.4, 150 * math.pi / 30)
     >>> round(times.working_speed, 9), round(times.idle_speed, 9), round(times.mean_speed, 9)
@@ -44,6 +44,7 @@ def stroke_times(stroke: float, ratio: float, speed: float) -> StrokeTimes:
         crank_speed=speed,
         time_ratio=ratio,
         stroke=stroke,
+        unit=unit,
         period=period,
         working_time=working,
         idle_time=idle,

@@ -5,10 +5,13 @@ A None is a size that is to be found. Angles in rad, lengths in m; plane points 
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.feasibility.judge import FeasibilityTask
 
 MechanismName = Literal["four_bar", "slider_crank"]
 
@@ -111,3 +114,4 @@ class SynthesisTask:
     transmission: float = 0.0  # least transmission angle that is wanted [rad]: below it a design has a defect
     positions: int = 24  # of the ready spec
     title: str = ""  # of the ready spec
+    constraints: FeasibilityTask | None = None  # those of the user that a search keeps

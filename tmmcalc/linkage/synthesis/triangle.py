@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from tmmcalc.errors import UsageError
 from tmmcalc.linkage.plane import Real
 from tmmcalc.numerics.roots import bracketed
 from tmmcalc.records import record
@@ -18,6 +19,7 @@ from tmmcalc.records import record
 Residual = Callable[[Real, Real], Real]
 SAMPLES = 4000  # of a curve, between which roots are sought
 PARALLEL = 1e-14  # two lines whose determinant is smaller have no crossing
+SAME = 1e-13  # a demand that holds so well all along another one says the same
 EDGE = 1e-12  # a crossing this near to the border of the triangle does not turn
 
 
@@ -71,20 +73,20 @@ class Scaled:
 Demand = StraightLine | Overlap | Scaled
 
 
-def stroke_of(lam: Real, kappa: Real) -> Real:
+def stroke_of(lam: Real | float, kappa: Real | float) -> Real:
     """Stroke over the length of the rod, without cancellation."""
     far = np.sqrt(np.maximum((1 + lam - kappa) * (1 + lam + kappa), 0))
     near = np.sqrt(np.maximum((1 - lam - kappa) * (1 - lam + kappa), 0))
     return np.asarray(4 * lam / (far + near))
 
 
-def overlap_of(lam: Real, kappa: Real) -> Real:
+def overlap_of(lam: Real | float, kappa: Real | float) -> Real:
     """Overlap angle psi [rad]: the crank's angle over the half turn on the working stroke."""
-    return np.arcsin(np.clip(kappa / (1 - lam), -1, 1)) - np.arcsin(kappa / (1 + lam))
+    return np.asarray(np.arcsin(np.clip(kappa / (1 - lam), -1, 1)) - np.arcsin(kappa / (1 + lam)))
 
 
 def crossings(first: Demand, second: Demand) -> list[tuple[float, float]]:
-    """All (lambda, kappa) inside the triangle where both demands hold."""
+    """All (lambda, kappa) inside the triangle where both demands hold; raises `UsageError` where they are one."""
     lines = [demand for demand in (first, second) if isinstance(demand, StraightLine)]
     if len(lines) == 2:
         return _crossing(*lines)
@@ -92,6 +94,8 @@ def crossings(first: Demand, second: Demand) -> list[tuple[float, float]]:
         other = second if lines[0] is first else first
         return _on_line(lines[0], other)
     overlaps = [demand for demand in (first, second) if isinstance(demand, Overlap)]
+    if not overlaps:
+        raise _one()
     other = second if overlaps[0] is first else first
     curve = overlaps[0]
     return _roots(curve.curve(SAMPLES), lambda t: (t, curve.kappa(t)), other)
@@ -100,6 +104,8 @@ def crossings(first: Demand, second: Demand) -> list[tuple[float, float]]:
 def _crossing(one: StraightLine, two: StraightLine) -> list[tuple[float, float]]:
     determinant = one.a * two.b - one.b * two.a
     if abs(determinant) < PARALLEL:
+        if abs(one.a * two.c - one.c * two.a) + abs(one.b * two.c - one.c * two.b) < PARALLEL:
+            raise _one()
         return []
     lam = (one.c * two.b - one.b * two.c) / determinant
     kappa = (one.a * two.c - one.c * two.a) / determinant
@@ -131,7 +137,17 @@ def _on_line(line: StraightLine, other: Demand) -> list[tuple[float, float]]:
 
 def _roots(t: Real, place: Callable[[Real], tuple[Real, Real]], demand: Demand) -> list[tuple[float, float]]:
     values = demand.residual(*place(t))
+    if np.max(np.abs(values)) < SAME:
+        raise _one()
     change = np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))
     roots = bracketed(lambda at, which: demand.residual(*place(at)), t[change], t[change + 1])
     lam, kappa = place(roots)
     return [(float(a), float(b)) for a, b in zip(lam, kappa, strict=True)]
+
+
+def _one() -> UsageError:
+    return UsageError(
+        "two of the sizes given say the same: the slider-crank is not settled by them",
+        where="synthesis.slider_crank",
+        remedy="replace one of them; K = 1, e = 0 and S = 2 r are one demand, for example",
+    )

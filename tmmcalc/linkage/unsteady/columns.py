@@ -25,7 +25,7 @@ def unsteady_columns(result: Unsteady) -> list[Column]:
 
 
 def _columns(result: Unsteady) -> Iterator[Column]:
-    yield Column("t", "s", lambda: result.t)
+    yield _column("t", "s", result.t)
     yield from _triple(("x", "v", "a"), result.turns, result.drive)
     for k, (name, angular) in enumerate(zip(result.outputs, result.angular, strict=True)):
         yield from _triple((f"S_{name}", f"vS_{name}", f"aS_{name}"), angular, result.coordinate[:, k])
@@ -46,5 +46,8 @@ def _triple(names: tuple[str, str, str], angular: bool, rows: Real) -> Iterator[
     """A coordinate and its derivatives, rows (3, n)."""
     units = ANGULAR if angular else LINEAR
     for order, (name, unit) in enumerate(zip(names, units, strict=True)):
-        values = np.degrees(rows[order]) if unit == "deg" else rows[order]
-        yield Column(name, unit, lambda values=values: values)  # type: ignore[misc]
+        yield _column(name, unit, np.degrees(rows[order]) if unit == "deg" else rows[order])
+
+
+def _column(name: str, unit: str, values: Real) -> Column:
+    return Column(name, unit, lambda: values)

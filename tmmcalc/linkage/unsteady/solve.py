@@ -89,7 +89,7 @@ def law_of(task: UnsteadyTask, ends: Ends) -> TimeLaw:
 
 def _surveyed(chain: Chain, low: float, high: float, start: float) -> tuple[Survey, tuple[Grade, ...]]:
     """The range of the motion densely, and what is to be told of its weak places; a dead point is an error."""
-    dense = survey(chain, low, high)
+    dense = survey(chain, low, high, start)
     qualities = assess(chain, dense, start)
     check_regular(chain, qualities)
     return dense, grade(chain, qualities)

@@ -8,11 +8,10 @@ from typing import Any
 
 from tmmcalc.cams.forces.columns import force_columns
 from tmmcalc.cams.forces.results import CamForces, ForceExtreme, Governing, SpringFound
-from tmmcalc.report.cams.rows import LEFT_OUT, turn_view
+from tmmcalc.report.cams.rows import with_rows
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.gearsizes import quantity
 from tmmcalc.report.numbers import angle, number
-from tmmcalc.report.positions import more
 
 LAST = ("P_in", "M_in", "Q", "M_spring", "M_Q", "mu", "q")  # columns that stand behind what is asked first
 VERDICTS = {"ok": "the follower stays on the cam and moves freely", "loss_of_contact": "the follower leaves the cam"}
@@ -45,10 +44,8 @@ def forces_document(
     columns = force_columns(result)
     if not everything and not patterns:
         columns = dict(sorted(columns.items(), key=lambda column: column[0].startswith(LAST)))
-    view = turn_view(columns, patterns, rows, ends=[degrees(end) for end in result.ends], everything=everything)
-    left_out = rows is None and len(view.columns[0]) < len(result.positions.labels)
-    notes = (*result.notes, *([LEFT_OUT] if left_out else []))
-    return Document(title, tuple(_facts(result)), notes, view, wide=not patterns, more=more(where, "phi,R,T"))
+    told, ends = Document(title, tuple(_facts(result)), result.notes), [degrees(end) for end in result.ends]
+    return with_rows(told, columns, patterns, rows, ends=ends, everything=everything, example="phi,R,T", where=where)
 
 
 def _facts(result: CamForces) -> Iterator[Fact]:

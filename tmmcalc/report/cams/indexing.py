@@ -1,4 +1,4 @@
-"""The documents of an indexing drive: limits, sizes, profiles, pressure angles, rollers, efficiency, comparison."""
+"""The documents of an indexing drive: limits, sizes, profiles, pressure angles, rollers, efficiency."""
 
 from __future__ import annotations
 
@@ -9,12 +9,10 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.cams.indexing.columns import indexing_columns
-from tmmcalc.cams.indexing.compare import Compared, compared_columns
 from tmmcalc.cams.indexing.results import LARGEST, Cam, FlankTable, Indexing, PressureReached
 from tmmcalc.cams.indexing.rollers import RollerLimit
-from tmmcalc.columns import Column, select
-from tmmcalc.report.cams.rows import LEFT_OUT, turn_view
-from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.cams.rows import with_rows
+from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.gearsizes import quantity
 from tmmcalc.report.numbers import angle, number
 
@@ -35,31 +33,19 @@ def indexing_document(
     patterns: Sequence[str] = (),
     rows: Sequence[int] | None = None,
     everything: bool = False,
+    where: str = "",
 ) -> Document:
-    """All facts and the table, its columns chosen by ``patterns``, its rows by index; ``everything`` is all in SI."""
+    """All facts and the table, its columns chosen by ``patterns``, its rows by index; ``everything`` is all in SI.
+
+    ``where`` is the file that has the whole table.
+    """
+    told, ends = Document(title, tuple(_facts(result)), result.notes), [0.0, degrees(result.step)]
     if result.cam is None:
-        return Document(title, tuple(_facts(result)), result.notes)
+        return told
     columns = indexing_columns(result)
     if not everything:
         columns = _readable(result.cam, columns, named=bool(patterns))
-    view = turn_view(columns, patterns, rows, ends=[0.0, degrees(result.step)], everything=everything)
-    left_out = rows is None and len(view.columns[0]) < len(result.k)
-    notes = (*result.notes, *([LEFT_OUT] if left_out else []))
-    return Document(title, tuple(_facts(result)), notes, view, wide=not patterns)
-
-
-def comparison_document(rows: tuple[Compared, ...], title: str, patterns: Sequence[str] = ()) -> Document:
-    """Numbers of rollers and laws in one table, its columns chosen by ``patterns``."""
-    columns = compared_columns(rows)
-    if patterns:
-        names = {header.partition("[")[0]: header for header in columns}
-        chosen = select([Column(name, "", lambda: np.zeros(0)) for name in names], patterns)
-        columns = {names[each.name]: columns[names[each.name]] for each in chosen}
-    notes = (
-        "note: _min and _max are at lambda_min and lambda_max, the limits of phi_p at lambda_max; source2 is theta2 as "
-        "the printed tables have it, with +beta' in place of -beta': too large where cams and wheel turn oppositely",
-    )
-    return Document(title, notes=notes, table=View(list(columns), list(columns.values())), wide=not patterns)
+    return with_rows(told, columns, patterns, rows, ends=ends, everything=everything, example="k,*_B", where=where)
 
 
 def _readable(cam: Cam, columns: dict[str, np.ndarray], named: bool) -> dict[str, np.ndarray]:
@@ -151,12 +137,15 @@ def _cam_facts(result: Indexing, cam: Cam) -> Iterator[Fact]:
     }
     yield Fact("tip of the lobe", text, values)
     text = f"A ends at k = {number(cam.working_part, 6)}, R = {quantity(cam.working_tip, 'm')}; "
-    text += f"B takes over with {_deg(cam.working_angle)}; nearest to the axis {quantity(cam.nearest, 'm')}"
+    text += f"B takes over with {_deg(cam.working_angle)}; nearest to O1 {quantity(cam.nearest, 'm')}"
+    room = result.wheel_room or 0.0
+    text += f"\nabout O2 the lobe leaves {quantity(room, 'm') if room > 0 else 'no room'}"
     values = {
         "k_w": cam.working_part,
         "R_w[m]": cam.working_tip,
         "theta2_working[deg]": degrees(cam.working_angle),
         "r_min[m]": cam.nearest,
+        "wheel_room[m]": room,
     }
     yield Fact("working profile", text, values)
     yield from (_pressure_fact(name, each) for name, each in (("run-up", cam.run_up), ("run-out", cam.run_out)))

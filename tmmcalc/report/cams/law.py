@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from math import degrees, pi
+from typing import Any
 
 from tmmcalc.cams.lawresult import POINTS, SHOCKS, LawResult, MotionExtreme, PhaseMotion, law_columns
 from tmmcalc.cams.laws.catalogue import TITLES
 from tmmcalc.cams.laws.constants import LawConstants
-from tmmcalc.report.cams.rows import LEFT_OUT, turn_view
+from tmmcalc.report.cams.rows import with_rows
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import angle, number
-from tmmcalc.report.positions import more
 
 TIMED = ("velocity", "acceleration", "jerk")
 
@@ -38,10 +38,8 @@ def law_document(
     if not everything and not patterns:
         del columns["phase"]
     ends = [degrees(each.begin) for each in result.phases] + [degrees(result.phases[-1].end)]
-    view = turn_view(columns, patterns, rows, ends=ends, everything=everything)
-    left_out = rows is None and len(view.columns[0]) < len(result.positions.labels)
-    notes = (*result.remarks, *([LEFT_OUT] if left_out else []))
-    return Document(title, tuple(_facts(result)), notes, view, wide=not patterns, more=more(where, "phi,d*"))
+    told = Document(title, tuple(_facts(result)), result.remarks)
+    return with_rows(told, columns, patterns, rows, ends=ends, everything=everything, example="phi,d*", where=where)
 
 
 def _facts(result: LawResult, constants: bool = True) -> Iterator[Fact]:
@@ -77,9 +75,9 @@ def _phase_fact(phase: PhaseMotion) -> Fact:
     law = "" if phase.constants is None else _law_name(phase.constants.name)
     text = f"{angle(end - begin)} deg, from {POINTS[phase.kind]} at phi = {angle(begin)} deg{law}"
     name = phase.kind.replace(" ", "_")
-    values = {f"{name}_begin[deg]": begin, f"{name}_end[deg]": end}
+    values: dict[str, Any] = {f"{name}_begin[deg]": begin, f"{name}_end[deg]": end}
     if phase.constants is not None:
-        values |= {f"{name}_law": phase.constants.name}  # type: ignore[dict-item]
+        values[f"{name}_law"] = phase.constants.name
     return Fact(phase.kind, text, values)
 
 

@@ -8,15 +8,14 @@ from math import degrees, tau
 import numpy as np
 
 from tmmcalc.cams.profile.columns import profile_columns
-from tmmcalc.cams.profile.results import Place, Profile, Reach, Wall
+from tmmcalc.cams.profile.results import WALLS, Place, Profile, Reach, Wall
 from tmmcalc.report.cams.pivot import pivot_fact
-from tmmcalc.report.cams.rows import LEFT_OUT, turn_view
+from tmmcalc.report.cams.rows import with_rows
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.gearsizes import quantity
 from tmmcalc.report.numbers import angle
 
 STRAIGHT = 1e-9  # of 1/R0: a curvature of a straight piece
-WALLS = {"inner": "working profile", "outer": "second wall", "tool": "tool path", "outer tool": "second tool path"}
 
 
 def profile_summary(result: Profile, title: str) -> Document:
@@ -32,15 +31,17 @@ def profile_document(
     patterns: Sequence[str] = (),
     rows: Sequence[int] | None = None,
     everything: bool = False,
+    where: str = "",
 ) -> Document:
-    """All facts and the table, its columns chosen by ``patterns``, its rows by index; ``everything`` is all in SI."""
+    """All facts and the table, its columns chosen by ``patterns``, its rows by index; ``everything`` is all in SI.
+
+    ``where`` is the file that has the whole table.
+    """
     columns = profile_columns(result)
     if not everything:
         columns = _with_radii(result, columns, named=bool(patterns))
-    view = turn_view(columns, patterns, rows, ends=[0.0, 360.0], everything=everything)
-    left_out = rows is None and len(view.columns[0]) < len(result.positions.labels)
-    notes = (*result.remarks, *([LEFT_OUT] if left_out else []))
-    return Document(title, tuple(_facts(result)), notes, view, wide=not patterns)
+    told, ends = Document(title, tuple(_facts(result)), result.remarks), [0.0, 360.0]
+    return with_rows(told, columns, patterns, rows, ends=ends, everything=everything, example="phi,x_*", where=where)
 
 
 def _with_radii(result: Profile, columns: dict[str, np.ndarray], named: bool) -> dict[str, np.ndarray]:

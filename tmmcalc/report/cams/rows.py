@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from tmmcalc.columns import Column, select
-from tmmcalc.report.document import View
+from tmmcalc.columns import picked
+from tmmcalc.report.document import Document, View
 from tmmcalc.report.gearsizes import drawn, plain
+from tmmcalc.report.positions import more
 
 ROWS = 40  # of the table for people
 STEPS = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0)  # [deg] of its rows
@@ -16,30 +18,47 @@ NEAR = 1e-6
 LEFT_OUT = "note: the table leaves rows out; --positions names them, --format csv prints all"
 
 
-def turn_view(
+def with_rows(
+    told: Document,
     columns: Mapping[str, np.ndarray],
     patterns: Sequence[str],
     rows: Sequence[int] | None,
     *,
     ends: Sequence[float],
     everything: bool,
-) -> View:
-    """The table of columns by headers; ``patterns`` choose some by name, ``rows`` are indices.
+    example: str,
+    where: str,
+) -> Document:
+    """The document with its table of columns by headers; ``patterns`` choose some by name, ``rows`` are indices.
 
-    Without rows people get all at round angles and at ``ends`` [deg] of the phases. With ``everything`` all in SI.
+    Without rows people get all at round angles and at ``ends`` [deg] of the phases; with ``everything`` all in SI.
+    Where rows or columns are left out it says so: ``example`` names columns, ``where`` the file of the whole table.
     """
-    chosen = _chosen(columns, patterns)
+    view = _view(columns, patterns, rows, ends, everything)
+    fewer = rows is None and len(view.columns[0]) < len(columns["i"])
+    notes = (*told.notes, LEFT_OUT) if fewer else told.notes
+    return replace(told, notes=notes, table=view, wide=not patterns, more=more(where, example))
+
+
+def _view(
+    columns: Mapping[str, np.ndarray],
+    patterns: Sequence[str],
+    rows: Sequence[int] | None,
+    ends: Sequence[float],
+    everything: bool,
+) -> View:
+    chosen = picked(columns, patterns)
     view = plain(chosen) if everything else drawn(chosen)
     if rows is None:
-        rows = range(len(columns["i"])) if everything else told(columns["phi[deg]"], ends)
+        rows = range(len(columns["i"])) if everything else _told(columns["phi[deg]"], ends)
     peaks = [max((abs(v) for v in column if isinstance(v, float)), default=0.0) for column in view.columns]
     return View(view.headers, [[column[k] for k in rows] for column in view.columns], () if everything else peaks)
 
 
-def told(phi: np.ndarray, ends: Sequence[float]) -> list[int]:
+def _told(phi: np.ndarray, ends: Sequence[float]) -> list[int]:
     """Indices of some forty rows: all, or those at round angles and at the ends of phases [deg].
 
-    >>> len(told(np.arange(361.0), [0.0, 47.0, 360.0]))
+    >>> len(_told(np.arange(361.0), [0.0, 47.0, 360.0]))
     38
     """
     if len(phi) <= ROWS:
@@ -50,12 +69,3 @@ def told(phi: np.ndarray, ends: Sequence[float]) -> list[int]:
         if np.count_nonzero(kept) <= ROWS:
             break
     return [int(k) for k in np.flatnonzero(kept)]
-
-
-def _chosen(columns: Mapping[str, np.ndarray], patterns: Sequence[str]) -> dict[str, np.ndarray]:
-    if not patterns:
-        return dict(columns)
-    names = {header.partition("[")[0]: header for header in columns}
-    wanted = [pattern.partition("[")[0] if pattern in columns else pattern for pattern in patterns]
-    found = select([Column(name, "", lambda: np.zeros(0)) for name in names if name != "i"], wanted)
-    return {header: columns[header] for header in ("i", *(names[column.name] for column in found))}

@@ -7,7 +7,7 @@ from math import degrees
 
 from tmmcalc.cams.strength.columns import margin_rows, strength_columns
 from tmmcalc.cams.strength.results import CamStrength, Margin
-from tmmcalc.report.cams.rows import LEFT_OUT, turn_view
+from tmmcalc.report.cams.rows import with_rows
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.gearsizes import quantity
 from tmmcalc.report.numbers import angle, number
@@ -43,13 +43,12 @@ def turn_document(
     patterns: Sequence[str] = (),
     rows: Sequence[int] | None = None,
     everything: bool = False,
+    where: str = "",
 ) -> Document:
     """Slip, stresses and moments over the turn, as the tables of the other stages."""
-    ends = [degrees(end) for end in result.ends]
-    view = turn_view(strength_columns(result), patterns, rows, ends=ends, everything=everything)
-    left_out = rows is None and len(view.columns[0]) < len(result.positions.labels)
-    notes = (*result.notes, *([LEFT_OUT] if left_out else []))
-    return Document(title, (_verdict_fact(result),), notes, view, wide=not patterns)
+    told, ends = Document(title, (_verdict_fact(result),), result.notes), [degrees(end) for end in result.ends]
+    columns = strength_columns(result)
+    return with_rows(told, columns, patterns, rows, ends=ends, everything=everything, example="phi,D*", where=where)
 
 
 def _verdict_fact(result: CamStrength) -> Fact:

@@ -75,10 +75,11 @@ def _outputs(result: Unsteady) -> tuple[Graph, ...]:
     angular = result.angular[0]
     chosen = [k for k, other in enumerate(result.angular) if other == angular]
     graphs = []
+    title = "Outputs" if len(chosen) > 1 else f"Output {result.outputs[chosen[0]]}"
     for order, (name, unit) in enumerate(zip(("S", "v", "a"), _units(angular), strict=True)):
         factor = _degrees(angular) if order == 0 else 1.0
         curves = tuple((result.outputs[k], factor * result.coordinate[order, k]) for k in chosen)
-        graphs.append(Graph(f"Outputs|${name}$, {unit}", curves))
+        graphs.append(Graph(f"{title}|${name}$, {unit}", curves))
     return tuple(graphs)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from tmmcalc.linkage.polygons import Polygon, Vector, VectorPolygons
+from tmmcalc.linkage.vectors import Polygon, Vector, VectorPolygons
 from tmmcalc.report.numbers import number
 from tmmcalc.report.pictures.board import Board
 from tmmcalc.report.pictures.style import INK, VECTORS

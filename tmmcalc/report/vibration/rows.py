@@ -6,32 +6,21 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from tmmcalc.columns import Column, select
+from tmmcalc.columns import picked
 from tmmcalc.report.document import View
 from tmmcalc.report.gearsizes import plain
 
 SHOWN = 24  # equal steps of a series that is shown
 
 
-def picked(columns: Mapping[str, np.ndarray], patterns: Sequence[str]) -> dict[str, np.ndarray]:
-    """The columns whose names match, with the series first; all without patterns."""
-    if not patterns:
-        return dict(columns)
-    names = {header.partition("[")[0]: header for header in columns}
-    wanted = [pattern.partition("[")[0] if pattern in columns else pattern for pattern in patterns]
-    found = select([Column(name, "", lambda: np.zeros(0)) for name in names if name != "series"], wanted)
-    leading = {"series": columns["series"]} if "series" in columns else {}
-    return leading | {names[column.name]: columns[names[column.name]] for column in found}
-
-
 def whole(columns: Mapping[str, np.ndarray], patterns: Sequence[str]) -> View:
     """All rows in SI."""
-    return plain(picked(columns, patterns))
+    return plain(picked(columns, patterns, "series"))
 
 
 def some(columns: Mapping[str, np.ndarray], patterns: Sequence[str]) -> View:
     """Rows at about equal steps of one series, in the units of a drawing."""
-    chosen = dict(_drawn(header, column) for header, column in picked(columns, patterns).items())
+    chosen = dict(_drawn(header, column) for header, column in picked(columns, patterns, "series").items())
     count = len(next(iter(chosen.values())))
     rows = sorted({round(k * (count - 1) / SHOWN) for k in range(SHOWN + 1)})
     return View(

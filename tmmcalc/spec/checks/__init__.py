@@ -69,7 +69,7 @@ _OF_TABLE = {
     "motion": ("motion",),
     "transients": ("transients",),
     "unsteady": ("unsteady",),
-    "manipulator": ("manipulator",),
+    "manipulator": ("manipulator", "manipulatorpath", "manipulatorjoints", "manipulatorzones"),
     "flywheel": ("flywheel",),
     "balance": ("balance",),
     "engine": ("engine",),

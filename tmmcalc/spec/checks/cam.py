@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import show
-from tmmcalc.spec.units import DIMENSIONS, dimension_of
+from tmmcalc.spec.units import dimension_of
 
 from .camwritten import A_FOLLOWER, WrittenCam, place, written_cam
 from .outline import Outline

@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path, show
-from tmmcalc.spec.units import DIMENSIONS, dimension_of
+from tmmcalc.spec.units import dimension_of
 
 from .loads import loads
 from .outline import Outline, Raw, word

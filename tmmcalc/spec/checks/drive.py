@@ -9,9 +9,10 @@ import math
 from collections.abc import Iterator
 from typing import TypeGuard
 
+from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
-from tmmcalc.spec.units import DIMENSIONS, FULL_TURN, UnitError, dimension_of, parse
+from tmmcalc.spec.units import FULL_TURN, UnitError, dimension_of, parse
 
 from .outline import FRAME, Outline, subtable
 

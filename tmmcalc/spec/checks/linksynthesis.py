@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.linksynthesis import KINDS
 from tmmcalc.spec.phrases import either, listing, show
-from tmmcalc.spec.units import DIMENSIONS, dimension_of
+from tmmcalc.spec.units import dimension_of
 
 from .outline import Outline, Raw, subtable, word
 from .values import amount, amounts, check_bare_speed, first_disorder
@@ -19,6 +20,14 @@ _FOUR = ("crank", "coupler", "rocker", "frame")
 _TO_AND_FRO, _IN_ORDER = "the crank goes to and fro", "write its angles in ascending or descending order"
 _OUTPUTS = {"four_bar": "angle", "slider_crank": "length"}
 _INDEPENDENT = 3
+_TRIPLES = {
+    frozenset(keys)
+    for keys in (
+        ("crank", "rod", "crank_ratio"),
+        ("crank", "offset", "offset_ratio"),
+        ("stroke", "offset", "offset_part"),
+    )
+}
 
 
 def check_kind(outline: Outline) -> Iterator[Finding]:
@@ -52,6 +61,27 @@ def check_slider_crank(outline: Outline) -> Iterator[Finding]:
         few = "too few" if len(given) < _INDEPENDENT else "too many"
         rule = f"{few} sizes: {listing(given)}; a slider-crank has {_INDEPENDENT} that are independent"
         yield Finding(path, rule, f"give {_INDEPENDENT}, such as stroke, pressure_working and pressure_idle")
+    else:
+        yield from _dependent(path, asked, given)
+
+
+def _dependent(path: tuple[str, ...], asked: Raw, given: Sequence[str]) -> Iterator[Finding]:
+    """Three sizes of which two settle the third, or two that say that the slider-crank is central."""
+    if frozenset(given) in _TRIPLES:
+        rule = f"{given[2]} together with {given[0]} and {given[1]}: it follows from them"
+        yield Finding((*path, given[2]), rule, "give another size in its place, such as time_ratio")
+        return
+    central = [key for key in given if _central(asked, key)]
+    if len(central) > 1:
+        rule = f"{show(asked[central[1]])} together with {central[0]}: both say that the guide passes the crank's pivot"
+        yield Finding((*path, central[1]), rule, "give another size in its place, such as crank_ratio")
+
+
+def _central(asked: Raw, key: str) -> bool:
+    """Whether a size says that the offset is zero."""
+    if key == "time_ratio":
+        return amount(asked[key]) == 1
+    return key.startswith("offset") and amount(asked[key], *(("length",) if key == "offset" else ())) == 0
 
 
 def check_slotted_links(outline: Outline) -> Iterator[Finding]:
@@ -189,8 +219,10 @@ def check_poses(outline: Outline) -> Iterator[Finding]:
             yield Finding((*path, key), rule, "write one angle for every point")
         places = [_place(point) for point in points] if isinstance(points, list) else []
         same = next((k for k in range(1, len(places)) if places[k] and places[k] == places[k - 1]), None)
-        if kind == "path" and same is not None:
-            yield Finding((*path, "points", same), f"point {same + 1} is the one before it", "remove one of them")
+        turns = amounts(angles, "angle") if kind == "motion" else None
+        if same is not None and (kind == "path" or (turns and same < len(turns) and turns[same] == turns[same - 1])):
+            what = "point" if kind == "path" else "pose"
+            yield Finding((*path, "points", same), f"{what} {same + 1} is the one before it", "remove one of them")
         if kind == "path":
             yield from _timing(path, amounts(angles, "angle"))
         corners = [_place(corner) for corner in asked["region"]] if isinstance(asked.get("region"), list) else []

@@ -118,13 +118,15 @@ def check_speeds(outline: Outline) -> Iterator[Finding]:
 
 def check_swing(outline: Outline) -> Iterator[Finding]:
     """Something sets the pendulum in motion; a carrier has a speed at each of its times."""
-    swing = subtable(outline.document, "pendulum").get("swing")
+    pendulum = subtable(outline.document, "pendulum")
+    swing = pendulum.get("swing")
     if not isinstance(swing, dict):
         return
     path: Path = ("pendulum", "swing")
-    if not {"tilt", "deflection", "push", "carrier"} & {*swing}:
+    shaken = "spin" in pendulum and "eccentricity" in subtable(pendulum, "disc")
+    if not {"tilt", "deflection", "push", "carrier"} & {*swing} and not shaken:
         rule = "missing key: nothing sets the pendulum in motion"
-        yield Finding(path, rule, 'add tilt = "3 deg", deflection, push or carrier')
+        yield Finding(path, rule, 'add tilt = "3 deg", deflection, push or carrier, or spin with an eccentricity')
     carrier = swing.get("carrier")
     if not isinstance(carrier, dict):
         return

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path, show
-from tmmcalc.spec.units import DIMENSIONS, dimension_of
+from tmmcalc.spec.units import dimension_of
 
 from . import places
 from .joints import known_links

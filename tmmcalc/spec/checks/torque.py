@@ -6,10 +6,11 @@ import math
 from collections.abc import Iterator, Mapping
 
 from tmmcalc.errors import UsageError
+from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import either, show
 from tmmcalc.spec.quantities import NAME
-from tmmcalc.spec.units import DIMENSIONS, FULL_TURN, dimension_of
+from tmmcalc.spec.units import FULL_TURN, dimension_of
 
 from .curves import Curve
 from .outline import Outline, Raw, subtable, tables, word

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import did_you_mean, listing, show
-from tmmcalc.spec.units import DIMENSIONS, dimension_of
+from tmmcalc.spec.units import dimension_of
 
 from .outline import Outline, Raw, subtable, tables, word
 from .values import check_bare_speed

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
-from tmmcalc.spec.units import DIMENSIONS, FULL_TURN, dimension_of
+from tmmcalc.spec.units import FULL_TURN, dimension_of
 
 from .loads import loads
 from .outline import Outline, Raw, is_integer, subtable, tables

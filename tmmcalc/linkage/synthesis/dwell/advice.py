@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+import numpy as np
+
+from tmmcalc.linkage.synthesis.dwell.criteria import towards_and_away
 from tmmcalc.linkage.synthesis.dwell.exact import Figures
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 
@@ -45,11 +48,7 @@ def advice(asked: DwellTask, found: Figures, n: float | None) -> Iterator[str]:
 
 def _division(asked: DwellTask, found: Figures, n: float | None) -> Iterator[str]:
     """How the turn divides into the two strokes and the dwell, and what changes it."""
-    towards, away = (
-        (found.far - asked.dwell, 2 * math.pi - found.far)
-        if asked.clockwise
-        else (2 * math.pi - found.far, found.far - asked.dwell)
-    )
+    towards, away = (float((end - begin)[0]) for begin, end in towards_and_away(asked, np.array([found.far])))
     text = (
         f"note: stroke towards the dwell {math.degrees(towards):.5g} deg, dwell {math.degrees(asked.dwell):.5g} deg, "
         f"stroke away {math.degrees(away):.5g} deg"

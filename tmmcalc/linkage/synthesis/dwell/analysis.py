@@ -16,6 +16,7 @@ from tmmcalc.linkage.synthesis.dwell.exact import Figures
 from tmmcalc.linkage.synthesis.dwell.linkages import Linkages
 from tmmcalc.linkage.synthesis.dwell.mechanism import loading_of
 from tmmcalc.linkage.synthesis.dwell.motion import State, pose
+from tmmcalc.linkage.synthesis.dwell.positions import motion_of
 from tmmcalc.linkage.synthesis.dwell.relative import accuracy, arc_of, branch_of, gamma, reach
 from tmmcalc.linkage.synthesis.dwell.results import Agreement, CrossCheck, Dwell, Largest, Motion, Slots
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
@@ -68,33 +69,6 @@ def analysed(asked: DwellTask, turn: Turn, found: Figures, mechanism: Mechanism,
         slots(linkages, scale),
         *cross_check(turn, asked.arc_steps),
         agreement(asked, turn, found, mechanism, kinematics, motion, scale),
-    )
-
-
-def motion_of(
-    asked: DwellTask, linkages: Linkages, labels: tuple[str, ...], phi: Real, crank: Real, state: State, scale: float
-) -> Motion:
-    """Positions (n,) in SI from unknowns with lengths in parts of l_OB."""
-    forces = unit_forces(linkages, crank, state.theta, state.s)
-    length = 1.0 if linkages.rocks else scale
-    bars = asked.resistance / (scale if linkages.rocks else 1.0)
-    b = scale * pose(linkages, crank, state.theta, state.s).b
-    return Motion(
-        labels,
-        phi,
-        crank,
-        state.theta,
-        length * state.s,
-        np.broadcast_to(b, phi.shape),
-        length * state.ds,
-        length * state.dds,
-        bars * forces.f3,
-        bars * forces.f4,
-        bars * forces.r21,
-        bars * forces.normal,
-        asked.resistance * scale * forces.couple,
-        forces.delta,
-        asked.resistance * length * forces.moment,
     )
 
 

@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.columns import Column, degrees
-from tmmcalc.linkage.synthesis.dwell.results import Dwell
+from tmmcalc.linkage.synthesis.dwell.results import Motion
+from tmmcalc.linkage.synthesis.dwell.task import OutputKind
 
 USUAL = ("phi", "S", "dS", "d2S", "x_B", "y_B", "R35", "R45", "R21", "N", "delta", "M_1")  # where none are chosen
 
 
-def columns_of(dwell: Dwell) -> list[Column]:
+def columns_of(m: Motion, output: OutputKind) -> list[Column]:
     """The columns of the positions; those of the guide only of a slider."""
-    m, slides = dwell.motion, dwell.output == "slider"
+    slides = output == "slider"
     unit = "m" if slides else "rad"
     columns = [
         Column("phi", "deg", lambda: degrees(m.phi)),

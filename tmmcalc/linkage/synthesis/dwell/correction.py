@@ -10,11 +10,12 @@ from functools import partial
 
 import numpy as np
 
+from tmmcalc.linkage.synthesis.dwell.criteria import towards_and_away
 from tmmcalc.linkage.synthesis.dwell.exact import reversals_of
 from tmmcalc.linkage.synthesis.dwell.linkages import Linkages
 from tmmcalc.linkage.synthesis.dwell.parameters import with_output
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
-from tmmcalc.linkage.synthesis.dwell.turn import TURN, patient_turn
+from tmmcalc.linkage.synthesis.dwell.turn import patient_turn
 
 PASSES = 12
 ROUNDS = 4  # where angle and swing are asked for: each equation disturbs the other a little
@@ -52,7 +53,8 @@ def towards(asked: DwellTask, linkages: Linkages) -> float | None:
     if not turn.which.size:
         return None
     far = max(reversals_of(turn), key=lambda peak: abs(peak[0]))[1]
-    return far - asked.dwell if asked.clockwise else TURN - far
+    (begin, end), _ = towards_and_away(asked, np.array([far]))
+    return float((end - begin)[0])
 
 
 def swing_of(linkages: Linkages) -> float | None:

@@ -44,7 +44,7 @@ def figures(turn: Turn, asked: DwellTask) -> Figures:
     stroke = max(values) - min(values)
     rests = [peak for peak in reversals if peak[1] <= asked.dwell]
     dwell = max(((abs(value), at) for value, at in rests), default=(0.0, 0.0))
-    strokes = strokes_of(asked, np.array([far]), TURN)
+    strokes = strokes_of(asked, np.array([far]))
     largest = {name: peak(turn, of) for name, of in MEASURES.items()}
     parts = [
         sum(peak(turn, MEASURES[name], *(float(end[0]) for end in window))[0] ** 2 for name in ("f3", "f4"))

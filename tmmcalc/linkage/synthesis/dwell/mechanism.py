@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from typing import Literal
 
 from tmmcalc.linkage.loading import Constant, Load, Loading
 from tmmcalc.linkage.model import FRAME, Assembly, Grid, Input, Joint, Link, Mechanism, Output
@@ -35,10 +36,8 @@ def mechanism_of(linkages: Linkages, setting: Setting) -> Mechanism:
     joints = tuple(_revolute(name, every[one], every[two]) for name, (one, two) in ends.items())
     last = _revolute("F", frame, links[4]) if linkages.rocks else _guided(linkages, points["B"])
     sense = math.copysign(1.0, setting.speed)
-    resistance = "negative" if setting.growing else "positive"
-    output = (
-        Output(link=5, resistance=resistance) if linkages.rocks else Output(joint="S", resistance=resistance)  # type: ignore[arg-type]
-    )
+    resistance: Literal["negative", "positive"] = "negative" if setting.growing else "positive"
+    output = Output(link=5, resistance=resistance) if linkages.rocks else Output(joint="S", resistance=resistance)
     phi0 = float(linkages.phi0[0])
     extra = sorted(float(sense * turn) % (2 * math.pi) for turn in linkages.turns[1:, 0])
     return Mechanism(

@@ -7,6 +7,7 @@ counted under its reason; the first generation consists of candidates that work.
 from __future__ import annotations
 
 from collections import Counter
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,9 +16,12 @@ from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.synthesis.dwell.criteria import rated
 from tmmcalc.linkage.synthesis.dwell.parameters import NAMES, RANGES, drawn, given
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask, Optimum
-from tmmcalc.linkage.synthesis.dwell.turn import whole_turn
+from tmmcalc.linkage.synthesis.dwell.turn import Turn, whole_turn
 from tmmcalc.progress import tell
 from tmmcalc.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.synthesis.dwell.kept import Rule
 
 STEPS = 120  # of a turn
 REFUSED = 1e9  # cost of a linkage that does not work
@@ -40,8 +44,8 @@ class Found:
 class Costs:
     """Costs of candidates by the parameters that are free; it counts."""
 
-    def __init__(self, asked: DwellTask, optimum: Optimum) -> None:
-        self.asked, self.weights = asked, optimum.weights
+    def __init__(self, asked: DwellTask, optimum: Optimum, rule: Rule | None = None) -> None:
+        self.asked, self.weights, self.rule = asked, optimum.weights, rule
         self.values = given(asked)
         self.free = [k for k, name in enumerate(NAMES) if self.values[name] is None]
         self.bounds = np.array([optimum.ranges.get(NAMES[k], RANGES[NAMES[k]]) for k in self.free])
@@ -58,32 +62,44 @@ class Costs:
 
     def __call__(self, free: Real) -> Real:
         """Costs (m,) of free parameters (p, m) or (p,)."""
-        columns = np.atleast_2d(np.asarray(free).T)
-        found = drawn(self.asked, self.rows(columns))
+        rows = self.rows(np.atleast_2d(np.asarray(free).T))
+        found = drawn(self.asked, rows)
         refused = np.any(list(found.faults.values()), axis=0)
-        costs = np.full(len(columns), REFUSED)
+        costs = np.full(len(rows), REFUSED)
         kept = np.flatnonzero(~refused)
-        self.tried += len(columns)
+        self.tried += len(rows)
         self._count(found.faults)
         if kept.size:
             turn = whole_turn(found.linkages.rows(kept), STEPS)
             self._count(turn.faults)
             self.worked += len(turn.which)
             if turn.which.size:
-                costs[kept[turn.which]] = rated(turn, self.asked).cost(self.weights)
+                which = kept[turn.which]
+                costs[which] = self._of_working(turn, rows[which])
         self.best = min(self.best, float(costs.min(initial=REFUSED)))
         return costs if np.ndim(free) > 1 else costs[0]
+
+    def _of_working(self, turn: Turn, rows: Real) -> Real:
+        """Costs (k,) of the linkages of a turn with parameters (k, 9)."""
+        traits = rated(turn, self.asked)
+        costs = traits.criteria.cost(self.weights)
+        if self.rule is None:
+            return costs
+        return self.rule.ranked(costs, turn, dict(zip(NAMES, rows.T, strict=True)), traits)
 
     def _count(self, faults: dict[str, np.ndarray]) -> None:
         for reason, flags in faults.items():
             self.refused[reason] += int(flags.sum())
 
 
-def search(asked: DwellTask, optimum: Optimum, seed: int, count: int) -> Found:
-    """The ``count`` best linkages that differ; raises `NoSolutionError` if no candidate works."""
+def search(asked: DwellTask, optimum: Optimum, seed: int, count: int, rule: Rule | None = None) -> Found:
+    """The ``count`` best linkages that differ, those that keep the rule first.
+
+    Raises `NoSolutionError` if no candidate works.
+    """
     from scipy.optimize import differential_evolution
 
-    costs = Costs(asked, optimum)
+    costs = Costs(asked, optimum, rule)
     if not costs.free:
         row = costs.rows(np.zeros((1, 0)))
         return Found(row, np.atleast_1d(costs(np.zeros((0, 1)))), 1, costs.worked, dict(costs.refused))

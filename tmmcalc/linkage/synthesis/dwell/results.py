@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.linkage.synthesis.dwell.task import OutputKind
 from tmmcalc.records import record
 
 
@@ -74,7 +75,7 @@ class Agreement:
 class Dwell:
     """A six-bar with a dwell, analysed."""
 
-    output: str  # slider or rocker
+    output: OutputKind
     stroke: float  # h [m], or swing [rad]
     dwell_error: float  # max |S| over the dwell [m or rad]
     dwell_ratio: float  # the same as a part of the stroke

@@ -15,15 +15,16 @@ from tmmcalc.linkage.synthesis.dwell.advice import advice
 from tmmcalc.linkage.synthesis.dwell.analysis import analysed
 from tmmcalc.linkage.synthesis.dwell.correction import corrected
 from tmmcalc.linkage.synthesis.dwell.criteria import NAMES as CRITERIA
+from tmmcalc.linkage.synthesis.dwell.criteria import achieved
 from tmmcalc.linkage.synthesis.dwell.exact import Figures, figures
 from tmmcalc.linkage.synthesis.dwell.mechanism import Setting, loading_of, mechanism_of
 from tmmcalc.linkage.synthesis.dwell.parameters import NAMES, USUAL, drawn, given
 from tmmcalc.linkage.synthesis.dwell.results import Dwell
-from tmmcalc.linkage.synthesis.dwell.sizes import sizes_of
+from tmmcalc.linkage.synthesis.dwell.sizes import scale_of, sizes_of
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
-from tmmcalc.linkage.synthesis.dwell.turn import TURN, patient_turn
+from tmmcalc.linkage.synthesis.dwell.turn import patient_turn
 from tmmcalc.linkage.synthesis.ready import ready_spec
-from tmmcalc.linkage.synthesis.results import Check, Design, Synthesis
+from tmmcalc.linkage.synthesis.results import Check, Design, Size, Synthesis
 from tmmcalc.linkage.synthesis.simulation import check
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 from tmmcalc.progress import tell
@@ -70,12 +71,17 @@ def solve(task: SynthesisTask) -> Synthesis:
 def _rows(task: SynthesisTask, asked: DwellTask) -> tuple[Real, dict[str, int], str]:
     """Parameters (k, 9) of the linkages that are analysed, what a search counted, and the rule of choice."""
     if asked.optimum is not None:
+        from tmmcalc.linkage.synthesis.dwell.kept import Rule
         from tmmcalc.linkage.synthesis.dwell.optimum import search
 
-        found = search(asked, asked.optimum, task.seed, task.solutions)
+        rule = None if task.constraints is None else Rule(task.constraints, asked)
+        found = search(asked, asked.optimum, task.seed, task.solutions, rule)
         weights = ", ".join(f"{w:g} {name}" for w, name in zip(asked.optimum.weights, CRITERIA, strict=True) if w)
         counters = {"linkages tried": found.tried, "worked": found.worked}
         counters |= {f"refused: {reason}": count for reason, count in found.refused.items() if count}
+        if rule is not None:
+            counters["kept the constraints"] = rule.kept
+            counters |= {f"failed {name}": count for name, count in rule.failing.items()}
         return found.rows, counters, f"the least sum of {weights}"
     values = given(asked)
     missing = [name for name in NAMES if values[name] is None and name not in FREE]
@@ -113,19 +119,21 @@ def _design(task: SynthesisTask, asked: DwellTask, row: Real) -> tuple[Design, l
     turn = patient_turn(linkages, STEPS)
     _refuse(turn.faults, 1)
     found = figures(turn, asked)
-    scale = _scale(asked, found)
+    scale = float(scale_of(asked, np.array([found.stroke]))[0])
     growing = (_far(found) < 0) == (asked.working == "towards")
     speed = abs(task.crank_speed or SPEED) * (-1 if asked.clockwise else 1)
     mechanism = mechanism_of(linkages, Setting(scale, speed, task.positions, growing))
     dwell = analysed(asked, turn, found, mechanism, scale)
     own_n = None if asked.pivot is not None else n
-    sizes = sizes_of(asked, linkages, values, own_n, scale)
+    columns = {name: np.array([value]) for name, value in (values | {"n": n}).items()}
+    listed = sizes_of(asked, linkages, columns, np.array([scale]))
+    sizes = tuple(Size(each.symbol, float(each.values[0]), each.unit, each.meaning) for each in listed)
     loading = loading_of(linkages, asked.resistance, growing)
     text = ready_spec(mechanism, task.title or "six-bar with a dwell", tuple(remarks(sizes)), loading.loads)
     design = Design(
         f"six-bar of class IV, {asked.output}",
         sizes,
-        tuple(_checks(asked, found, dwell, n, met)),
+        tuple(_checks(asked, found, dwell, met)),
         _merits(dwell),
         tuple(_defects(task, found)),
         text,
@@ -143,31 +151,15 @@ def _far(found: Figures) -> float:
     return max((value for value, _ in found.reversals), key=abs)
 
 
-def _scale(asked: DwellTask, found: Figures) -> float:
-    """l_OB [m]."""
-    if asked.stroke is not None:
-        return asked.stroke / found.stroke
-    return 1.0 if asked.frame is None else asked.frame
-
-
-def _checks(asked: DwellTask, found: Figures, dwell: Dwell, n: float, met: bool) -> Iterator[Check]:
-    slides = asked.output == "slider"
-    unit = "m" if slides else "rad"
-    exact = asked.exact and met
-    yield check(
-        "stroke h" if slides else "swing", dwell.stroke, unit, asked.stroke if slides else _if(exact, asked.swing)
-    )
-    yield check("dwell max |S|", dwell.dwell_error, unit)
-    yield check("dwell max |S|/h", dwell.dwell_ratio, "-")
-    after, before = (found.far - asked.dwell, TURN - found.far)
-    towards, away = (after, before) if asked.clockwise else (before, after)
-    wanted = None if asked.pivot is not None else _if(exact, asked.working_angle)
-    yield check("stroke towards the dwell", towards, "rad", wanted)
-    yield check("stroke away from the dwell", away, "rad")
-
-
-def _if(holds: bool, value: float | None) -> float | None:
-    return value if holds else None
+def _checks(asked: DwellTask, found: Figures, dwell: Dwell, met: bool) -> Iterator[Check]:
+    """What the simulation gives, beside its target where one was asked for and could be met."""
+    targets = {"stroke h": asked.stroke}
+    if asked.exact and met and asked.pivot is None:
+        targets |= {"swing": asked.swing, "stroke towards the dwell": asked.working_angle}
+    size, rest, far = (np.array([v]) for v in (found.stroke, found.dwell[0], found.far))
+    told = achieved(asked, size, rest, far, np.array([dwell.stroke / found.stroke]))
+    for name, (values, unit) in told.items():
+        yield check(name, float(values[0]), unit, targets.get(name))
 
 
 def _merits(dwell: Dwell) -> dict[str, float]:

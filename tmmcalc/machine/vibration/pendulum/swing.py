@@ -1,9 +1,10 @@
 """Motion in time of the pendulum: from a deflection, or hanging from a carrier that moves.
 
-    M z'' - i Omega G z' + K(g + a_up) z = -b (a_x + i a_y)
+    M z'' - i Omega G z' + K(g + a_up) z = -b (a_x + i a_y) + f m e Omega^2 exp(i Omega t)
 
-Between the times at which the carrier's acceleration changes everything is constant: the motion about the shape of
-equilibrium is a sum of the whirl modes, exact at every time. Energy and the work of the acceleration are the check.
+Between the times at which the carrier's acceleration changes the coefficients are constant: the motion about the shape
+of equilibrium and the whirl of the unbalance m e, whose heavy side begins at x, is a sum of the whirl modes, exact at
+every time. Energy and the work of acceleration and unbalance are the check.
 """
 
 from __future__ import annotations
@@ -18,9 +19,9 @@ from numpy.typing import NDArray
 
 from tmmcalc.errors import AccuracyError, NoSolutionError
 from tmmcalc.machine.vibration.pendulum.basis import Basis
-from tmmcalc.machine.vibration.pendulum.energies import matrices
+from tmmcalc.machine.vibration.pendulum.energies import Matrices, matrices
 from tmmcalc.machine.vibration.pendulum.task import PendulumTask, Swing
-from tmmcalc.machine.vibration.pendulum.whirl import whirl
+from tmmcalc.machine.vibration.pendulum.whirl import unbalance_whirl, whirl
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
 
@@ -178,17 +179,42 @@ def _piece(task: PendulumTask, basis: Basis, plane: _Plane, piece: _Piece, first
     rest = np.zeros(2 * n, complex)
     rest[:n] = -pull * np.linalg.solve(parts.stiffness, parts.load)
     pencil = whirl(parts, np.array(task.spin))
+    turning = _whirl(task, parts) * np.exp(1j * task.spin * piece.begin)
     whole = np.zeros((2 * n, 2 * n))
     whole[:n, :n], whole[n:, n:] = parts.stiffness, parts.mass
-    shares = pencil.y.T @ (whole @ (first - rest))
+    shares = pencil.y.T @ (whole @ (first - rest - turning))
     at = np.append(times, piece.end - piece.begin)
-    states = rest[:, None] + pencil.y @ (shares[:, None] * np.exp(1j / pencil.mu[:, None] * at))
+    states = rest[:, None] + turning[:, None] * np.exp(1j * task.spin * at)
+    states += pencil.y @ (shares[:, None] * np.exp(1j / pencil.mu[:, None] * at))
     energy = np.sum(states.conj() * (whole @ states), axis=0).real / 2
     kept = energy + np.real(np.conj(pull) * (parts.load @ states[:n]))
+    kept -= _work(task, piece, (parts.tip @ pencil.y[n:]) * shares, 1 / pencil.mu, at)
     largest = float(np.max(energy))
     open_ = float(np.ptp(kept)) / largest if largest else 0.0
     tip, slope = parts.tip @ states[:n], parts.slope @ states[:n]
     return _Path(tip[:-1], slope[:-1], energy[:-1], open_, states[:, -1])
+
+
+def _whirl(task: PendulumTask, parts: Matrices) -> Complex:
+    """(z, -i z') of the steady whirl of the unbalance at the angle 0 of the spin; it is none without both."""
+    moment = task.disc.mass * task.disc.eccentricity
+    if not moment or not task.spin:
+        return np.zeros(2 * len(parts.mass), complex)
+    shape = unbalance_whirl(parts, moment, task.spin)
+    return np.concatenate((shape, task.spin * shape)).astype(complex)
+
+
+def _work(task: PendulumTask, piece: _Piece, rates: Complex, frequency: Values, at: Values) -> Values:
+    """Work (m,) of the unbalance on the modes since the beginning of the piece; ``rates`` are -i z' of the lower end.
+
+    On its own whirl, which stands still in the axes of the rotor, it does none.
+    """
+    force = task.disc.mass * task.disc.eccentricity * task.spin**2 * np.exp(1j * task.spin * piece.begin)
+    if not force:
+        return np.zeros(len(at))
+    gap = task.spin - frequency
+    done: Values = -np.real(force * np.conj(rates) / gap @ np.expm1(1j * np.outer(gap, at)))
+    return done
 
 
 def _begin(task: PendulumTask, asked: Swing, basis: Basis, plane: _Plane) -> Complex:

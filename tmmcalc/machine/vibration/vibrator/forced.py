@@ -100,7 +100,7 @@ def steady(modes: Modes, excitation: Excitation, speed: float) -> Steady:
         power=float(taken[0]),
         moment=float(taken[0]) / speed,
         balance=float(given[0] - taken[0]) / reactive if reactive else 0.0,
-        error=8 * eps / float(nearness[0]),
+        error=(8 * eps + 2 * modes.error) / float(nearness[0]),
     )
 
 

@@ -17,7 +17,7 @@ import numpy as np
 from tmmcalc.errors import AccuracyError, NoSolutionError
 from tmmcalc.machine.vibration.vibrator.energies import COUNT, Excitation
 from tmmcalc.machine.vibration.vibrator.modes import Modes
-from tmmcalc.machine.vibration.vibrator.runup import Course
+from tmmcalc.machine.vibration.vibrator.runup import Course, steps_of
 from tmmcalc.machine.vibration.vibrator.task import Drive
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
@@ -40,10 +40,11 @@ class Driven:
 def driven(modes: Modes, excitation: Excitation, asked: Drive, gravity: float) -> Driven:
     """The motion from rest of the device and its rotor.
 
-    Raises `NoSolutionError` if the rotor's inertia is less than the unbalance needs, `AccuracyError` if the
-    integration fails.
+    Raises `NoSolutionError` if the rotor's inertia is less than the unbalance needs, `UsageError` where the time is
+    too long to follow, `AccuracyError` if the integration fails.
     """
     check_inertia(modes, excitation)
+    steps_of(modes, max(asked.characteristic.synchronous or 0.0, asked.initial), asked.duration, "vibrator.drive")
     from scipy.integrate import solve_ivp
 
     t = np.linspace(0.0, asked.duration, asked.rows + 1)

@@ -89,6 +89,21 @@ def run_up(modes: Modes, excitation: Excitation, speed: float, asked: RunUp) -> 
     return Course(t, psi, omega, modes.shapes @ eta.T, energy, both[:, 0], both[:, 1], error)
 
 
+def steps_of(modes: Modes, fastest: float, duration: float, where: str) -> float:
+    """How many steps the frequencies of device and rotor ask for; raises `UsageError` where they are too many."""
+    rate = max(float(np.linalg.norm(_system(modes), 2)), fastest)
+    steps = duration * rate / SPAN
+    if steps > MOST:
+        raise UsageError(
+            f"{duration:.6g} s with frequencies up to {rate:.6g} rad/s take {steps:.6g} steps",
+            where=where,
+            value=steps,
+            limit=float(MOST),
+            remedy="write a shorter duration",
+        )
+    return steps
+
+
 def _pieces(speed: float, asked: RunUp) -> list[_Piece]:
     """Speeding up, then the constant speed."""
     until = min(speed / asked.acceleration, asked.duration)
@@ -117,17 +132,8 @@ def _propagated(
     """States (rows, 14) and work and loss (rows, 2) since the beginning of the piece, at its rows."""
     duration = piece.end - piece.begin
     fastest = piece.omega + piece.epsilon * duration
-    rate = max(float(np.linalg.norm(_system(modes), 2)), fastest)
-    each = max(1, int(np.ceil(duration / piece.rows * rate / SPAN)))
+    each = max(1, int(np.ceil(steps_of(modes, fastest, duration, "vibrator.start") / piece.rows)))
     steps, h = piece.rows * each, duration / piece.rows / each
-    if steps > MOST:
-        raise UsageError(
-            f"{duration:.6g} s with frequencies up to {rate:.6g} rad/s take {steps} steps",
-            where="vibrator.start",
-            value=float(steps),
-            limit=float(MOST),
-            remedy="write a shorter duration",
-        )
     step = _step(modes, h)
     tau = h * (np.arange(steps)[:, None] + rule(POINTS).points)
     psi = piece.psi + piece.omega * tau + piece.epsilon * tau**2 / 2

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from tmmcalc.cams.profile.offsets import Rim
-from tmmcalc.cams.profile.results import Profile, Wall
+from tmmcalc.cams.profile.results import WALLS, Profile, Wall
 from tmmcalc.cams.task import CamTask
 from tmmcalc.linkage.plane import Plane
 from tmmcalc.report.numbers import number
@@ -42,7 +42,6 @@ STYLES: dict[str, dict[str, Any]] = {
     "shaft": {"color": MARK, "linestyle": "-", "linewidth": 1.0},
     "lost": {"color": MARK, "linestyle": "-", "linewidth": 2.6, "alpha": 0.75},
 }
-NAMES = {"inner": "working profile", "outer": "second wall", "tool": "tool path", "outer tool": "second tool path"}
 
 
 def profile_figure(task: CamTask, result: Profile) -> Figure:
@@ -154,7 +153,7 @@ def _draw_axis(board: Board, result: Profile) -> None:
 def _legend(axes: Axes, task: CamTask, result: Profile, board: Board) -> None:
     follower = result.follower
     entries = [] if result.flat or not follower.roller else [("pitch curve", STYLES["pitch"])]
-    entries += [(NAMES[wall.name], STYLES[wall.name]) for wall in result.walls]
+    entries += [(WALLS[wall.name], STYLES[wall.name]) for wall in result.walls]
     entries.append(("base circle", STYLES["base"]))
     if task.limits.shaft:
         entries.append(("shaft", STYLES["shaft"]))

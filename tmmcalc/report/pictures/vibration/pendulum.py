@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -11,28 +10,23 @@ from matplotlib.figure import Figure, SubFigure
 from tmmcalc.machine.vibration.pendulum.results import Campbell, PendulumResult
 from tmmcalc.machine.vibration.pendulum.swing import SwingCourse
 from tmmcalc.report.numbers import number
-from tmmcalc.report.pictures.page import blank, settle
 from tmmcalc.report.pictures.style import CURVES, INK, MARK, PATH, THIN
 from tmmcalc.report.pictures.vibration.axes import diagram, thinned
+from tmmcalc.report.pictures.vibration.sheets import Sheet, sheets_of
 
 RPM = 30 / np.pi
 
 
 def pendulum_figure(result: PendulumResult) -> Figure:
     """A sheet each of shapes, Campbell diagram and motion, as far as there are results."""
-    sheets: list[tuple[str, Callable[[SubFigure], None]]] = [("Mode shapes", lambda sheet: _shapes(sheet, result))]
+    sheets: list[Sheet] = [("Mode shapes", lambda sheet: _shapes(sheet, result))]
     if result.campbell is not None:
         campbell = result.campbell
         sheets.append(("Campbell diagram", lambda sheet: _campbell(sheet, result, campbell)))
     if result.swing is not None:
         swing = result.swing
         sheets.append(("Motion of the lower end", lambda sheet: _swing(sheet, swing)))
-    figure, places = blank(len(sheets))
-    for place, (title, draw) in zip(places, sheets, strict=True):
-        place.suptitle(title, fontsize=10)
-        draw(place)
-    settle(figure)
-    return figure
+    return sheets_of(sheets)
 
 
 def _shapes(sheet: SubFigure, result: PendulumResult) -> None:

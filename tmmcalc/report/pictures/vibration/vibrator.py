@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -13,9 +12,9 @@ from tmmcalc.machine.vibration.vibrator.results import Curve, MotorStart, Start,
 from tmmcalc.machine.vibration.vibrator.task import COORDINATES, UNITS
 from tmmcalc.numerics.panels import Values
 from tmmcalc.report.numbers import number
-from tmmcalc.report.pictures.page import blank, settle
 from tmmcalc.report.pictures.style import CURVES, INK, MARK
 from tmmcalc.report.pictures.vibration.axes import diagram, levels, marked, spread
+from tmmcalc.report.pictures.vibration.sheets import Sheet, sheets_of
 
 SHIFTS = [k for k, unit in enumerate(UNITS) if unit == "m"]
 TURNS = [k for k, unit in enumerate(UNITS) if unit == "rad"]
@@ -26,7 +25,7 @@ ENLARGED = 0.35  # of the part's size: how large the widest path is drawn
 
 def vibrator_figure(result: VibratorResult) -> Figure:
     """A sheet each of modes, resonance curve, starts and paths, as far as there are results."""
-    sheets: list[tuple[str, Callable[[SubFigure], None]]] = [("Natural modes", lambda sheet: _modes(sheet, result))]
+    sheets: list[Sheet] = [("Natural modes", lambda sheet: _modes(sheet, result))]
     if result.curve is not None:
         curve = result.curve
         sheets.append(("Resonance curve", lambda sheet: _curve(sheet, result, curve)))
@@ -38,12 +37,7 @@ def vibrator_figure(result: VibratorResult) -> Figure:
         sheets.append(("Start by the motor", lambda sheet: _start(sheet, result, drive)))
     if result.paths:
         sheets.append(("Paths of points of the part in steady motion", lambda sheet: _paths(sheet, result)))
-    figure, places = blank(len(sheets))
-    for place, (title, draw) in zip(places, sheets, strict=True):
-        place.suptitle(title, fontsize=10)
-        draw(place)
-    settle(figure)
-    return figure
+    return sheets_of(sheets)
 
 
 def _modes(sheet: SubFigure, result: VibratorResult) -> None:

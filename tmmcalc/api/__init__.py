@@ -1,0 +1,47 @@
+"""The Python API: one function a capability, on specs or on plain tasks; each room has its module."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from tmmcalc.pipeline.outcome import Event, RunResult
+    from tmmcalc.spec import Spec
+
+
+def run(
+    spec: Spec,
+    *,
+    target: str | None = None,
+    out: str | Path | None = None,
+    fresh: bool = False,
+    from_stage: str | None = None,
+    csv: bool | None = None,
+    settings: Mapping[str, Mapping[str, Any]] | None = None,
+    on_event: Callable[[Event], None] | None = None,
+) -> RunResult:
+    """Run the pipeline up to ``target`` (None: every stage that the spec has), with files in ``out`` if given.
+
+    A stage whose stored inputs are unchanged is loaded; ``fresh`` recomputes all, ``from_stage`` that one
+    and the following. ``csv`` None writes CSV files up to 2000 rows. ``settings`` are options of methods by stage.
+    """
+    from tmmcalc.pipeline.runner import run as _run
+
+    folder = Path(out) if out is not None else None
+    return _run(
+        spec,
+        target=target,
+        out=folder,
+        fresh=fresh,
+        from_stage=from_stage,
+        csv=csv,
+        settings=settings,
+        on_event=on_event,
+    )
+
+
+def solved(spec: Spec, stage: str) -> Any:
+    """The result of one stage; raises `UsageError` if the scene leaves it out."""
+    return run(spec, target=stage).results[stage]

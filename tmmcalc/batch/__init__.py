@@ -1,0 +1,15 @@
+"""Many variants of one spec: solved point by point or in blocks, here, in processes or on a cluster, into one table.
+
+task.py        the points: which values of which keys, and what is asked of each
+table.py       a table of variants, a row each
+reading.py     the task from the flags of a user
+quantities.py  what a stage tells of a variant, chosen by name
+points.py      points solved one by one through the pipeline: works for every stage
+choice.py      by which solver, in what blocks, in how many processes
+executors.py   who solves the blocks: this process or others; a lost block is solved again
+local.py       local processes by joblib
+cluster.py     the workers of a Dask cluster
+journal.py     finished points beside the table, so that a killed sweep goes on where it was
+sheet.py       the tidy CSV in the order of the points, and what vouches for it
+sweep.py       one sweep from the task to the table
+"""

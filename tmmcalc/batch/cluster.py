@@ -1,0 +1,112 @@
+"""The workers of a Dask cluster, reached through its scheduler."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Iterable, Iterator
+from concurrent.futures import CancelledError, Executor
+from contextlib import contextmanager
+from time import monotonic
+from typing import TYPE_CHECKING
+
+from tmmcalc.batch.executors import Block, Tell, Workers, solve_by
+from tmmcalc.batch.task import Row, Task
+from tmmcalc.errors import TmmError, UsageError
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+REACH = 10.0  # seconds within which a scheduler answers
+WITHOUT = 60.0  # seconds that a sweep waits for a worker to come
+
+
+def solve_on(address: str, task: Task, blocks: Iterable[Block], tell: Tell) -> Iterator[list[Row]]:
+    """Solve blocks by the workers of the scheduler at ``address`` (``tcp://10.0.0.1:8786``), those that come later too.
+
+    Raises UsageError if distributed is not installed, if no scheduler answers or no worker comes, and for workers
+    that do not have this program.
+    """
+    try:
+        from distributed import KilledWorker
+    except ImportError:
+        raise UsageError(
+            "a cluster needs dask.distributed, which is not installed",
+            where="--scheduler",
+            remedy="pip install 'tmmcalc[dask]'",
+        ) from None
+    with _client(address) as client:
+        watch = _Watch(client, address)
+        workers = Workers(lambda: _executor(client), lambda: _threads(client), (KilledWorker,), watch)
+        try:
+            yield from solve_by(workers, task, blocks, tell)
+        except TmmError:
+            raise
+        except CancelledError:
+            raise watch.gone() from None
+        except Exception as error:
+            raise UsageError(
+                f"the workers of {address} cannot run tmmcalc: {type(error).__name__}: {error}",
+                where="--scheduler",
+                remedy="install the same tmmcalc on all workers",
+            ) from error
+
+
+@contextmanager
+def _client(address: str) -> Iterator[Client]:
+    from distributed import Client
+
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # its loss of a connection is told once, by us
+    try:
+        client = Client(address, timeout=REACH, set_as_default=False)
+    except (OSError, ValueError, TimeoutError) as error:
+        raise UsageError(
+            f"no Dask scheduler answers at {address}: {error}",
+            where="--scheduler",
+            remedy="start one by `dask scheduler`, which prints its address",
+        ) from None
+    with client:
+        yield client
+
+
+@contextmanager
+def _executor(client: Client) -> Iterator[Executor]:
+    executor: Executor = client.get_executor(pure=False)
+    try:
+        yield executor
+    finally:
+        executor.shutdown(wait=False)
+
+
+def _threads(client: Client) -> int:
+    """Blocks that the workers solve at once, at least one: work may wait for the first worker."""
+    return max(1, sum(worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values()))
+
+
+class _Watch:
+    """Whether scheduler and workers are still there; called while nothing comes back."""
+
+    def __init__(self, client: Client, address: str) -> None:
+        self._client, self._address = client, address
+        self._since: float | None = None  # when the last worker was missed first
+
+    def __call__(self) -> None:
+        if self._client.status != "running":
+            raise self.gone()
+        if self._client.scheduler_info(n_workers=1)["workers"]:
+            self._since = None
+            return
+        self._since = self._since or monotonic()
+        if monotonic() - self._since > WITHOUT:
+            raise UsageError(
+                f"the scheduler at {self._address} has no workers",
+                where="--scheduler",
+                remedy=f"start some: dask worker {self._address}",
+            )
+
+    def gone(self) -> UsageError:
+        """The error of a scheduler that answers no more."""
+        return UsageError(
+            f"the scheduler at {self._address} is gone",
+            where="--scheduler",
+            remedy="start it again; finished points are kept and the same command goes on from there",
+        )

@@ -1,0 +1,65 @@
+"""Points solved one by one through the pipeline, whatever their stages are."""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from tmmcalc.batch.quantities import told
+from tmmcalc.batch.task import Row, Task, verdict
+from tmmcalc.errors import TmmError, UsageError
+from tmmcalc.pipeline.plan import plan
+from tmmcalc.pipeline.runner import run
+from tmmcalc.pipeline.stages import STAGES
+
+if TYPE_CHECKING:
+    from tmmcalc.pipeline.stage import Stage
+    from tmmcalc.spec import Spec
+    from tmmcalc.spec.loader import Variants
+
+Names = tuple[str, ...]
+
+
+def solve_points(task: Task, points: Sequence[int]) -> list[Row]:
+    """Rows of the points, in their order. Nothing is raised for a variant: its row says why it failed."""
+    variants = task.variants()
+    shared: dict[Names, Names] = {}  # a thousand variants have the names of one
+    return [_row(task, variants, point, shared) for point in points]
+
+
+def solve_variant(task: Task, spec: Spec) -> tuple[dict[str, float], TmmError | None]:
+    """The quantities of a variant, and the error of its first stage without a result.
+
+    What other stages tell stays. Raises `UsageError` for a target that the variant leaves out.
+    """
+    result = run(spec, tolerance=task.tolerance, keep_going=True, stages=_stages(spec, task.targets))
+    asked = result.outcomes if task.patterns or not task.targets else [t for t in task.targets if t in result.outcomes]
+    found: dict[str, float] = {}
+    for stage in asked:
+        found.update(told(stage, result.results[stage], task.patterns))
+    return found, next(iter(result.failures.values()), None)
+
+
+def _row(task: Task, variants: Variants, point: int, shared: dict[Names, Names]) -> Row:
+    found: dict[str, float] = {}
+    error: Exception | None
+    try:
+        found, error = solve_variant(task, variants.spec(task.assignments(point)))
+    except Exception as fault:  # one variant that breaks the program must not end the others
+        error = fault
+    names = tuple(found)
+    return Row(point, *verdict(error), shared.setdefault(names, names), array("d", found.values()))
+
+
+def _stages(spec: Spec, targets: Names) -> dict[str, Stage]:
+    """The stages that lead to the targets in this scene; without targets all."""
+    if not targets:
+        return STAGES
+    running: set[str] = set()
+    for target in targets:
+        scene = plan(spec, target)
+        if target not in scene.running:
+            raise UsageError(scene.step(target).reason, where=target)
+        running.update(scene.running)
+    return {name: stage for name, stage in STAGES.items() if name in running}

@@ -1,0 +1,160 @@
+"""One sweep from its task to its table: what is done already, what is left, and when the table is written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import ExitStack
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from tmmcalc._version import __version__
+from tmmcalc.batch import sheet as sheets
+from tmmcalc.batch.executors import Block, solve
+from tmmcalc.batch.journal import Journal
+from tmmcalc.batch.points import solve_variant
+from tmmcalc.batch.quantities import others, unknown, unmatched
+from tmmcalc.batch.sheet import Sheet, sheet_of
+from tmmcalc.batch.task import INVALID, Row, Task
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.pipeline.hashing import FORMAT, content_hash
+from tmmcalc.records import record
+
+Solve = Callable[[Task, Iterable[Block]], Iterator[list[Row]]]
+Told = Callable[[int, int], None]  # points done, of these failed
+
+
+@record
+class Swept:
+    """A sweep that is done."""
+
+    sheet: Sheet
+    loaded: bool  # the table was there already
+    resumed: int  # points that an earlier run had finished
+
+
+def sweep(
+    task: Task,
+    solver: Solve,
+    out: Path | None = None,
+    *,
+    fresh: bool = False,
+    most_failed: int | None = None,
+    told: Told = lambda done, failed: None,
+) -> Swept:
+    """Solve all points of a task and write them to ``out``; what an earlier run has done is not done again.
+
+    Raises the error of the first point if no variant is a valid spec, UsageError for a pattern that names nothing,
+    NoSolutionError when more than ``most_failed`` points fail; what is finished then stays in ``out``.part.
+    """
+    key = key_of(task)
+    if out is not None and not fresh and (stored := sheets.current(task, key, out)) is not None:
+        return Swept(stored, True, 0)
+    with ExitStack() as stack:
+        journal = stack.enter_context(Journal(part(out), key)) if out is not None else None
+        done = _Done(task, journal, most_failed, told)
+        if journal is not None and not fresh:
+            done.take(journal.rows())
+        resumed = len(done.rows)
+        for rows in _solved(task, solver, done):
+            done.add(rows)
+        done.settle()
+        sheet = sheet_of(task, done.rows.values())
+        if journal is not None and out is not None:
+            sheets.save(sheet, key, out)
+            journal.done = True
+    return Swept(sheet, False, resumed)
+
+
+def part(out: Path) -> Path:
+    """The journal beside a table."""
+    return out.with_name(f"{out.name}.part")
+
+
+def key_of(task: Task) -> str:
+    """Hash of all that the table depends on: program, spec, the files that it names, points, what is asked."""
+    variants = task.variants()
+    files = [(name, (variants.folder / name).read_bytes()) for name in files_of(variants.data, variants.folder)]
+    axes = [(axis.key, axis.unit, axis.values) for axis in task.axes]
+    asked = task.targets, task.patterns, task.tolerance
+    return content_hash(
+        ("sweep", FORMAT, __version__, repr(variants.data), files, axes, task.listed, task.labels, asked)
+    )
+
+
+def files_of(data: Any, folder: Path) -> list[str]:
+    """Files that a document names and that are there, as it names them."""
+    parts = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
+    found = []
+    for key, value in parts:
+        if key in ("file", "catalogue") and isinstance(value, str):
+            found += [value] if (folder / value).is_file() else []
+        else:
+            found += files_of(value, folder)
+    return found
+
+
+class _Done:
+    """The finished points; the journal gets them once one is a valid spec, so that a slip in a key leaves no file."""
+
+    def __init__(self, task: Task, journal: Journal | None, most_failed: int | None, told: Told) -> None:
+        self.task, self.journal, self.told = task, journal, told
+        self.most_failed = task.count if most_failed is None else most_failed
+        self.rows: dict[int, Row] = {}
+        self.failed = 0
+        self.valid = False
+        self._held: list[Row] = []
+
+    def take(self, rows: Iterable[Row]) -> None:
+        """Points that an earlier run has finished."""
+        for row in rows:
+            self.rows[row.point] = row
+            self.failed += not row.ok
+            self.valid |= row.status != INVALID
+
+    def add(self, rows: list[Row]) -> None:
+        """Points that this run has finished."""
+        self.take(rows)
+        self._held += rows
+        if self.valid and self.journal is not None:
+            self.journal.append(self._held)
+        if self.valid:
+            self._held = []
+        self.told(len(self.rows), self.failed)
+        if self.valid and self.failed > self.most_failed:
+            raise NoSolutionError(
+                f"{self.failed} points have failed",
+                where="--limit-errors",
+                value=self.failed,
+                limit=self.most_failed,
+                remedy="look at their reasons; without the limit the sweep goes on from here",
+            )
+
+    def settle(self) -> None:
+        """Raise the error of the first variant if none is a valid spec."""
+        if not self.valid:
+            solve_variant(self.task, self.task.variants().spec(self.task.assignments(0)))
+
+
+def _solved(task: Task, solver: Solve, done: _Done) -> Iterator[list[Row]]:
+    """Rows of the points that are left, the first of them tried for what the patterns name."""
+    if task.patterns and not done.rows:
+        yield _tried(task)
+    left = [point for point in range(task.count) if point not in done.rows]
+    yield from solver(task, [left[at : at + task.block] for at in range(0, len(left), task.block)])
+
+
+def _tried(task: Task) -> list[Row]:
+    """A few points over the sweep, until all patterns name what one of them tells; raises UsageError if they do not."""
+    rows: list[Row] = []
+    for point in task.spread():
+        rows += solve(task, [point])
+        pattern = unmatched((name for row in rows for name in row.names), task.patterns)
+        if pattern is None:
+            return rows
+    solved = [row.point for row in rows if row.ok]
+    if pattern is not None and solved:
+        spec = task.variants().spec(task.assignments(solved[0]))
+        known, _ = solve_variant(replace(task, patterns=others(pattern)), spec)
+        raise unknown(pattern, list(known))
+    return rows

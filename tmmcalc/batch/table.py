@@ -1,0 +1,78 @@
+"""Tables of variants: a CSV with a variant a row and keys of the spec as headers.
+
+    variant,mechanism.links[id=1].points.A[0][mm],mechanism.input.speed[rpm]
+    01,180,52
+    02,185,55
+
+A header with a dot is a key, with the unit of its numbers in brackets at the end; the other columns are labels, the
+first of which names the variant.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from pathlib import Path
+
+from tmmcalc.errors import UsageError
+from tmmcalc.spec.loader import read_text
+from tmmcalc.spec.variants import Axis
+
+Labels = tuple[tuple[str, tuple[str, ...]], ...]
+
+_UNIT = re.compile(r"(.+)\[([^\]=\"']*[^\]=\"'\d-][^\]=\"']*)\]")  # a last bracket that is no index and no choice
+
+
+def read_points(file: Path) -> tuple[Labels, tuple[Axis, ...]]:
+    """Labels and keys of a table; raises UsageError for a file that is none."""
+    header, *rows = _cells(file)
+    labels: list[tuple[str, tuple[str, ...]]] = []
+    axes: list[Axis] = []
+    for at, name in enumerate(header):
+        column = [row[at] for row in rows]
+        if "." not in name:
+            labels.append((name, tuple(column)))
+            continue
+        match = _UNIT.fullmatch(name)
+        key, unit = match.groups() if match else (name, "")
+        axes.append(Axis(key, tuple(_number(file, line, name, cell) for line, cell in enumerate(column, 2)), unit))
+    if not axes:
+        raise UsageError(
+            f"{file} has no key of the spec among its headers", remedy="a key has a dot, such as motion.inertia"
+        )
+    return tuple(labels), tuple(axes)
+
+
+def row_of(file: Path, name: str) -> list[str]:
+    """The overrides of the variant with this name; raises UsageError if there is none."""
+    labels, axes = read_points(file)
+    names = labels[0][1] if labels else ()
+    if names.count(name) != 1:
+        count = f"{names.count(name)} rows are" if name in names else "no row is"
+        raise UsageError(f"{file}: {count} called {name!r}", remedy=f"its rows: {', '.join(names) or 'have no names'}")
+    at = names.index(name)
+    return [axis.assignment(axis.values[at]) for axis in axes]
+
+
+def _cells(file: Path) -> list[list[str]]:
+    """The rows of a CSV with the same number of cells in each."""
+    rows = [[cell.strip() for cell in row] for row in csv.reader(read_text(file).splitlines()) if any(row)]
+    if len(rows) < 2:
+        raise UsageError(f"{file} has no rows under its header", remedy="write one row for each variant")
+    uneven = next((line for line, row in enumerate(rows, 1) if len(row) != len(rows[0])), None)
+    if uneven is not None:
+        raise UsageError(
+            f"{file}, row {uneven}: {len(rows[uneven - 1])} cells under {len(rows[0])} headers",
+            remedy="separate cells by commas, one for each header",
+        )
+    return rows
+
+
+def _number(file: Path, line: int, name: str, cell: str) -> float:
+    try:
+        value = float(cell)
+    except ValueError:
+        value = float("nan")
+    if abs(value) < float("inf"):
+        return value
+    raise UsageError(f"{file}, row {line}, {name}: {cell!r} is no number", remedy="write a number such as 62 or 0.05")

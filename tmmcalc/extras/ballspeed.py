@@ -1,0 +1,117 @@
+"""The speed of a ball whose radius decreases, in closed form while it does not turn back.
+
+With xi = e^(lambda t) and a driving acceleration a the speed is a quotient of Bessel functions of
+eta = 2 sqrt(alpha |a| xi/r0)/lambda: of modified ones where a drives the ball on, of J and Y where it brakes it.
+"""
+
+from __future__ import annotations
+
+from math import expm1, log, log1p, pi, sqrt
+
+import numpy as np
+
+from tmmcalc.errors import AccuracyError
+from tmmcalc.numerics.panels import Values
+from tmmcalc.records import record
+
+LARGE = 1e7  # argument of Bessel functions
+NEAR, FAR = 0.05, 3.4  # steps of tau, and reach, within which a cylinder function of order 0 changes its sign
+
+
+@record
+class Fall:
+    """A fall that never turns back, from t = 0: v0 >= 0, a driving acceleration, the radius it begins with."""
+
+    radius: float
+    drag: float
+    decay: float
+    drive: float
+    orders: tuple[int, int]  # of the Bessel functions above and below
+    initial: float
+
+    def argument(self, t: Values) -> Values:
+        """eta (n,), or tau of a braked ball."""
+        begun = 2 * sqrt(self.drag * abs(self.drive) / self.radius) / self.decay
+        return np.asarray(begun * np.exp(self.decay * t / 2))
+
+
+def falling_speed(fall: Fall, t: Values) -> Values:
+    """v (n,) [m/s] at t (n,) [s]; of a braked ball up to its stop."""
+    if fall.drive == 0:
+        k = fall.drag * fall.initial / (fall.decay * fall.radius)
+        return np.asarray(fall.initial / (1 + k * np.expm1(fall.decay * t)))
+    above, below = _quotient(fall, t)
+    return np.asarray(2 * abs(fall.drive) / fall.decay / fall.argument(t) * above / below)
+
+
+def _quotient(fall: Fall, t: Values) -> tuple[Values, Values]:
+    """Numerator and denominator of the speed; scaled, so that neither overflows."""
+    from scipy.special import jv, yv
+
+    first, second = (_rising, _fading) if fall.drive > 0 else (jv, yv)
+    n, m = fall.orders
+    begun, eta = fall.argument(np.zeros(1)), fall.argument(t)
+    g, u = 2 * abs(fall.drive), fall.decay * fall.initial * begun
+    if fall.drive < 0:
+        c, d = u * second(m, begun) - g * second(n, begun), g * first(n, begun) - u * first(m, begun)
+        return c * first(n, eta) + d * second(n, eta), c * first(m, eta) + d * second(m, eta)
+    c, d = g * second(n, begun) + u * second(m, begun), g * first(n, begun) - u * first(m, begun)
+    faded = d * np.exp(-2 * (eta - begun))
+    return c * first(n, eta) - faded * second(n, eta), c * first(m, eta) + faded * second(m, eta)
+
+
+def _rising(order: int, x: Values) -> Values:
+    """I_n(x) e^-x, by its asymptotic series where the library has no more digits."""
+    from scipy.special import ive
+
+    return np.where(
+        x < LARGE, ive(order, np.minimum(x, LARGE)), (1 - (4 * order**2 - 1) / (8 * x)) / np.sqrt(2 * pi * x)
+    )
+
+
+def _fading(order: int, x: Values) -> Values:
+    """K_n(x) e^x, likewise."""
+    from scipy.special import kve
+
+    return np.where(
+        x < LARGE, kve(order, np.minimum(x, LARGE)), (1 + (4 * order**2 - 1) / (8 * x)) * np.sqrt(pi / (2 * x))
+    )
+
+
+def stop_time(fall: Fall) -> float:
+    """The time [s] at which a braked ball stops: the first root of c J0 + Y0 behind tau0 (16)."""
+    from scipy.optimize import brentq
+
+    if fall.initial == 0:
+        return 0.0
+    begun = float(fall.argument(np.zeros(1))[0])
+    if begun > LARGE:
+        raise AccuracyError(
+            f"tau0 = {begun:.4g}: Bessel functions have no digits left there",
+            where="falling_ball",
+            value=begun,
+            limit=LARGE,
+            remedy="write a larger decay, or a smaller drag",
+        )
+
+    def above(tau: Values) -> Values:
+        return _quotient(fall, 2 / fall.decay * np.log(tau / begun))[0]
+
+    tau = begun + np.arange(0.0, FAR, NEAR)
+    values = above(tau)
+    k = int(np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))[0])
+    root = brentq(lambda x: float(above(np.array([x]))[0]), tau[k], tau[k + 1], xtol=1e-15 * begun, rtol=1e-15)
+    return 2 / fall.decay * log(root / begun)
+
+
+def drag_way(fall: Fall, t: float) -> float:
+    """The way [m] of a ball on which nothing but drag acts, S = r0/(alpha b) ln((1 - b e^(-lambda t))/(1 - b)).
+
+    >>> fall = Fall(1e-3, 1e-4, 2 / 3, 0.0, (0, 1), 6.0)
+    >>> round(drag_way(fall, 1.5), 5), round(drag_way(fall, float("inf")), 6)
+    (5.87685, 9.482446)
+    """
+    k = fall.drag * fall.initial / (fall.decay * fall.radius)
+    part, past = k - 1, -expm1(-fall.decay * t)
+    size = fall.radius * k / fall.drag
+    return size * (log1p(part * past) / part if part else past)

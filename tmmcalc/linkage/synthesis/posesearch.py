@@ -1,0 +1,110 @@
+"""What path and motion generation share: all linkages that do exactly what is asked, or else the nearest ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from tmmcalc.errors import NoSolutionError
+from tmmcalc.linkage.synthesis.designs import CLOSED
+from tmmcalc.linkage.synthesis.posed import Rated, spread
+from tmmcalc.linkage.synthesis.posedesign import designed
+from tmmcalc.linkage.synthesis.posefit import nearest
+from tmmcalc.linkage.synthesis.results import Design, Synthesis
+from tmmcalc.linkage.synthesis.task import PoseTask, SynthesisTask
+
+EXACT = "fewest defects; then the greatest least transmission angle"
+NEAREST = "fewest defects; then the least distance from the points"
+
+Found = tuple[list[Rated], dict[str, int]]  # linkages with their ratings, and what was counted
+
+
+def search(task: SynthesisTask, kind: str, exact: Callable[[], Found] | None) -> Synthesis:
+    """The designs of a path or motion, ``exact`` being how they are sought; None if there are too many points.
+
+    Where fewer are exact than are listed, fits that happen to be exact join them; where none is, the fits themselves
+    are listed. Raises `NoSolutionError` if there are none.
+    """
+    asked: PoseTask = task.asked
+    unit = spread(asked.points)
+    found, counters = exact() if exact else ([], {})
+    designs = _met(_designs(task, kind, found), unit)
+    if len(designs) < task.solutions:
+        fits = _designs(task, kind, nearest(task))
+        designs = _distinct([*designs, *_met(fits, unit)])
+        if not designs:
+            return _nearest(task, kind, sorted(fits, key=_by_distance), exact is not None, counters)
+    designs.sort(key=_by_transmission)
+    shown = tuple(designs[: task.solutions])
+    residual = max(error_of(design, unit) for design in shown)
+    told = f"note: the {len(asked.points)} {_WHAT[kind]} are met exactly"
+    return Synthesis(kind, EXACT, shown, residual, (told, *_defects(shown)), {**counters, "designs": len(designs)})
+
+
+_WHAT = {"path": "points", "motion": "poses"}
+
+
+def _nearest(task: SynthesisTask, kind: str, fits: list[Design], few: bool, counters: dict[str, int]) -> Synthesis:
+    """The best fits; ``few`` where as many points can be met exactly by other ones."""
+    asked: PoseTask = task.asked
+    count, what = len(asked.points), _WHAT[kind]
+    linkage = asked.mechanism.replace("_", "-")
+    if not fits:
+        raise NoSolutionError(
+            f"no {linkage} was found that passes the {count} {what}",
+            where=f"synthesis.{kind}",
+            value=float(count),
+            remedy=f"try another seed, leave out region, or give fewer {what}",
+        )
+    told = (
+        f"warning: no {linkage} was found that meets the {count} {what} exactly: they are met in the least squares"
+        if few
+        else f"note: {count} {what} are more than can be met exactly: they are met in the least squares"
+    )
+    shown = tuple(fits[: task.solutions])
+    return Synthesis(kind, NEAREST, shown, 0.0, (told, *_defects(shown)), {**counters, "designs": len(fits)})
+
+
+def _designs(task: SynthesisTask, kind: str, found: list[Rated]) -> list[Design]:
+    title = f"{kind} generator"
+    return [design for bars, rating in found if (design := designed(task, bars, rating, title)) is not None]
+
+
+def _met(designs: list[Design], unit: float) -> list[Design]:
+    return [design for design in designs if error_of(design, unit) < CLOSED]
+
+
+def error_of(design: Design, unit: float) -> float:
+    """Largest error of a design: of angles in rad, of places in units."""
+    found = design.precision
+    assert found is not None
+    return max(float(found.found.max()) / unit, max(map(abs, found.angle_errors), default=0.0))
+
+
+def _distinct(designs: list[Design]) -> list[Design]:
+    """Designs without copies of those before them."""
+    kept: list[Design] = []
+    for design in designs:
+        if all(_apart(design, other) for other in kept):
+            kept.append(design)
+    return kept
+
+
+def _apart(one: Design, other: Design) -> bool:
+    pairs = [(a.value, b.value) for a, b in zip(one.sizes, other.sizes, strict=True) if a.unit == "m"]
+    return max(abs(a - b) for a, b in pairs) > SAME * max(abs(a) for a, _ in pairs)
+
+
+SAME = 1e-4  # designs whose lengths differ by less are one
+
+
+def _by_transmission(design: Design) -> tuple[int, float]:
+    return len(design.defects), -design.merits["transmission_min[deg]"]
+
+
+def _by_distance(design: Design) -> tuple[int, float]:
+    return len(design.defects), design.merits["error_max[mm]"]
+
+
+def _defects(designs: tuple[Design, ...]) -> Iterator[str]:
+    if designs[0].defects:
+        yield f"warning: the best design has a defect: {'; '.join(designs[0].defects)}"
