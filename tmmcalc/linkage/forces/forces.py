@@ -32,6 +32,7 @@ Seen = list[tuple[Real, "dict[str, Solution]"]]  # angles (n,) and how friction 
 PARTS = 16  # of a turn, or of the range: no panel on which maxima are sought is wider
 QUARTERS = np.array([0.25, 0.5, 0.75])
 ROUNDING = 1e-15
+MARGIN = 4.0  # what stays in equilibrium may still be wrong, by the condition of a group
 ROUNDS = 8  # of cutting them finer: a pole of the force a millionth of a turn beside the path is resolved
 
 
@@ -77,7 +78,8 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
             "dense": dense.x.size,
             "passes": max((s.passes for _, solutions in seen[:1] for s in solutions.values()), default=0),
         },
-        error=max(_largest(rows.equilibrium), _largest(virtual), _amplified(seen, kinematics.error.acceleration)),
+        error=MARGIN
+        * max(_largest(rows.equilibrium), _largest(virtual), _amplified(seen, kinematics.error.acceleration)),
     )
 
 
