@@ -86,6 +86,14 @@ def test_one_that_is_up_to_date_is_not_repeated(out: Path, tmp_path: Path) -> No
     assert (len(met), out.stat().st_mtime_ns) == (24, before)  # the same bytes: the file is not touched
 
 
+def test_points_that_broke_are_tried_again(out: Path, tmp_path: Path) -> None:
+    broken = Row(0, "failed 1", "its process died 2 times")
+    sweep(sweeptoy.task(tmp_path, 2), lambda task, blocks: iter([[broken, sweeptoy.row(task, 1)]]), out)
+    assert "failed 1" in out.read_text()
+    again = sweep(sweeptoy.task(tmp_path, 2), solve_here, out)
+    assert (again.loaded, again.sheet.failed) == (False, 0)
+
+
 def test_another_task_or_a_changed_table_is_solved_again(out: Path, tmp_path: Path) -> None:
     sweep(sweeptoy.task(tmp_path), solve_here, out)
     assert not sweep(sweeptoy.task(tmp_path, 26), solve_here, out).loaded

@@ -80,13 +80,8 @@ def test_headers_tell_the_unit_of_bare_numbers() -> None:
 
 
 def test_plain_values_are_those_of_all_variants() -> None:
-    task = task_of(
-        SHAPER,
-        ["mechanism.links[id=3].mass=40", "mechanism.links[id=3].mass=*1:2:2"][:1] + ["motion.inertia=*1,2"],
-        None,
-        ("motion", "forces"),
-        (),
-    )
+    sets = ["mechanism.links[id=3].mass=40", "motion.inertia=*1,2"]
+    task = task_of(SHAPER, sets, None, ("motion", "forces"), ())
     assert task.fixed == ("mechanism.links[id=3].mass=40",)
     assert [axis.values for axis in task.axes] == [(43.2, 86.4)]
     assert task.targets == ("forces", "motion")  # in the order of the pipeline

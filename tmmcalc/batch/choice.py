@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
+from tmmcalc.batch.executors import Solve, solve_by, solve_here
+from tmmcalc.batch.local import available, cores, processes
+from tmmcalc.batch.stacked import BLOCK, SOLVER, together
 from tmmcalc.batch.task import Task
-from tmmcalc.errors import TmmError
+from tmmcalc.errors import TmmError, UsageError
 from tmmcalc.pipeline.plan import plan
 
 # Stages that may take longer than a process costs to start: motions in time, searches, contours.
@@ -32,5 +37,24 @@ def chosen(task: Task, jobs: int | None, cores: int) -> tuple[Task, int]:
     heavy = bool(running(task) & HEAVY)
     if jobs is None:
         jobs = min(cores, task.count) if heavy and task.count > FEW else 1
+    if not heavy and together(task):
+        return replace(task, solver=SOLVER, block=BLOCK), jobs
     shared = -(-task.count // (4 * jobs))  # so that all have work to the end
     return replace(task, block=max(1, min(1 if heavy else task.block, shared))), jobs
+
+
+def solver_of(task: Task, jobs: int | None, scheduler: str | None, tell: Callable[[str], None]) -> tuple[Task, Solve]:
+    """The task in its blocks and who solves them; ``tell`` is called with what becomes of processes that die.
+
+    Raises UsageError for ``jobs`` beside a ``scheduler``, and where joblib or distributed is not installed.
+    """
+    if scheduler is not None:
+        if jobs is not None:
+            raise UsageError(
+                "the cluster has its own processes", where="--jobs", remedy="leave --jobs or --scheduler out"
+            )
+        from tmmcalc.batch.cluster import solve_on
+
+        return chosen(task, cores(), cores())[0], partial(solve_on, scheduler, tell=tell)
+    task, number = chosen(task, jobs, cores() if available() else 1)
+    return task, solve_here if number == 1 else partial(solve_by, processes(number), tell=tell)

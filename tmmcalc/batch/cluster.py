@@ -79,7 +79,10 @@ def _executor(client: Client) -> Iterator[Executor]:
 
 def _threads(client: Client) -> int:
     """Blocks that the workers solve at once, at least one: work may wait for the first worker."""
-    return max(1, sum(worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values()))
+    try:
+        return max(1, sum(client.nthreads().values()))
+    except (OSError, RuntimeError):  # what has become of the scheduler is for the watch to say
+        return 1
 
 
 class _Watch:
@@ -90,9 +93,11 @@ class _Watch:
         self._since: float | None = None  # when the last worker was missed first
 
     def __call__(self) -> None:
-        if self._client.status != "running":
-            raise self.gone()
-        if self._client.scheduler_info(n_workers=1)["workers"]:
+        try:
+            there = bool(self._client.nthreads())
+        except (OSError, RuntimeError):
+            raise self.gone() from None
+        if there:
             self._since = None
             return
         self._since = self._since or monotonic()

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from contextlib import AbstractContextManager
 from functools import partial
+from time import monotonic, sleep
 
 from tmmcalc._version import __version__
 from tmmcalc.batch.task import BROKEN, Row, Task
@@ -19,6 +20,7 @@ from tmmcalc.pipeline.stage import resolve
 from tmmcalc.records import record
 
 Block = Sequence[int]
+Solve = Callable[[Task, Iterable[Block]], Iterator[list[Row]]]
 Tell = Callable[[str], None]
 DEATHS = 2  # of a process over one and the same point
 PATIENCE = 5.0  # seconds between two looks at whether anybody is still there
@@ -85,20 +87,30 @@ def _drain(
 ) -> Iterator[list[Row]]:
     """Solve what waits until it is done or a process dies; then what was on its way is finished or ``lost``."""
     flying: dict[Future[list[Row]], Block] = {}
-    while flying or (waiting and not lost):
-        width = 1 if alone else 2 * workers.size()
-        while waiting and not lost and len(flying) < width:
-            block = waiting.popleft()
-            try:
-                flying[pool.submit(work, block)] = block
-            except workers.lost:
-                lost.append(block)
-        done, _ = wait(flying, PATIENCE, FIRST_COMPLETED)
-        if not done:
-            workers.watch()
-        for future in done:
-            block = flying.pop(future)
-            try:
-                yield future.result()
-            except workers.lost:
-                lost.append(block)
+    try:
+        while flying or (waiting and not lost):
+            width = 1 if alone else 2 * workers.size()
+            while waiting and not lost and len(flying) < width:
+                block = waiting.popleft()
+                try:
+                    flying[pool.submit(work, block)] = block
+                except workers.lost:
+                    lost.append(block)
+            done, _ = wait(flying, PATIENCE, FIRST_COMPLETED)
+            if not done:
+                workers.watch()
+            for future in done:
+                block = flying.pop(future)
+                try:
+                    yield future.result()
+                except workers.lost:
+                    lost.append(block)
+    finally:
+        _settle(flying)
+
+
+def _settle(flying: Iterable[Future[list[Row]]]) -> None:
+    """Wait a moment until what was sent is on its way: joblib's executor stumbles when it is ended before."""
+    until = monotonic() + 1.0
+    while monotonic() < until and any(not (future.running() or future.done()) for future in flying):
+        sleep(0.001)

@@ -33,7 +33,7 @@ def solve_variant(task: Task, spec: Spec) -> tuple[dict[str, float], TmmError | 
 
     What other stages tell stays. Raises `UsageError` for a target that the variant leaves out.
     """
-    result = run(spec, tolerance=task.tolerance, keep_going=True, stages=_stages(spec, task.targets))
+    result = run(spec, tolerance=task.tolerance, keep_going=True, stages=stages_to(spec, task.targets))
     asked = result.outcomes if task.patterns or not task.targets else [t for t in task.targets if t in result.outcomes]
     found: dict[str, float] = {}
     for stage in asked:
@@ -52,8 +52,11 @@ def _row(task: Task, variants: Variants, point: int, shared: dict[Names, Names])
     return Row(point, *verdict(error), shared.setdefault(names, names), array("d", found.values()))
 
 
-def _stages(spec: Spec, targets: Names) -> dict[str, Stage]:
-    """The stages that lead to the targets in this scene; without targets all."""
+def stages_to(spec: Spec, targets: Names) -> dict[str, Stage]:
+    """The stages that lead to the targets in this scene; without targets all.
+
+    A flywheel that is given is not sized for the sake of others.
+    """
     if not targets:
         return STAGES
     running: set[str] = set()
@@ -62,4 +65,6 @@ def _stages(spec: Spec, targets: Names) -> dict[str, Stage]:
         if target not in scene.running:
             raise UsageError(scene.step(target).reason, where=target)
         running.update(scene.running)
+    if "flywheel" not in targets and spec.flywheel is not None and spec.flywheel.inertia:
+        running.discard("flywheel")
     return {name: stage for name, stage in STAGES.items() if name in running}

@@ -45,7 +45,7 @@ def task_of(
     task = Task(
         text=text,
         file=str(file),
-        folder=str(file.parent),
+        folder=str(file.parent.absolute()),  # workers may stand elsewhere
         fixed=tuple(fixed),
         axes=axes,
         listed=points is not None,

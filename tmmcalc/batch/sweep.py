@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
 from dataclasses import replace
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
 from tmmcalc._version import __version__
 from tmmcalc.batch import sheet as sheets
-from tmmcalc.batch.executors import Block, solve
+from tmmcalc.batch.executors import Solve, solve
 from tmmcalc.batch.journal import Journal
 from tmmcalc.batch.points import solve_variant
 from tmmcalc.batch.quantities import others, unknown, unmatched
 from tmmcalc.batch.sheet import Sheet, sheet_of
-from tmmcalc.batch.task import INVALID, Row, Task
+from tmmcalc.batch.task import BROKEN, INVALID, Row, Task
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.pipeline.hashing import FORMAT, content_hash
 from tmmcalc.records import record
 
-Solve = Callable[[Task, Iterable[Block]], Iterator[list[Row]]]
 Told = Callable[[int, int], None]  # points done, of these failed
 
 
@@ -48,7 +48,8 @@ def sweep(
     NoSolutionError when more than ``most_failed`` points fail; what is finished then stays in ``out``.part.
     """
     key = key_of(task)
-    if out is not None and not fresh and (stored := sheets.current(task, key, out)) is not None:
+    stored = sheets.current(task, key, out) if out is not None and not fresh else None
+    if stored is not None and BROKEN not in stored.status:
         return Swept(stored, True, 0)
     with ExitStack() as stack:
         journal = stack.enter_context(Journal(part(out), key)) if out is not None else None
@@ -140,8 +141,9 @@ def _solved(task: Task, solver: Solve, done: _Done) -> Iterator[list[Row]]:
     """Rows of the points that are left, the first of them tried for what the patterns name."""
     if task.patterns and not done.rows:
         yield _tried(task)
-    left = [point for point in range(task.count) if point not in done.rows]
-    yield from solver(task, [left[at : at + task.block] for at in range(0, len(left), task.block)])
+    left = (point for point in range(task.count) if point not in done.rows)
+    # blocks are those of all points, so that what is solved together does not depend on what is done already
+    yield from solver(task, [list(block) for _, block in groupby(left, lambda point: point // task.block)])
 
 
 def _tried(task: Task) -> list[Row]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -17,7 +17,7 @@ from tmmcalc.errors import UsageError
 
 if TYPE_CHECKING:
     from tmmcalc.batch.sheet import Sheet
-    from tmmcalc.batch.sweep import Solve, Swept
+    from tmmcalc.batch.sweep import Swept
     from tmmcalc.batch.task import Task
 
 STDOUT = Path("-")
@@ -115,7 +115,7 @@ def command(
     """
     to_stdout = out == STDOUT
     file = None if to_stdout else out or Path(f"{spec.stem}.sweep.csv")
-    _check(file, depfile, jobs, scheduler)
+    _check(file, depfile, [spec] if points is None else [spec, points])
     if tolerance is not None:
         check_tolerance(tolerance)
     from tmmcalc.batch.reading import task_of
@@ -124,7 +124,7 @@ def command(
     swept = _run(task, file, jobs, scheduler, limit, fresh, quiet)
     if depfile is not None and file is not None:
         _depend(depfile, file, task, spec, points)
-    _tell(swept, file, quiet)
+    _tell(swept, file, quiet, task)
     if to_stdout:
         from tmmcalc.batch.sheet import csv_bytes
 
@@ -136,16 +136,16 @@ def command(
     _end(swept.sheet)
 
 
-def _check(out: Path | None, depfile: Path | None, jobs: int | None, scheduler: str | None) -> None:
+def _check(out: Path | None, depfile: Path | None, sources: Sequence[Path]) -> None:
     """Refuse what would only come out after the computation."""
     if out is not None:
         check_place(out, "-o")
+        if any(out.absolute() == source.absolute() for source in sources):
+            raise UsageError(f"{out} is what the sweep is made from", where="-o", remedy="name another file")
     if depfile is not None:
         check_place(depfile, "--depfile")
         if out is None:
             raise UsageError("standard output is no file", where="--depfile", remedy="write the table to a file by -o")
-    if jobs is not None and scheduler is not None:
-        raise UsageError("the cluster has its own processes", where="--jobs", remedy="leave --jobs or --scheduler out")
 
 
 def _run(
@@ -157,29 +157,12 @@ def _run(
     fresh: bool,
     quiet: bool,
 ) -> Swept:
+    from tmmcalc.batch.choice import solver_of
     from tmmcalc.batch.sweep import sweep
 
-    task, solver = _solver(task, jobs, scheduler)
+    task, solver = solver_of(task, jobs, scheduler, _warn)
     with _progress(task.count, quiet) as told:
         return sweep(task, solver, out, fresh=fresh, most_failed=limit, told=told)
-
-
-def _solver(task: Task, jobs: int | None, scheduler: str | None) -> tuple[Task, Solve]:
-    """Who solves the points."""
-    from functools import partial
-
-    from tmmcalc.batch import executors
-    from tmmcalc.batch.choice import chosen
-    from tmmcalc.batch.local import available, cores, processes
-
-    if scheduler is not None:
-        from tmmcalc.batch.cluster import solve_on
-
-        return chosen(task, cores(), cores())[0], partial(solve_on, scheduler, tell=_warn)
-    task, number = chosen(task, jobs, cores() if available() else 1)
-    if number == 1:
-        return task, executors.solve_here
-    return task, partial(executors.solve_by, processes(number), tell=_warn)
 
 
 def _warn(text: str) -> None:
@@ -202,15 +185,18 @@ def _depend(depfile: Path, out: Path, task: Task, spec: Path, points: Path | Non
     write(depfile, [out], [spec, *named, *([points] if points is not None else [])])
 
 
-def _tell(swept: Swept, out: Path | None, quiet: bool) -> None:
+def _tell(swept: Swept, out: Path | None, quiet: bool, task: Task) -> None:
     """Say what was done, where that is not all there is."""
     if quiet or out is None:
         return
     if swept.loaded:
         say(f"{out} is up to date", "dim")
     else:
+        from tmmcalc.batch.stacked import way
+
         again = f", {swept.resumed} of its points from the run before" if swept.resumed else ""
-        say(f"wrote {out}{again}", "dim")
+        how = way(task)
+        say(f"wrote {out}{again}{'; ' if how else ''}{how}", "dim")
 
 
 def _title(task: Task, spec: Path) -> str:

@@ -63,7 +63,10 @@ class Variants:
 
     def spec(self, assignments: Sequence[str] = ()) -> Spec:
         """Return the checked spec with these overrides too; raises as ``load_spec``."""
-        data, changed = _changed(self.data, assignments)
+        return self.of(*_changed(self.data, assignments))
+
+    def of(self, data: dict[str, Any], changed: Sequence[Path] = ()) -> Spec:
+        """Return the checked spec of another document, of which ``changed`` paths do not stand in the text."""
         if _names_files(data):
             from copy import deepcopy  # what is read from files takes its place in the document
 

@@ -1,0 +1,204 @@
+"""Variants solved together: the same numbers as one by one, the same reasons where one fails."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tmmcalc.batch import points, stacked
+from tmmcalc.batch.choice import chosen
+from tmmcalc.batch.reading import task_of
+from tmmcalc.batch.stacked import SOLVER, Together
+from tmmcalc.batch.stacked_inputs import Inputs
+from tmmcalc.batch.task import Row, Task
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+SHAPER = CONFIGS / "shaper.toml"
+FEW = "mechanism.grid.positions=18"
+CRANK = "mechanism.links[id=1].points.A[0]"
+ROD = "mechanism.links[id=4].points.D[0]"
+RAM = "mechanism.links[id=5].mass"
+MOTION = (
+    "kinematics.max(v_D0)",
+    "forces.max(R_*)",
+    "forces.size(M_drive)",
+    "motion.*(omega)",
+    "motion.size(eps)",
+    "motion.delta",
+)
+NOISE = 1e-3  # of the largest number with the same unit: what is smaller is measured against that
+SAME = 1e-11
+
+
+def differences(task: Task, which: range) -> tuple[int, float]:
+    """How many of the points were solved together, and the largest relative difference from those solved alone."""
+    together, alone = stacked.solve_points(task, which), points.solve_points(task, which)
+    for one, other in zip(together, alone, strict=True):
+        assert (one.point, one.status, one.reason, one.names) == (other.point, other.status, other.reason, other.names)
+    largest: dict[tuple[str, str], float] = {}
+    for row in alone:
+        for name, value in zip(row.names, row.values, strict=True):
+            largest[kind(name)] = max(largest.get(kind(name), 0.0), abs(value))
+    found = [
+        abs(a - b) / max(abs(b), NOISE * largest[kind(name)], 1e-300)
+        for one, other in zip(together, alone, strict=True)
+        for name, a, b in zip(one.names, one.values, other.values, strict=True)
+    ]
+    return sum(point in solved_together(task) for point in which), max(found, default=0.0)
+
+
+def kind(name: str) -> tuple[str, str]:
+    return name.partition(".")[0], name.rpartition("[")[2]
+
+
+def solved_together(task: Task) -> dict[int, Row]:
+    made = stacked.prepared(task)
+    assert isinstance(made, Together), made
+    return made.rows(range(task.count))
+
+
+def table(file: Path, count: int, keys: dict[str, tuple[float, float]], seed: int = 1) -> Path:
+    rng = np.random.default_rng(seed)
+    with file.open("w") as stream:
+        writer = csv.writer(stream)
+        writer.writerow(keys)
+        writer.writerows([repr(float(rng.uniform(*ends))) for ends in keys.values()] for _ in range(count))
+    return file
+
+
+def test_random_variants_of_all_kinds_of_keys(tmp_path: Path) -> None:
+    keys = {
+        f"{CRANK}[mm]": (150, 250),
+        "mechanism.fixed.O[1]": (0.55, 0.7),
+        f"{ROD}[mm]": (250, 350),
+        RAM: (100, 250),
+        "mechanism.links[id=3].center[0]": (0.4, 0.6),
+        "mechanism.joints[name=A3].friction": (0.05, 0.15),
+        "mechanism.joints[name=D0].length": (0.3, 0.5),
+        "loads[0].force": (4000, 9000),
+        "mechanism.input.speed[rpm]": (52, 55),
+        "transmission.ratio": (26, 28),
+        "flywheel.inertia": (100, 250),
+        "motor.inertia": (0.02, 0.04),
+    }
+    facts = ("kinematics.stroke_D", "kinematics.K_D", "kinematics.working_D", "motion.omega_min", "motion.P_mean")
+    columns = (*MOTION, *facts, "motion.last(t)", "motion.M_d_mean", "motion.cycle_time", "motion.omega_time_mean")
+    task = task_of(SHAPER, [FEW], table(tmp_path / "points.csv", 20, keys), (), columns)
+    together, difference = differences(task, range(20))
+    assert together == 20
+    assert difference < SAME
+
+
+def test_variants_that_fail_end_with_the_same_reason(tmp_path: Path) -> None:
+    """Cranks longer than the frame, rods too short, friction that locks, a force that stalls the motor, no spec."""
+    keys = {
+        CRANK: (0.1, 0.9),
+        ROD: (-0.02, 0.3),
+        "mechanism.joints[name=A3].friction": (0.05, 1.2),
+        "loads[0].force": (5000, 60000),
+        RAM: (-10, 190),
+    }
+    task = task_of(SHAPER, [FEW], table(tmp_path / "points.csv", 40, keys), (), MOTION)
+    together, difference = differences(task, range(40))
+    rows = points.solve_points(task, range(40))
+    assert {row.status for row in rows} >= {"ok", "failed 2", "failed 3"}
+    assert 0 < together <= sum(row.ok for row in rows)
+    assert difference < SAME
+
+
+def test_a_value_that_is_refused_in_the_middle_of_its_range() -> None:
+    task = task_of(SHAPER, [FEW, f"{ROD}=-0.29:0.29:17"], None, (), ("kinematics.max(v_D0)",))
+    differences(task, range(6, 11))
+    rows = stacked.solve_points(task, range(17))
+    assert [row.point for row in rows if not row.ok] == [8]
+    assert "the link has no length" in rows[8].reason
+
+
+def test_numbers_that_are_not_affine_are_read() -> None:
+    """The direction of a load is an angle in the spec and a unit vector in what the forces read."""
+    task = task_of(SHAPER, [FEW, "loads[0].direction=-20 deg:20 deg:16"], None, (), ("forces.max(R_A)",))
+    together, difference = differences(task, range(0, 16, 3))
+    assert together == 6
+    assert difference < SAME
+
+
+@pytest.mark.parametrize(
+    ("name", "keys"),
+    [
+        ("crank-slider", ("mechanism.links[id=1].points.A[0]",)),
+        ("four-bar", ("mechanism.links[id=2].points.B[0]", "mechanism.links[id=3].points.B[0]")),
+        ("inertial-conveyor", ("mechanism.links[id=1].points.A[0]",)),
+        ("scotch-yoke", ("mechanism.links[id=1].points.A[0]",)),
+        ("trammel", ("mechanism.input.speed",)),
+        ("v-engine", ("mechanism.links[id=1].points.A[0]",)),
+    ],
+)
+def test_other_mechanisms(name: str, keys: tuple[str, ...]) -> None:
+    file = CONFIGS / f"{name}.toml"
+    columns = ("kinematics.max(x_*)", "kinematics.mean(angle_*)", "kinematics.last(S_*)", "kinematics.size(a*)")
+    ranges = [f"{key}=*0.98:1.02:4" for key in keys]
+    more = ("forces.max(R_*)",) if "mass" in file.read_text() else ()
+    task = task_of(file, ranges, None, (), (*columns, *more))
+    together, difference = differences(task, range(task.count))
+    assert together == task.count
+    assert difference < SAME
+
+
+def test_a_point_has_the_same_digits_whatever_it_is_solved_with() -> None:
+    task = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:150"], None, (), ("kinematics.max(v_D0)", "forces.max(R_A)"))
+    rows = stacked.solve_points(task, range(150))
+    for point in (0, 127, 128, 149):
+        assert stacked.solve_points(task, [point]) == [rows[point]]
+
+
+@pytest.mark.parametrize(
+    ("sets", "columns", "reason"),
+    [
+        ((f"{CRANK}=0.15:0.25:20",), ("kinematics.vS_D_max",), "nothing that blocks"),
+        ((f"{CRANK}=0.15:0.25:20",), ("reduction.max(J_red)",), "reduction is asked for"),
+        ((f"{CRANK}=0.15:0.25:20",), ("motion.max(omega_idle)",), "nothing that blocks"),
+        ((f"{CRANK}=0.15:0.25:20",), ("forces.max(equilibrium)",), "nothing that blocks"),
+        ((f"{CRANK}=0.15:0.25:20", 'motion.drive="positional"'), ("motion.max(omega)",), "no given motor"),
+        ((f"{CRANK}=0.15:0.25:20", "mechanism.grid.extremes=true"), ("kinematics.max(v_D0)",), "strokes"),
+        (("mechanism.joints[name=A3].guide.angle=-1 deg:1 deg:20",), ("kinematics.max(v_D0)",), "directions"),
+    ],
+)
+def test_what_cannot_be_solved_together_says_why(sets: tuple[str, ...], columns: tuple[str, ...], reason: str) -> None:
+    assert reason in (stacked.refusal(task_of(SHAPER, sets, None, (), columns)) or "")
+
+
+def test_many_points_are_solved_together_by_themselves() -> None:
+    columns = ("kinematics.max(v_D0)",)
+    many = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:20"], None, (), columns)
+    few = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:3"], None, (), columns)
+    assert chosen(many, 1, 2)[0].solver == SOLVER
+    assert chosen(few, 1, 2)[0].solver != SOLVER
+
+
+def test_specs_are_not_read_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    task = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:1000"], None, (), ("kinematics.max(v_D0)",))
+    inputs = Inputs(task, 0, loaded=False, driven=False)
+    monkeypatch.setattr(Inputs, "_read", lambda *_: pytest.fail("a spec was read"))
+    numbers, there = inputs.numbers(range(1000))
+    crank = [numbers[:, k] for k in range(numbers.shape[1]) if np.ptp(numbers[:, k].real)]
+    assert there.all()
+    assert all(np.allclose(column.real, np.linspace(0.15, 0.25, 1000), rtol=1e-14) for column in crank)
+    assert len(crank) == 2  # as a point of the link, and as a pin of its joint
+
+
+def test_the_sweep_says_how_its_variants_were_solved() -> None:
+    columns = ("kinematics.max(v_D0)",)
+    many = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:20"], None, (), columns)
+    assert stacked.way(many) == "variants solved together"
+    facts = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:20"], None, (), ())
+    assert stacked.way(facts).startswith("variants solved one by one: all facts")
+
+
+def test_variants_with_friction_where_the_first_has_none() -> None:
+    key = "mechanism.joints[name=A3].friction"
+    task = task_of(SHAPER, [FEW, f"{key}=0:0.15:16"], None, (), ("forces.max(R_A)",))
+    _, difference = differences(task, range(0, 16, 5))
+    assert difference < SAME

@@ -1,0 +1,157 @@
+"""What the stages read of many variants, without reading the spec of each.
+
+Nearly all of it are quantities times a unit, so that every number is an affine function of the swept values. Whether it
+is so is seen at the ends of all ranges, at their corners, and at some places between. The checks of a spec ask for one
+number whether it lies in a range, and for two of the same table which is larger, or whether they are equal: a variant
+that answers one of these otherwise than the first one is read as a whole, as are all where something is not affine.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.batch.task import Task
+from tmmcalc.errors import TmmError
+from tmmcalc.numerics.alike import alike, groups, numbers, paths, rebuilt, shape_of
+
+if TYPE_CHECKING:
+    from tmmcalc.spec import Spec
+
+Numbers = NDArray[np.complexfloating[Any, Any]]
+Flags = NDArray[np.bool_]
+
+AFFINE = 1e-14  # relative error of a number as an affine function
+SAME = 1e-9  # relative difference of two numbers that may be meant to be equal
+PROBES = 8  # places between the ends
+CORNERS = 16
+
+# What may differ between variants: everything of which the array code takes one number a row.
+FREE = re.compile(
+    r"0\.(frame|links\.\d+|joints\.\d+)\.points\..+|0\.input\.(speed|acceleration|start)|0\.outputs\.\d+\.direction|"
+    r"1\.bodies\.\d+\.(mass|inertia|center)|1\.gravity|1\.loads\.\d+\.(factor|point|direction|law\.(value|coefficient))|"
+    r"1\.springs\.\d+\.(stiffness|free|damping|points\.\d)|1\.pairs\.\d+\.(friction|radius|length)|"
+    r"2\.0\.motor\.(power|inertia)|2\.1\.(ratio|efficiency|inertia)|2\.2\.inertia|2\.3\.\w+"
+)
+
+
+def given(spec: Spec, loaded: bool, driven: bool) -> Any:
+    """The linkage, what acts on it, and the machine, as the stages read them; None for what is not asked for."""
+    from tmmcalc.spec.linkage import to_linkage
+    from tmmcalc.spec.loading import to_loading
+    from tmmcalc.stages.motion import inputs
+
+    return to_linkage(spec.linkage), to_loading(spec) if loaded else None, inputs(spec)[:4] if driven else None
+
+
+class Inputs:
+    """The inputs of all variants of a task like the one of the valid point ``first``."""
+
+    def __init__(self, task: Task, first: int, loaded: bool, driven: bool) -> None:
+        self._task, self._variants = task, task.variants()
+        self._asked = loaded, driven
+        self._origin = np.array(task.values(first))
+        self.tree = given(self._variants.spec(task.assignments(first)), loaded, driven)
+        self._shape = shape_of(self.tree)
+        self._base = np.array(numbers(self.tree), complex)
+        self._plain = np.array([isinstance(number, float) for number in numbers(self.tree)])
+        self._slopes, seen = self._affine()
+        self._differ = np.any(seen != self._base, axis=0)
+        self._pairs = _pairs(groups(self.tree), self._differ)
+        self._signs = _signs(self._base[None], self._pairs)
+
+    @property
+    def fixed(self) -> str | None:
+        """What differs between variants although it may not, the first of it; None: nothing."""
+        names = zip(paths(self.tree), self._differ, strict=True)
+        return next((name for name, differs in names if differs and not FREE.fullmatch(name)), None)
+
+    def numbers(self, points: Sequence[int]) -> tuple[Numbers, Flags]:
+        """The numbers (v, L) of some points, and which of the points have inputs like those of the first."""
+        values = np.array([self._task.values(point) for point in points])
+        if self._slopes is None:
+            doubtful = np.ones(len(points), bool)
+            found = np.tile(self._base, (len(points), 1))
+        else:
+            found = self._base + (values - self._origin) @ self._slopes
+            doubtful = np.any(_signs(found, self._pairs) != self._signs, axis=1)
+        there = np.ones(len(points), bool)
+        for row in np.flatnonzero(doubtful).tolist():
+            read = self._read(values[row])
+            there[row] = read is not None and bool(np.all((read == self._base) | self._differ))
+            if read is not None:
+                found[row] = read
+        return found, there
+
+    def stacked(self, found: Numbers) -> Any:
+        """The inputs of variants with these numbers (v, L) as one tree."""
+        columns = (column.real if plain else column for column, plain in zip(found.T, self._plain, strict=True))
+        return rebuilt(self.tree, [alike(np.ascontiguousarray(column)) for column in columns])
+
+    def _read(self, values: Sequence[float] | NDArray[np.floating[Any]]) -> Numbers | None:
+        """The numbers (L,) of a variant as its spec gives them; None for one that is none, or has other parts."""
+        axes = zip(self._task.axes, values, strict=True)
+        try:
+            tree = given(self._variants.spec([axis.assignment(float(value)) for axis, value in axes]), *self._asked)
+        except TmmError:
+            return None
+        return np.array(numbers(tree), complex) if shape_of(tree) == self._shape else None
+
+    def _affine(self) -> tuple[Numbers | None, Numbers]:
+        """Slopes (axes, L) of the numbers, None where they are not affine all over; and the numbers seen (m, L)."""
+        axes = self._task.axes
+        ends = [(min(axis.values), max(axis.values)) for axis in axes]
+        slopes = np.zeros((len(axes), len(self._base)), complex)
+        seen: list[Numbers | None] = []
+        for k, (low, high) in enumerate(ends):
+            pair = []
+            for end in (low, high):
+                place = self._origin.copy()
+                place[k] = end
+                pair.append(self._read(place))
+            seen += pair
+            if pair[0] is not None and pair[1] is not None and low < high:
+                slopes[k] = (pair[1] - pair[0]) / (high - low)
+        places = _places(ends)
+        read = [self._read(place) for place in places]
+        whole = [row for row in (*seen, *read) if row is not None]
+        known = np.array([self._base, *whole])
+        if len(whole) < len(seen) + len(read):
+            return None, known
+        expected = self._base + (places - self._origin) @ slopes
+        scale = np.maximum(np.max(np.abs(known), axis=0), 1e-300)
+        close = np.abs(np.array(read) - expected) <= AFFINE * scale
+        return slopes if close.all() else None, known
+
+
+def _places(ends: Sequence[tuple[float, float]]) -> NDArray[np.floating[Any]]:
+    """Corners of the ranges, not more than some, and places between."""
+    low, high = (np.array(side) for side in zip(*ends, strict=True))
+    rng = np.random.default_rng(0)
+    corners = list(product((0.0, 1.0), repeat=len(ends))) if 2 ** len(ends) <= CORNERS else []
+    parts = np.array([*corners, *rng.integers(0, 2, (CORNERS - len(corners), len(ends)))], float)
+    return np.asarray(low + (high - low) * np.concatenate((parts, rng.random((PROBES, len(ends))))))
+
+
+def _pairs(owner: Sequence[int], differ: Flags) -> NDArray[np.intp]:
+    """Numbers of two numbers of one table, (2, m), at least one of which differs; one with itself stands for zero."""
+    tables = np.array(owner)
+    i, j = np.nonzero((tables[:, None] == tables) & differ[:, None])
+    return np.stack((i, j))
+
+
+def _signs(found: Numbers, pairs: NDArray[np.intp]) -> NDArray[np.integer[Any]]:
+    """Which of two numbers (v, L) is larger, or whether they are equal: (v, 2 m) for both coordinates."""
+    a, b = found[:, pairs[0]], np.where(pairs[0] == pairs[1], 0.0, found[:, pairs[1]])
+    parts = [(a.real, b.real), (a.imag, b.imag)]
+    return np.concatenate([_sign(one, other) for one, other in parts], axis=1)
+
+
+def _sign(a: NDArray[np.floating[Any]], b: NDArray[np.floating[Any]]) -> NDArray[np.integer[Any]]:
+    far = np.abs(a - b) > SAME * np.maximum(np.abs(a), np.abs(b))
+    return np.where(far, np.sign(a - b), 0.0).astype(np.int8)

@@ -1,0 +1,156 @@
+"""The variants of a block: what is the same for all, and their constants at any rows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tmmcalc.linkage.assembly import TURN
+from tmmcalc.linkage.chain import Chain, compile_chain
+from tmmcalc.linkage.forces.cut import plan_of, post_of
+from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
+from tmmcalc.linkage.loading import Constant, Loading, Polynomial, Tabulated, Viscous
+from tmmcalc.linkage.loads.scene import Scene, compile_scene
+from tmmcalc.linkage.loads.sources import Source, inertia, resisting, springs, technological, weights
+from tmmcalc.linkage.loads.travel import EDGE
+from tmmcalc.linkage.loads.values import value_of
+from tmmcalc.linkage.loads.windows import handed_over, window_of
+from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.stacked.settle import Settled, settle
+from tmmcalc.linkage.variants import given_variants, sketched_groups
+from tmmcalc.numerics.alike import Rows, rows_of
+from tmmcalc.numerics.roots import Indices
+
+ROWS = 4096  # that are computed together: their temporaries stay in cache
+LAWS = (Constant, Polynomial, Viscous)
+
+
+class Same(NamedTuple):
+    """What is the same for all variants: the results of one of them, and what they were compiled to."""
+
+    kinematics: Kinematics
+    scene: Scene | None  # None: nothing of the loads is asked for
+    statics: Statics | None
+
+    @property
+    def rubbing(self) -> tuple[str, ...]:
+        """Names of the joints with friction."""
+        return tuple(joint.name for joint in self.statics.rubbing) if self.statics is not None else ()
+
+
+def same_of(mechanism: Mechanism, loading: Loading | None, kinematics: Kinematics) -> Same:
+    """What one solved variant tells of all."""
+    scene = compile_scene(mechanism, loading, kinematics) if loading is not None else None
+    return Same(kinematics, scene, compile_statics(scene) if scene is not None else None)
+
+
+def refusal(mechanism: Mechanism, loading: Loading | None, same: Same) -> str | None:
+    """Why variants of this linkage cannot be taken together; None if they can."""
+    grid, structure = mechanism.grid, same.kinematics.structure
+    outputs = mechanism.outputs[:1]
+    if not structure.dyads_only or structure.driven is not None:
+        return "a group of class III or higher"
+    if not same.kinematics.turns or grid.span is not None:
+        return "the input does not go over one whole turn"
+    if grid.working is not None or grid.extremes:
+        return "positions that depend on the strokes"
+    if sketched_groups(mechanism, structure, given_variants(mechanism, structure)):
+        return "a sketch tells the assembly"
+    if mechanism.input.start is None and (not outputs or outputs[0].link is not None):
+        return "position 0 is a dead centre of a link that turns"
+    if len(same.kinematics.x) > ROWS // 4:
+        return "so many positions that one variant fills a block"
+    return _loads_refusal(loading, same.scene) if loading is not None and same.scene is not None else None
+
+
+def _loads_refusal(loading: Loading, scene: Scene) -> str | None:
+    for load in loading.loads:
+        angular = isinstance(load.law, Tabulated) and load.law.of in ("angle", "position")
+        if not (isinstance(load.law, LAWS) or angular) or (load.window is not None and load.window.stroke):
+            return f"load {load.name} depends on a stroke, or on the square of a speed"
+    if any(spring.kind != "linear" for spring in loading.springs):
+        return "a torsion spring"
+    return None if abs(scene.travel.period - TURN) < EDGE else "loads that come back after several turns"
+
+
+class Block(NamedTuple):
+    """V variants: their constants (`Alike`), their survey, and which of them are clear so far."""
+
+    same: Same
+    size: int  # V
+    loading: Rows[Loading | None]
+    chain: Rows[Chain]
+    settled: Settled
+
+    @property
+    def labels(self) -> int:
+        """Number of positions of one variant."""
+        return len(self.same.kinematics.x)
+
+    def parts(self, rows: int) -> Iterator[Indices]:
+        """The numbers of the variants in parts that have some `ROWS` rows together, ``rows`` of each variant."""
+        size = max(1, ROWS // rows)
+        return (np.arange(at, min(at + size, self.size)) for at in range(0, self.size, size))
+
+    def statics(self, rows: Indices) -> Statics:
+        """The force analysis whose rows (m,) are of these variants."""
+        same = self.same
+        assert same.scene is not None
+        assert same.statics is not None
+        chain, loading = self.chain(rows), self.loading(rows)
+        assert loading is not None
+        drive = chain.mechanism.input
+        start: Any = rows_of(self.settled.start, rows)
+        travel = same.scene.travel._replace(start=start, speed=drive.speed, acceleration=drive.acceleration)
+        scene = same.scene._replace(chain=chain, loading=loading, travel=travel)
+        sources = tuple(_sources(scene, same.kinematics))
+        scene = scene._replace(sources=sources)
+        heavy = tuple(body for body in loading.bodies if body.mass > 0 or body.inertia > 0)
+        dynamic = [inertia(heavy, travel.speed, travel.acceleration)] if heavy else []
+        pairs = {pair.joint: pair for pair in loading.pairs}
+        scales: Any = rows_of(self.settled.scales, rows)
+        groups = reversed(chain.structure.groups)
+        return Statics(
+            scene,
+            (*sources, *dynamic),
+            pairs,
+            scales,
+            tuple(plan_of(chain.mechanism, group, pairs) for group in groups),
+            post_of(chain.input_joint, chain.structure.input_link, pairs),
+        )
+
+
+def block_of(same: Same, count: int, mechanism: Mechanism, loading: Loading | None, tracked: bool) -> Block:
+    """The variants of a block from their stacked constants; ``tracked``: the turns of links are asked for."""
+    kinematics = same.kinematics
+    chain = Rows(compile_chain(mechanism, kinematics.structure, kinematics.variants))
+    return Block(same, count, Rows(loading), chain, settle(chain, count, same.rubbing, tracked))
+
+
+def _sources(scene: Scene, kinematics: Kinematics) -> Iterator[Source]:
+    """The sources of load of a scene, in their usual order."""
+    chain, travel, loading = scene.chain, scene.travel, scene.loading
+    acting = [load for load in loading.loads if load.factor]
+    windows = {
+        load.name: window_of(chain, kinematics, travel, load) for load in acting if not isinstance(load.law, Viscous)
+    }
+    yield from weights(loading)
+    for load in acting:
+        if isinstance(load.law, Viscous):
+            yield resisting(load)
+            continue
+        window = windows[load.name]
+        value = value_of(chain, kinematics, travel, scene.survey, load, window)
+        beside = [o for o in acting if o.name in windows and (o.link, o.kind) == (load.link, load.kind)]
+        inside = handed_over(travel, window, [windows[o.name] for o in beside if o is not load])
+        yield technological(load, _acting(inside, load.factor, value.at))
+    for spring in loading.springs:
+        yield from springs(spring, scene.survey)
+
+
+def _acting(inside: Any, factor: Any, value: Any) -> Any:
+    """The value of a load where it acts."""
+    return lambda place: np.where(inside(place), factor * value(place), 0.0)

@@ -1,0 +1,161 @@
+"""The survey of many variants: which of them are far from any trouble, their position 0, where rubbing pairs turn.
+
+A variant is clear if every dyad assembles and transmits at all samples of a turn by more than its margin changes from
+one sample to the next, and if its first output and its rubbing pairs turn as often as those of the other variants.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from tmmcalc.linkage.assembly import TURN
+from tmmcalc.linkage.chain import Chain, Configuration
+from tmmcalc.linkage.forces.wrench import sliding
+from tmmcalc.linkage.outputs import EQUAL, coordinate_of, default_outputs
+from tmmcalc.linkage.plane import Real, square
+from tmmcalc.linkage.stacked.zeros import Flags, Zeros, zeros
+from tmmcalc.linkage.trace import principal, unwrapped
+from tmmcalc.numerics.alike import Alike, Rows
+from tmmcalc.numerics.roots import Indices
+
+STEPS = 180
+TOGETHER = 22  # variants whose surveys are evaluated together
+MARGIN = 0.02  # squared sine above which a dyad is nowhere near to a limit position
+REACH = 1e-3  # the same of the pivots of an RPR dyad, against their largest distance
+SWIFT = 1.0  # a link that turns more in one step [rad] is looked at alone
+STEP = TURN / STEPS
+X = STEP * np.arange(STEPS) - math.pi - STEP / 2
+
+
+class Settled(NamedTuple):
+    """What the survey tells of V variants."""
+
+    clear: Flags  # (V,)
+    start: Real | float  # input coordinate of position 0 [rad], (V,) or of all
+    centres: Real  # (V, 2) dead centres of the first output, in order from the working stroke; (V, 0): not sought
+    reached: Real  # (V, 2) its coordinate there
+    turning: Real  # (V, R) where rubbing pairs turn back [rad]
+    scales: dict[str, Real]  # largest relative rates (V,) in the rubbing joints
+    tracks: Real | None  # (L, V, STEPS + 1) continuous angles of the links over the survey [rad]
+
+
+def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool) -> Settled:
+    """Survey ``count`` variants; ``rubbing`` are the joints whose reversals are asked for."""
+    looks = [
+        _look(chain, np.arange(at, min(at + TOGETHER, count)), rubbing, tracked) for at in range(0, count, TOGETHER)
+    ]
+    clear = np.concatenate([look.clear for look in looks])
+    rates = np.concatenate([look.rates for look in looks], axis=1)
+    tracks = np.concatenate([look.tracks for look in looks], axis=1) if tracked else None
+    largest = np.max(np.abs(rates), axis=2)
+
+    def f(at: Real, variant: Indices, function: Indices) -> Real:
+        own = chain(variant)
+        return np.asarray(_rates(own, own.evaluate(at), rubbing, at.size)[function, np.arange(at.size)])
+
+    asked = chain.tree.mechanism.input.start is None
+    turning = zeros(f, X, rates, largest) if len(rates) else Zeros((), clear)
+    clear = clear & turning.clear
+    start: Real | float = chain.tree.mechanism.input.start or 0.0
+    centres: Real = np.zeros((count, 0))
+    reached: Real = centres
+    backs = turning.places
+    if asked:
+        centres, backs = turning.places[0], turning.places[1:]
+        centres, reached, settled = _ordered(chain, centres, count)
+        clear, start = clear & settled, np.asarray(principal(centres[:, 0])).view(Alike)
+    return Settled(
+        clear,
+        start,
+        centres,
+        reached,
+        np.concatenate([np.zeros((count, 0)), *backs], axis=1),
+        {name: row.view(Alike) for name, row in zip(rubbing, largest[int(asked) :], strict=True)},
+        tracks,
+    )
+
+
+class _Look(NamedTuple):
+    """Samples of some variants: which are clear (v,), rates (F, v, STEPS), tracks."""
+
+    clear: Flags
+    rates: Real
+    tracks: Real
+
+
+def _look(chain: Rows[Chain], variants: Indices, rubbing: Sequence[str], tracked: bool) -> _Look:
+    own = chain(np.repeat(variants, STEPS))
+    x = np.tile(X, len(variants))
+    configuration = own.evaluate(x)
+    rates = _rates(own, configuration, rubbing, x.size).reshape(-1, len(variants), STEPS)
+    clear = np.ones(len(variants), bool)
+    for k in range(len(own.steps)):
+        clear &= _reaches(own, k, configuration, len(variants))
+    tracks: Real = np.zeros((0, len(variants), 0))
+    if tracked:
+        tracks = _tracks(own, configuration, len(variants))
+        clear &= np.max(np.abs(np.diff(tracks, axis=2)), axis=(0, 2)) < SWIFT
+    return _Look(clear, rates, tracks)
+
+
+def _rates(chain: Chain, configuration: Configuration, rubbing: Sequence[str], n: int) -> Real:
+    """Rates (F, n) of the first output, if position 0 is its dead centre, and in the rubbing joints."""
+    found = [sliding(chain.mechanism.joint(name), configuration)[0] for name in rubbing]
+    if chain.mechanism.input.start is None:
+        found.insert(0, coordinate_of(chain, default_outputs(chain)[0], configuration)[1])
+    rows = np.empty((len(found), n))
+    for row, values in zip(rows, found, strict=True):
+        row[:] = values
+    return rows
+
+
+def _reaches(chain: Chain, k: int, configuration: Configuration, count: int) -> Flags:
+    """Variants whose dyad k is far from limit positions and dead points."""
+    step, ports = chain.dyad(k), configuration.ports[k]
+    margin = np.broadcast_to(step.dyad.margin(*ports), count * STEPS).reshape(count, STEPS)
+    with np.errstate(invalid="ignore"):
+        moves = np.max(np.abs(margin - np.roll(margin, 1, axis=1)), axis=1)
+        least = np.min(margin, axis=1)
+        clear = least > np.maximum(MARGIN, moves)
+        if step.group.kind == "RPR":
+            apart = np.broadcast_to(square(ports[0].r - ports[1].r), count * STEPS).reshape(count, STEPS)
+            clear &= np.min(apart, axis=1) > REACH * np.max(apart, axis=1)
+    return np.asarray(clear)
+
+
+def _tracks(chain: Chain, configuration: Configuration, count: int) -> Real:
+    """Continuous angles (L, v, STEPS + 1) of the links in their order; the last sample is a turn after the first."""
+    links = sorted(link.id for link in chain.mechanism.links)
+    u = [np.broadcast_to(configuration.motions[k].u, count * STEPS).reshape(count, STEPS) for k in links]
+    angles = np.angle(u)
+    return unwrapped(np.concatenate((angles, angles[..., :1]), axis=-1))
+
+
+def _ordered(chain: Rows[Chain], centres: Real, count: int) -> tuple[Real, Real, Flags]:
+    """Two dead centres (V, 2) from that before the working stroke on, and the output there.
+
+    And which variants leave no doubt about it.
+    """
+    if centres.shape[1] != 2:
+        return np.zeros((count, 2)), np.zeros((count, 2)), np.zeros(count, bool)
+    own = chain(np.repeat(np.arange(count), 2))
+    output, speed = default_outputs(own)[0], chain.tree.mechanism.input.speed
+    values = np.broadcast_to(coordinate_of(own, output, own.evaluate(centres.ravel()))[0], centres.size)
+    values = values.reshape(centres.shape)
+    if speed < 0:
+        centres, values = centres[:, ::-1], values[:, ::-1]
+    first = np.abs(centres[:, 1] - centres[:, 0])
+    lengths = np.stack((first, TURN - first), axis=1)
+    travel = np.stack((values[:, 1] - values[:, 0], values[:, 0] - values[:, 1]), axis=1)
+    gap = np.abs(lengths[:, 0] - lengths[:, 1])
+    keys = np.where(lengths > lengths.max(axis=1)[:, None] - EQUAL, values, -np.inf)
+    if output.resistance is not None:
+        keys = np.where(travel < 0 if output.resistance == "positive" else travel > 0, lengths, -np.inf)
+    second = np.argmax(keys, axis=1) == 1
+    tied = (gap < 4 * EQUAL) & ((gap > EQUAL / 4) | (np.abs(travel[:, 0]) <= REACH * np.max(np.abs(values), axis=1)))
+    centres, values = (np.where(second[:, None], row[:, ::-1], row) for row in (centres, values))
+    return centres, values, ~tied

@@ -1,0 +1,156 @@
+"""Results whose rows are those of many variants, one behind the other, so that their columns are made at once."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from tmmcalc.linkage.assembly import TURN
+from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.stack import stacked
+from tmmcalc.linkage.kinematics import output_row
+from tmmcalc.linkage.loads.travel import EDGE
+from tmmcalc.linkage.outputs import default_outputs
+from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.results import Kinematics, Trace
+from tmmcalc.linkage.stacked.scene import Block
+from tmmcalc.linkage.stacked.settle import STEP, STEPS, X
+from tmmcalc.linkage.stacked.zeros import Flags
+from tmmcalc.linkage.trace import principal, trace
+from tmmcalc.numerics.roots import Indices
+
+SAFE = 2.0  # growth of errors in the friction (loop gain of a half) up to which nothing is near to locking
+BETWEEN = 96  # further angles at which that is looked at, where no panels are
+TWICE = 4 * EDGE  # a position so near to a reversal of a rubbing pair may be two
+
+
+def kinematics_of(block: Block, variants: Indices) -> Kinematics:
+    """Positions, velocities and accelerations of some variants (v,): every array (..., v n)."""
+    base, n = block.same.kinematics, block.labels
+    rows = np.repeat(variants, n)
+    chain = block.chain(rows)
+    start = np.broadcast_to(np.asarray(block.settled.start), block.size)[variants]
+    x = (start[:, None] + base.phi).ravel()
+    values = trace(chain, x)
+    if block.settled.tracks is not None:
+        values = replace(values, angle=_continuous(values, block.settled.tracks[:, variants], x))
+    drive: Any = chain.mechanism.input
+    s, ds, dds = (np.array(part) for part in zip(*_outputs(chain, values), strict=True))
+    first = s.reshape(len(s), len(variants), n)[:, :, :1]
+    return replace(
+        base,
+        speed=drive.speed,
+        acceleration=drive.acceleration,
+        phi=np.tile(base.phi, len(variants)),
+        x=x,
+        trace=values,
+        s=(s.reshape(len(s), len(variants), n) - first).reshape(s.shape),
+        ds=ds,
+        dds=dds,
+    )
+
+
+def strokes_of(block: Block) -> dict[str, Real]:
+    """Stroke, angles of the crank [deg] and time ratio (V,) of the first output, whose dead centre is position 0.
+
+    They stand under the names of the summary, less that of the output.
+    """
+    settled = block.settled
+    speed = block.chain.tree.mechanism.input.speed
+    working = np.mod((settled.centres[:, 1] - settled.centres[:, 0]) * (1.0 if speed > 0 else -1.0), TURN)
+    return {
+        "stroke": np.ptp(settled.reached, axis=1),
+        "working": np.degrees(working),
+        "idle": np.degrees(TURN - working),
+        "K": working / (TURN - working),
+    }
+
+
+STROKES = ("stroke", "working", "idle", "K")
+
+
+def _outputs(chain: Any, values: Trace) -> list[tuple[Real, Real, Real]]:
+    return [output_row(chain, output, values) for output in default_outputs(chain)]
+
+
+def _continuous(values: Trace, tracks: Real, x: Real) -> Real:
+    """Angles (L, v n) in the turns of the survey (L, v, STEPS + 1), in (-pi, pi] at the first position of each."""
+    turned, place = np.divmod((x - X[0]) / STEP, STEPS)
+    cell = np.minimum(place.astype(int), STEPS - 1)
+    variant = np.repeat(np.arange(tracks.shape[1]), len(x) // tracks.shape[1])
+    low, high = tracks[:, variant, cell], tracks[:, variant, cell + 1]
+    near = low + (high - low) * (place - cell) + turned * (tracks[:, :, -1] - tracks[:, :, 0])[:, variant]
+    shape = (len(near), tracks.shape[1], -1)
+    first = values.angle.reshape(shape)[:, :, 0]
+    offset = np.rint((principal(first) - near.reshape(shape)[:, :, 0]) / TURN)[:, :, None]
+    near = (near.reshape(shape) + TURN * offset).reshape(near.shape)
+    return np.asarray(values.angle + TURN * np.rint((near - values.angle) / TURN))
+
+
+def forces_of(block: Block, variants: Indices, base: Forces, between: bool) -> tuple[Forces, Flags]:
+    """Reactions and drive of some variants (v,): every array (..., v n); and which of them are clear.
+
+    ``between`` the positions the friction is looked at too.
+    """
+    count, n = len(variants), block.labels
+    statics = block.statics(np.repeat(variants, n))
+    travel = statics.scene.travel
+    theta, labels = travel.rows(block.same.kinematics)
+    over, solutions = stacked(statics, np.tile(theta, count), np.tile(travel.sides(theta), count), checked=False)
+    clear = ~_twice(block, variants, theta)
+    for solution in solutions.values():
+        clear &= np.max(solution.amplification.reshape(count, n), axis=1) < SAFE
+    if between and solutions:
+        clear &= _moves(block, variants)
+    parts: Any = [
+        replace(pair, length=length)
+        for pair, length in zip(base.pairs, _lengths(block, statics.pairs, base), strict=True)
+    ]
+    speed: Any = travel.speed
+    return replace(
+        base,
+        labels=labels * count,
+        phi=np.tile(travel.sense * theta + travel.first + 0.0, count),
+        theta=np.tile(theta, count),
+        speed=speed,
+        pairs=tuple(parts),
+        reaction=over.reaction,
+        normal=over.normal,
+        couple=over.couple,
+        friction=over.friction,
+        drive=over.drive,
+        power=over.drive * speed,
+        mesh=over.mesh,
+    ), clear
+
+
+def _lengths(block: Block, pairs: dict[str, Any], base: Forces) -> list[Any]:
+    """Lengths of the sliders of the pairs."""
+    return [pairs[pair.joint].length if pair.joint in pairs else None for pair in base.pairs]
+
+
+def _twice(block: Block, variants: Indices, theta: Real) -> Flags:
+    """Variants (v,) in which a position may stand at a reversal of a rubbing pair, and be two rows."""
+    apart = np.abs(turning_of(block, variants)[:, :, None] - theta[1:-1])
+    return np.any(apart < TWICE, axis=(1, 2))
+
+
+def turning_of(block: Block, variants: Indices) -> Real:
+    """theta (v, R) in [0, 2 pi), but for rounding, where rubbing pairs turn back."""
+    start = np.broadcast_to(np.asarray(block.settled.start), block.size)[variants]
+    assert block.same.scene is not None
+    sense = block.same.scene.travel.sense
+    return np.asarray(np.mod((block.settled.turning[variants] - start[:, None]) * sense + EDGE, TURN) - EDGE)
+
+
+def _moves(block: Block, variants: Indices) -> Flags:
+    """Variants (v,) that are far from self-locking between the positions too."""
+    clear = np.ones(len(variants), bool)
+    theta = TURN * (np.arange(BETWEEN) + 0.5) / BETWEEN
+    statics = block.statics(np.repeat(variants, BETWEEN))
+    state = statics.solve(statics.scene.place(np.tile(theta, len(variants))))
+    for solution in state.solutions.values():
+        clear &= np.max(solution.amplification.reshape(len(variants), BETWEEN), axis=1) < SAFE
+    return clear
