@@ -10,12 +10,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 
 import tmmcalc
 from tmmcalc.pipeline.outcome import RunResult
 
 FOLDER = Path(__file__).parents[2] / "configs" / "extreme"
 NAMES = sorted(file.stem for file in FOLDER.glob("*.toml"))
+LONG = ("positions-many",)  # some seconds each
+MARKED = [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in NAMES]
 
 
 def solved(name: str, *overrides: str, target: str | None = None) -> RunResult:

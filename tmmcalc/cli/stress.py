@@ -1,0 +1,124 @@
+"""``tmmcalc stress``."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from tmmcalc.cli.messages import note_written, say
+from tmmcalc.cli.options import Form, Format, Quiet, Set, stages
+from tmmcalc.cli.work import check_place, show
+from tmmcalc.errors import UsageError
+
+if TYPE_CHECKING:
+    from tmmcalc.stress.results import Stress
+
+
+def _ladders(incomplete: str) -> list[str]:
+    """Ladders that begin so, for the completion of the shell."""
+    from tmmcalc.stress.ladders import LADDERS
+
+    return [name for name in LADDERS if name.startswith(incomplete)]
+
+
+def command(
+    spec: Annotated[
+        Path | None,
+        typer.Argument(
+            help="Project spec (TOML); without it the extreme scenes that come with the program.",
+            metavar="[SPEC]",
+            show_default=False,
+        ),
+    ] = None,
+    ladder: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--ladder",
+            metavar="NAME",
+            help="Climb this ladder; may be repeated (default: every one that the scene has).",
+            show_default=False,
+            autocompletion=_ladders,
+        ),
+    ] = None,
+    stage: Annotated[
+        str | None,
+        typer.Option(
+            "--stage",
+            metavar="STAGE",
+            help="Run up to this stage (default: every stage of the spec).",
+            show_default=False,
+            autocompletion=stages,
+        ),
+    ] = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option(
+            "--plot",
+            metavar="FILE",
+            help="Error over condition number, a panel a ladder, by suffix svg, png or pdf.",
+            show_default=False,
+        ),
+    ] = None,
+    form: Form = Format.table,
+    quiet: Quiet = False,
+    overrides: Set = None,
+) -> None:
+    """Drive a scene toward its extremes, and tell where its digits go.
+
+    Every rung of a ladder is run beside an equivalent scene: in other units, mirrored, begun elsewhere, on another
+    grid. Their largest relative difference stands beside the condition number and the stage's own estimate.
+    A ladder that the scene has not is left out with the reason. No stage files are read or written.
+
+    Exit code 1 if the program itself fails on a rung, or a shipped scene misses its known answer.
+
+    Example: tmmcalc stress my.toml --ladder dead-point --plot stress.svg
+    """
+    if plot is not None:
+        from tmmcalc.report.pictures import check_matplotlib, form_of
+
+        check_place(plot, "--plot")
+        form_of(plot)
+        check_matplotlib()
+    telling = None if quiet or not sys.stderr.isatty() else _tell
+    result = _solved(spec, ladder or [], stage, overrides or [], telling)
+    from tmmcalc.report.stress import stress_document, tidy_stress
+
+    heading = f"{spec.stem if spec else 'extreme scenes'}: stress"
+    show(tidy_stress(result, heading) if form is Format.csv else stress_document(result, heading), form)
+    if plot is not None:
+        from tmmcalc.report.pictures import draw_stress
+
+        draw_stress(result, plot, heading)
+        if not quiet:
+            note_written(plot)
+    if result.faults:
+        raise typer.Exit(1)
+
+
+def _solved(
+    spec: Path | None,
+    ladders: list[str],
+    stage: str | None,
+    overrides: list[str],
+    telling: Callable[[str, str], None] | None,
+) -> Stress:
+    if spec is None:
+        if ladders or stage or overrides:
+            raise UsageError(
+                "no spec is named", where="stress", remedy="write e.g. tmmcalc stress my.toml --ladder scale"
+            )
+        from tmmcalc.stress.shipped import solve_shipped
+
+        return solve_shipped(telling)
+    from tmmcalc.spec.loader import Variants, read_text
+    from tmmcalc.stress.run import solve_stress
+
+    return solve_stress(Variants(read_text(spec), str(spec), spec.parent, overrides), ladders, stage, telling)
+
+
+def _tell(ladder: str, rung: str) -> None:
+    say(f"{ladder}: {rung}", "dim")

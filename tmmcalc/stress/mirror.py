@@ -1,0 +1,104 @@
+"""A linkage in a mirror: y becomes -y, and all angles, moments and senses of turning change their sign."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from tmmcalc.stress.scene import Document, lacking
+
+UNKNOWN = (
+    "torque",
+    "engine",
+    "rotor",
+    "cam",
+    "unsteady",
+    "synthesis",
+    "manipulator",
+    "indexing",
+    "vibrator",
+    "pendulum",
+)
+
+
+def mirrored(document: Mapping[str, Any]) -> Document:
+    """The document of the mirrored scene; raises UsageError for what is not told how it looks in a mirror."""
+    for table in UNKNOWN:
+        if table in document:
+            raise lacking(f"[{table}] is not mirrored")
+    found = {**document, "mechanism": _mechanism(document["mechanism"])}
+    if "loads" in document:
+        found["loads"] = [_load(load) for load in document["loads"]]
+    if "springs" in document:
+        found["springs"] = [_spring(spring) for spring in document["springs"]]
+    if "drive" in document and "pinion" in document["drive"]:
+        found["drive"] = {**document["drive"], "pinion": _negative(document["drive"]["pinion"])}
+    return found
+
+
+def _mechanism(mechanism: Mapping[str, Any]) -> Document:
+    driven = mechanism["input"]["joint"]
+    turns = any(j["name"] == driven and j["kind"] == "revolute" for j in mechanism["joints"])
+    found = dict(mechanism)
+    found["gravity_direction"] = _negative(mechanism.get("gravity_direction", "-90 deg"))
+    found["fixed"] = _points(mechanism.get("fixed", {}))
+    found["links"] = [_with(link, points=_points, center=_point) for link in mechanism["links"]]
+    found["joints"] = [_with(joint, guide=_line, slider=_line) for joint in mechanism["joints"]]
+    found["outputs"] = [_with(output, direction=_negative) for output in mechanism.get("outputs", ())]
+    if turns:
+        found["input"] = _with(mechanism["input"], speed=_negative, acceleration=_negative, start=_start)
+    if "assembly" in mechanism:
+        at = {"at": _negative} if turns else {}
+        found["assembly"] = _with(mechanism["assembly"], sketch=_points, variants=_variants, **at)
+    return found
+
+
+def _with(table: Mapping[str, Any], **changes: Callable[[Any], Any]) -> Document:
+    return {key: changes[key](value) if key in changes else value for key, value in table.items()}
+
+
+def _points(points: Mapping[str, Any]) -> Document:
+    return {name: _point(place) for name, place in points.items()}
+
+
+def _point(place: Any) -> Any:
+    if isinstance(place, str):
+        return place
+    if isinstance(place, dict):
+        return {**place, "angle": _negative(place["angle"])}
+    return [place[0], _negative(place[1])]
+
+
+def _line(line: Mapping[str, Any]) -> Document:
+    return _with(line, through=_point, angle=_negative)
+
+
+def _load(load: Mapping[str, Any]) -> Document:
+    found = _with(load, point=_point, direction=_negative, moment=_negative)
+    for law in ("polynomial", "table"):
+        if "moment" in load.get(law, {}):
+            found[law] = {**load[law], "moment": [_negative(value) for value in load[law]["moment"]]}
+    return found
+
+
+def _spring(spring: Mapping[str, Any]) -> Document:
+    return _with(spring, points=lambda ends: [_point(end) for end in ends], free_angle=_negative)
+
+
+def _variants(variants: Mapping[str, Any]) -> Document:
+    """Signs of dyads; the assemblies of a higher group are numbered, and their order in a mirror is not known."""
+    if any(name.count("-") > 1 for name in variants):
+        raise lacking("the assembly of a higher group is given by its number")
+    return {name: -sign for name, sign in variants.items()}
+
+
+def _start(value: Any) -> Any:
+    return value if value == "extreme" else _negative(value)
+
+
+def _negative(value: Any) -> Any:
+    """The value with the other sign, whether it has a unit or not."""
+    if not isinstance(value, str):
+        return -value
+    text = value.strip().replace("−", "-")
+    return text[1:].strip() if text.startswith("-") else f"-{text.removeprefix('+')}"
