@@ -91,7 +91,7 @@ class _Problem:
     def shot(self, name: MethodName, tolerance: float, start: float) -> Values:
         """By integration of cycles, from ``start`` [rad/s] on, until one repeats."""
         drive = Drive((Mass(self.inertia),), (), self.driver.characteristic, self.cycle)
-        method, period = Method(name, tolerance=tolerance), self.cycle.period
+        method, period = Method(name, tolerance=tolerance, compared=False), self.cycle.period
 
         def gap(speed: float) -> tuple[float, Values]:
             scenario = Scenario("cycle", 20 * period / speed, speed, settled=True, end_angle=period)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from tmmcalc.accuracy.measure import Clock
-from tmmcalc.accuracy.study import Accuracy, Study
+from tmmcalc.accuracy.study import Accuracy, Ladder, Study
 from tmmcalc.accuracy.subjects import SUBJECTS, Scene
 from tmmcalc.errors import UsageError
 from tmmcalc.pipeline.plan import plan
@@ -37,10 +37,14 @@ def solve_accuracy(
     running = plan(spec, stage).running
     asked = [name for name in running if name in SUBJECTS and stage in (None, name)]
     results = run(spec, target=stage).results
-    studies: list[Study] = []
+    found: list[Study | Ladder] = []
     for name in asked:
         if on_study is not None:
             on_study(name)
         scene = Scene(resolve(STAGES[name].inputs)(spec), results, clock)
-        studies.extend(resolve(SUBJECTS[name])(scene))
-    return Accuracy(tuple(studies), tuple(name for name in running if name not in SUBJECTS and stage is None))
+        found.extend(resolve(SUBJECTS[name])(scene))
+    return Accuracy(
+        tuple(part for part in found if isinstance(part, Study)),
+        tuple(name for name in running if name not in SUBJECTS and stage is None),
+        tuple(part for part in found if isinstance(part, Ladder)),
+    )

@@ -72,11 +72,45 @@ class Study:
 
 
 @record
+class Rung:
+    """One stiffness of a ladder: what the textbook's fixed step would take, and what the program's choice took."""
+
+    value: float  # of what makes it stiff
+    fastest: float  # time constant [s]
+    limit: float  # longest fixed step that stays bounded [s]
+    steps: float  # fixed steps of that length over the duration
+    textbook_evaluations: int  # of the equations, in those steps
+    textbook_error: float | None  # of the speeds with the step that the textbook takes; None: no result, or not known
+    textbook_fails: str  # why that step gives no result; empty: it does
+    method: str  # the program's choice
+    rigid: bool  # it takes a shaft as rigid
+    evaluations: int
+    seconds: float  # median [s]
+    error: float  # of the speeds, relative to the largest; where there is no reference its own estimate
+    reference: float  # estimated error of the reference; 0: none
+
+
+@record
+class Ladder:
+    """A drive made stiffer from rung to rung."""
+
+    stage: str
+    quantity: str
+    unit: str
+    duration: float  # of the motion [s]
+    step: float  # that the textbook takes [s]
+    reference: Reference
+    rungs: tuple[Rung, ...]
+    power: float | None  # the limit of the fixed step goes as the value to this power, where it is the fast part
+
+
+@record
 class Accuracy:
-    """The studies of a scene, and the stages of it that have no choice of method."""
+    """The studies of a scene, the stages of it that have no choice of method, and ladders of stiffness."""
 
     studies: tuple[Study, ...]
     without: tuple[str, ...]
+    ladders: tuple[Ladder, ...] = ()
 
 
 def pareto(points: Sequence[Point]) -> tuple[Point, ...]:

@@ -15,10 +15,19 @@ if TYPE_CHECKING:
     from tmmcalc.accuracy.measure import Clock
 
 SUBJECTS: dict[str, str] = {
+    "train": "tmmcalc.accuracy.train:studies",
+    "pair": "tmmcalc.accuracy.pair:studies",
+    "blocking": "tmmcalc.accuracy.blocking:studies",
+    "profile": "tmmcalc.accuracy.profile:studies",
     "kinematics": "tmmcalc.accuracy.kinematics:studies",
     "reduction": "tmmcalc.accuracy.reduction:studies",
+    "flywheel": "tmmcalc.accuracy.flywheel:studies",
     "motion": "tmmcalc.accuracy.motion:studies",
     "transient": "tmmcalc.accuracy.transient:studies",
+    "cam_law": "tmmcalc.accuracy.cam_law:studies",
+    "cam_synthesis": "tmmcalc.accuracy.cam_synthesis:studies",
+    "cam_profile": "tmmcalc.accuracy.cam_profile:studies",
+    "cam_optimum": "tmmcalc.accuracy.cam_optimum:studies",
 }
 
 

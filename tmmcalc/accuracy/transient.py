@@ -12,8 +12,9 @@ from functools import partial
 
 import numpy as np
 
+from tmmcalc.accuracy.ladder import ladders
 from tmmcalc.accuracy.measure import Way, relative, series
-from tmmcalc.accuracy.study import Reference, Series, Study
+from tmmcalc.accuracy.study import Ladder, Reference, Series, Study
 from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.machine.transient.methods import Method, MethodName
 from tmmcalc.machine.transient.model import Drive
@@ -44,13 +45,14 @@ INSTANTS = 64
 BUDGET = 40_000  # evaluations after which a method is given up
 
 
-def studies(scene: Scene) -> Iterator[Study]:
-    """The speeds of every motion that the scene asks for."""
+def studies(scene: Scene) -> Iterator[Study | Ladder]:
+    """The speeds of every motion that the scene asks for, and the first one on ladders of stiffness."""
     machine, tasks = machine_of(scene.inputs, scene.results), scene.inputs[0]
     speed = mean_speed(scene.results, scene.inputs[4])
-    motions = scene.results["transient"].motions
-    for (drive, scenario), found in zip(beginning(machine, tasks, speed), motions, strict=True):
+    motions, begun = scene.results["transient"].motions, beginning(machine, tasks, speed)
+    for (drive, scenario), found in zip(begun, motions, strict=True):
         yield _study(drive, scenario, found, scene)
+    yield from ladders(*begun[0], scene.clock)
 
 
 def _study(drive: Drive, scenario: Scenario, found: TimedMotion, scene: Scene) -> Study:
@@ -59,7 +61,7 @@ def _study(drive: Drive, scenario: Scenario, found: TimedMotion, scene: Scene) -
     def run(method: Method) -> Transient:
         return simulate(drive, scenario, method, instants.tolist())
 
-    first, finest = (_speeds(run(Method("collocation", tolerance=t)), instants) for t in FINEST)
+    first, finest = (_speeds(run(Method("collocation", tolerance=t, compared=False)), instants) for t in FINEST)
     own = relative(first, finest)
 
     def error(motion: Transient) -> float:
@@ -72,16 +74,23 @@ def _study(drive: Drive, scenario: Scenario, found: TimedMotion, scene: Scene) -
 def _series(run: Callable[[Method], Transient], error: Callable[[Transient], float], scene: Scene) -> Iterator[Series]:
     for name in CONTROLLED:
         ways = [
-            Way(f"tolerance {t:.0e}", t, partial(run, Method(name, tolerance=t, budget=BUDGET)), _evaluations)
+            Way(
+                f"tolerance {t:.0e}",
+                t,
+                partial(run, Method(name, tolerance=t, budget=BUDGET, compared=False)),
+                _evaluations,
+            )
             for t in TOLERANCES
         ]
         yield series(name, ways, error, scene.clock)
     for name, order in FIXED:
-        ways = [
-            Way(f"step {1e3 * h:g} ms", h, partial(run, Method(name, step=h, budget=BUDGET)), _evaluations)
-            for h in STEPS
-        ]
+        ways = [Way(f"step {1e3 * h:g} ms", h, partial(run, _fixed(name, h)), _evaluations) for h in STEPS]
         yield series(f"{name}, fixed steps", ways, error, scene.clock, expected=order)
+
+
+def _fixed(name: MethodName, step: float) -> Method:
+    """Fixed steps alone, without the second run that tells their error."""
+    return Method(name, step=step, budget=BUDGET, compared=False)
 
 
 def _evaluations(motion: Transient) -> int:

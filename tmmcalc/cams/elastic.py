@@ -13,6 +13,7 @@ from math import pi, sqrt
 
 import numpy as np
 
+from tmmcalc.cams.elasticerrors import spectrum_error, vibration_errors
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.kernels import resultant
 from tmmcalc.cams.forces.spring import solve_spring
@@ -21,6 +22,7 @@ from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.law import Law, Values
 from tmmcalc.cams.program import SAME
 from tmmcalc.cams.response import Course, residual, steady
+from tmmcalc.cams.rounding import Errors
 from tmmcalc.cams.separation import Contact, contact_notes, contact_of
 from tmmcalc.cams.speed import constant_speed
 from tmmcalc.cams.task import CamTask, Loads
@@ -82,6 +84,7 @@ class ElasticResult:
     ratios: Values  # (m,)
     spectra: tuple[Spectrum, ...]
     notes: tuple[str, ...]
+    error: Errors  # estimates, relative: of z, of x'', of what is left over a phase, of the spectra
 
 
 def solve_elastic(task: CamTask, follower: Follower) -> ElasticResult:
@@ -107,6 +110,8 @@ def solve_elastic(task: CamTask, follower: Follower) -> ElasticResult:
         task, on, np.stack((course.lift, course.stretch, course.given, course.mass, load, rigid))
     )
     laws = [phase.law for phase in task.program.phases if phase.law is not None]
+    spectra = tuple(_spectra(laws, train.damping))
+    error = vibration_errors(task.program, speed, course, frequency, train.damping)
     return ElasticResult(
         turns=follower.kind == "oscillating",
         stiffness=train.stiffness,
@@ -130,8 +135,9 @@ def solve_elastic(task: CamTask, follower: Follower) -> ElasticResult:
         largest=max(abs(each[0]) for each in on.extremes(course.stretch)),
         contact=contact,
         ratios=RATIOS,
-        spectra=tuple(_spectra(laws, train.damping)),
+        spectra=spectra,
         notes=tuple(contact_notes(contact)),
+        error=error | {"spectra": spectrum_error(laws[0], RATIOS, spectra[0].residual, train.damping)},
     )
 
 

@@ -11,10 +11,12 @@ from math import degrees
 
 import numpy as np
 
+from tmmcalc.cams.lawerrors import constant_errors, extreme_errors, motion_errors
 from tmmcalc.cams.laws.constants import LEVEL, LawConstants, constants
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.overshoot import overshoot_remarks
 from tmmcalc.cams.program import PhaseKind, Positions, Program
+from tmmcalc.cams.rounding import Errors
 from tmmcalc.cams.task import CamTask
 from tmmcalc.columns import degrees as degrees_of
 from tmmcalc.records import record
@@ -68,6 +70,7 @@ class LawResult:
     extremes: tuple[MotionExtreme, ...]  # largest and least of y', y'', y'''
     shocks: tuple[Shock, ...]
     remarks: tuple[str, ...]
+    error: Errors  # estimates, relative: of y and its derivatives, of their extremes, of the constants
 
     @property
     def labels(self) -> tuple[str, ...]:
@@ -88,6 +91,7 @@ def solve_law(task: CamTask) -> LawResult:
     phase = program.places[0][rows.piece]
     shocks = tuple(_shocks(program))
     turns = task.asked.kind == "oscillating"
+    phases, extremes = tuple(_phases(program)), tuple(_extremes(program))
     return LawResult(
         rows,
         turns,
@@ -96,11 +100,26 @@ def solve_law(task: CamTask) -> LawResult:
         _parts(program, rows.phi, phase),
         None if task.loads is None else task.loads.speed,
         program.stroke,
-        tuple(_phases(program)),
-        tuple(_extremes(program)),
+        phases,
+        extremes,
         shocks,
         (*task.remarks, *overshoot_remarks(program, turns), *_remarks(shocks, turns)),
+        _errors(task, phases, extremes),
     )
+
+
+def _errors(task: CamTask, phases: tuple[PhaseMotion, ...], extremes: tuple[MotionExtreme, ...]) -> Errors:
+    program = task.program
+    laws = [
+        constant_errors(phase.law, told.constants)
+        for phase, told in zip(program.wider.phases, phases, strict=True)
+        if phase.law is not None and told.constants is not None
+    ]
+    found = motion_errors(program, task.positions, task.motion)
+    found["extremes"] = extreme_errors(
+        program, *zip(*((each.order, each.value, each.phi) for each in extremes), strict=True)
+    )
+    return found | {"constants": max(laws, default=0.0)}
 
 
 def _parts(program: Program, phi: Values, phase: Indices) -> Values:

@@ -18,7 +18,9 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Indices, Values
+from tmmcalc.cams.pressureerrors import pressure_errors
 from tmmcalc.cams.program import Program
+from tmmcalc.cams.rounding import Errors
 from tmmcalc.cams.task import CamTask
 from tmmcalc.errors import SingularityError
 from tmmcalc.numerics.panels import Panels, resolved
@@ -68,6 +70,7 @@ class Pressure:
     back: Reached
     verdict: str  # "ok" or "pressure_angle_exceeded"
     notes: tuple[str, ...]
+    error: Errors  # estimates, relative: of theta, its extremes, the angles where it is exceeded
 
 
 def terms(follower: Follower, motion: Values, start: Values | float, offset: Values | float) -> tuple[Values, Values]:
@@ -144,7 +147,8 @@ def solve_pressure(task: CamTask, follower: Follower) -> Pressure:
     theta = pressure(follower, at.phi, task.motion)
     notes = (*remarks("rise", rise), *remarks("return", back))
     verdict = "pressure_angle_exceeded" if rise.exceeded or back.exceeded else "ok"
-    return Pressure(follower, at.phi, theta, at.labels, rise, back, verdict, notes)
+    error = pressure_errors(task, follower, theta, (rise, back))
+    return Pressure(follower, at.phi, theta, at.labels, rise, back, verdict, notes, error)
 
 
 def reached(task: CamTask, follower: Follower) -> tuple[Reached, Reached]:

@@ -108,10 +108,10 @@ class Program:
 
     def at(self, phi: Values, piece: Indices | None = None) -> Values:
         """y, y', y'', y''' (4, n) at angles phi (n,) of the turn; ``piece`` (n,) says which side of a jump is meant."""
-        phi = np.asarray(phi, float)
+        phi = np.asarray(phi) + 0.0
         number = self.piece(phi) if piece is None else piece
         phase_of, law_piece = self.places
-        values = np.zeros((ORDERS, len(phi)))
+        values = np.zeros((ORDERS, len(phi)), phi.dtype)
         which = phase_of[number]
         for k, phase in enumerate(self.phases):
             rows = np.flatnonzero(which == k)
@@ -120,8 +120,15 @@ class Program:
             if phase.law is None:
                 values[0, rows] = phase.start
                 continue
-            values[:, rows] = _moved(phase, phase.law, float(self.starts[k]), phi[rows], law_piece[number[rows]])
+            values[:, rows] = _moved(phase, phase.law, self.starts[k], phi[rows], law_piece[number[rows]])
         return values
+
+    @cached_property
+    def wider(self) -> Program:
+        """The same in extended precision, for the estimates of errors."""
+        from tmmcalc.cams.wide import wide
+
+        return Program(tuple(_wide_phase(each, wide((each.angle, each.start, each.end))) for each in self.phases))
 
     @cached_property
     def panels(self) -> Panels:
@@ -152,6 +159,10 @@ class Program:
         jump = after - np.roll(before, 1, axis=1)
         size = np.max(np.abs(np.concatenate((after, before, self.sampled.reshape(ORDERS, -1)), axis=1)), axis=1)
         return np.where(np.abs(jump) > SAME * size[:, None], jump, 0.0)
+
+
+def _wide_phase(phase: Phase, numbers: tuple[float, float, float]) -> Phase:
+    return Phase(phase.kind, *numbers, None if phase.law is None else phase.law.wider)
 
 
 def _moved(phase: Phase, law: Law, start: float, phi: Values, piece: Indices) -> Values:

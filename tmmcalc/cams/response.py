@@ -12,6 +12,8 @@ cam may turn at a varying speed: dt = dphi/omega and y'' in time is y'' omega^2 
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -40,6 +42,8 @@ class Course:
     mass: Values  # x'' (K, N) of the mass
     edges: Complex  # q (K + 1,)
     time: Values  # of the edges (K + 1,) [s]
+    ratio: Complex  # (K,) of q over a panel
+    kicks: Complex  # (K,) what a panel adds to q
 
 
 def steady(program: Program, speed: Speed, frequency: float, damping: float) -> Course:
@@ -48,7 +52,8 @@ def steady(program: Program, speed: Speed, frequency: float, damping: float) -> 
     Raises `SingularityError` at resonance without damping, `UsageError` where w is too high to follow.
     """
     rate = _rate(frequency, damping)
-    on, lift, given, inverse = _forcing(program, speed, abs(rate))
+    on = _followed(program, speed, abs(rate))
+    lift, given, inverse = _forcing(program, speed, on)
     _, time = on.primitive(inverse)
     ratio, kicks, inner = _panels(on, given, inverse, rate)
     total = np.exp(rate * time[-1])
@@ -65,15 +70,21 @@ def steady(program: Program, speed: Speed, frequency: float, damping: float) -> 
     q = inner + edges[:-1, None] * np.exp(rate * _inside(on, inverse))
     z = q.imag / rate.imag
     mass = -2 * damping * frequency * (q.real + rate.real * z) - frequency**2 * z
-    return Course(on, lift, given, z, mass, edges, time)
+    return Course(on, lift, given, z, mass, edges, time, ratio, kicks)
 
 
 def _rate(frequency: float, damping: float) -> complex:
     return complex(-damping * frequency, frequency * np.sqrt(1 - damping**2))
 
 
-def _forcing(program: Program, speed: Speed, rate: float) -> tuple[Panels, Values, Values, Values]:
-    """Panels on which |lambda| t is small, with y, y'' in time and dt/dphi (K, N)."""
+def kicks_of(program: Program, speed: Speed, on: Panels, rate: Any) -> tuple[Complex, Complex]:
+    """Factor and addition of q over every panel (K,), as precise as the edges of the panels."""
+    _, given, inverse = _forcing(program, speed, on)
+    return _panels(on, given, inverse, rate)[:2]
+
+
+def _followed(program: Program, speed: Speed, rate: float) -> Panels:
+    """Panels on which |lambda| t is small."""
     slow = float(np.min(speed.omega))
     widest = SPAN * slow / rate
     end = float(program.starts[-1])
@@ -85,13 +96,17 @@ def _forcing(program: Program, speed: Speed, rate: float) -> tuple[Panels, Value
             limit=MANY * SPAN / end,
             remedy="leave [cam.elastic] out, or check its stiffness",
         )
-    on = panels(0.0, end, [*program.panels.edges.tolist(), *speed.edges.tolist()], min(widest, np.pi / 12))
+    return panels(0.0, end, [*program.panels.edges.tolist(), *speed.edges.tolist()], min(widest, np.pi / 12))
+
+
+def _forcing(program: Program, speed: Speed, on: Panels) -> tuple[Values, Values, Values]:
+    """y, y'' in time and dt/dphi (K, N) on panels."""
     x, middle = on.x, (on.edges[:-1] + on.edges[1:]) / 2
     piece = np.clip(np.searchsorted(program.edges, middle) - 1, 0, len(program.edges) - 2)
     motion = program.at(x.ravel(), np.repeat(piece, on.order))
     given = speed.acceleration(x.ravel(), motion)
     inverse = 1 / speed.at(x.ravel())[0]
-    return on, motion[0].reshape(x.shape), given.reshape(x.shape), inverse.reshape(x.shape)
+    return motion[0].reshape(x.shape), given.reshape(x.shape), inverse.reshape(x.shape)
 
 
 def _inside(on: Panels, inverse: Values) -> Values:
@@ -100,7 +115,7 @@ def _inside(on: Panels, inverse: Values) -> Values:
     return found
 
 
-def _panels(on: Panels, given: Values, inverse: Values, rate: complex) -> tuple[Complex, Complex, Complex]:
+def _panels(on: Panels, given: Values, inverse: Values, rate: Any) -> tuple[Complex, Complex, Complex]:
     """Factor and addition of q over every panel (K,), and q (K, N) at its points from rest at its lower edge."""
     r, time = rule(on.order), _inside(on, inverse)
     whole = inverse @ r.weights * on.width

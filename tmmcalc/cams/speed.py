@@ -22,7 +22,7 @@ class Speed:
 
     def at(self, phi: Values) -> tuple[Values, Values]:
         """omega and eps (n,) at angles phi (n,) of the cam."""
-        turned = np.asarray(phi, float) + self.begin
+        turned = np.asarray(phi) + self.begin
         inside = np.where(turned > TURN, turned - TURN, turned)  # the end of the turn keeps its own side
         omega, eps = self.panels.at(np.stack((self.omega, self.eps)), inside)
         return omega, eps

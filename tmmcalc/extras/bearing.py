@@ -6,8 +6,12 @@ diameter Dm at the contact angle phi.
 
 from __future__ import annotations
 
-from math import cos, pi
+from math import pi
 
+import numpy as np
+
+from tmmcalc.numerics.extended import PI, apart, widened
+from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
 
 SOUND = 3.0  # crest factor of a sound bearing, about
@@ -44,6 +48,7 @@ class Bearing:
     raceway_speed: float  # of the inner ring [m/s]
     crest: tuple[float, ...] = ()  # peak/RMS of the readings
     notes: tuple[str, ...] = ()
+    error: float = 0.0  # of the frequencies, each relative to itself
 
 
 def solve_bearing(task: BearingTask) -> Bearing:
@@ -54,7 +59,8 @@ def solve_bearing(task: BearingTask) -> Bearing:
     (4.496355, 6.198858, 2.338763, 0.321168)
     """
     n, mean = task.omega / (2 * pi), (task.inner + task.outer) / 2
-    part = task.roller / mean * cos(task.angle)
+    rates = _rates(task, pi)
+    cage, outer, inner, roller = rates.tolist()
     crest = tuple(peak / rms for peak, rms in zip(task.peak, task.rms, strict=True))
     return Bearing(
         omega=task.omega,
@@ -62,14 +68,23 @@ def solve_bearing(task: BearingTask) -> Bearing:
         width=(task.outer - task.inner) / 2,
         half=(task.outer - task.inner) / 4,
         mean_radius=mean / 2,
-        cage=n / 2 * (1 - part),
-        outer_race=task.count * n / 2 * (1 - part),
-        inner_race=task.count * n / 2 * (1 + part),
-        roller=n * mean / (2 * task.roller) * (1 - part**2),
+        cage=cage,
+        outer_race=outer,
+        inner_race=inner,
+        roller=roller,
         raceway_speed=task.omega * task.inner / 2,
         crest=crest,
         notes=tuple(_notes(crest)),
+        error=max(apart(one, exact) for one, exact in zip(rates, _rates(widened(task), PI), strict=True)),
     )
+
+
+def _rates(task: BearingTask, half_turn: float) -> Values:
+    """Cage, outer race, inner race, rolling body (4,) [1/s], in the numbers of the task."""
+    n, mean = task.omega / (2 * half_turn), (task.inner + task.outer) / 2
+    part = task.roller / mean * np.cos(task.angle)
+    races = task.count * n / 2 * (1 - part), task.count * n / 2 * (1 + part)
+    return np.array([n / 2 * (1 - part), *races, n * mean / (2 * task.roller) * (1 - part) * (1 + part)])
 
 
 def _notes(crest: tuple[float, ...]) -> list[str]:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from tmmcalc.extras.contact import Contact
-from tmmcalc.extras.falling_ball import Ball
-from tmmcalc.extras.reliability import Reliability
+if TYPE_CHECKING:
+    from tmmcalc.extras.contact import Contact
+    from tmmcalc.extras.falling_ball import Ball
+    from tmmcalc.extras.reliability import Reliability
 
 
 def contact_columns(result: Contact) -> dict[str, np.ndarray]:

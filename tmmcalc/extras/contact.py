@@ -48,6 +48,14 @@ class ContactTask:
 
 
 @record
+class ContactError:
+    """Relative errors: the change against the coarser grid, and the border of the contact, known to one node of n."""
+
+    peak: float
+    approach: float
+
+
+@record
 class Contact:
     """Pressure and approach of two bodies on a grid of n nodes."""
 
@@ -65,6 +73,7 @@ class Contact:
     touching: int
     passes: int  # of the active set
     load_error: float  # relative, of the load against the sum of the pressures
+    error: ContactError
     peak_change: float  # relative, against a grid of half as many cells
     approach_change: float
     hertz: Hertz | None
@@ -105,6 +114,8 @@ def solve_contact(task: ContactTask) -> Contact:
             limit=float(FEWEST),
             remedy="write more cells, or a smaller size",
         )
+    peak_change = abs(float(np.max(coarse.pressure)) / peak - 1)
+    approach_change = abs(coarse.approach - found.approach) / float(np.max(np.abs(found.approach - found.gap)))
     return Contact(
         x=x,
         y=y,
@@ -120,8 +131,9 @@ def solve_contact(task: ContactTask) -> Contact:
         touching=count,
         passes=found.passes,
         load_error=float(abs(found.pressure.sum() * HEIGHT * found.step**2 / task.load - 1)),
-        peak_change=abs(float(np.max(coarse.pressure)) / peak - 1),
-        approach_change=abs(coarse.approach - found.approach) / float(np.max(np.abs(found.approach - found.gap))),
+        peak_change=peak_change,
+        approach_change=approach_change,
+        error=ContactError(peak_change + 1 / count, approach_change + 1 / count),
         hertz=smooth,
         notes=tuple(_notes(task, smooth, bool(np.any(found.touching & found.rim)))),
     )

@@ -12,10 +12,16 @@ from math import exp, lgamma, log, pi, sqrt
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError
-from tmmcalc.numerics.panels import Values
+from tmmcalc.numerics.extended import EPS, MARGIN, apart, spread, widened
+from tmmcalc.numerics.panels import Values, panels, resolved
 from tmmcalc.records import record
 
+LOOKED = 24  # times at which the reliability is computed again
+FORGOTTEN = 1e-17  # reliability behind which nothing adds to the mean life
+RESOLVED = 1e-13
+HALVED = 12  # times that the first panel of the integral over it is halved
 STIRLING = 50.0  # from here the gamma function is that of Stirling's series
+STEP = 1e-5  # of ln(beta), for the slope of the mean life
 SLOWEST, SCAN = 1e-12, 400  # of the search for beta: its lowest value over the highest, its steps
 LEFT = 1e-3  # reliability at the end of the table
 PARTS = (0.9, 0.5, 0.1)  # reliabilities whose lives are told
@@ -46,6 +52,16 @@ class ReliabilityTask:
 
 
 @record
+class LifeError:
+    """Relative errors: of reliability and lives for the strength and decay as they are."""
+
+    reliability: float
+    lives: float
+    mean: float
+    decay: float  # 0 if it is given
+
+
+@record
 class Reliability:
     """Reliability over the time."""
 
@@ -65,6 +81,7 @@ class Reliability:
     intensity: Values  # (n,) of failures
     x: Values  # (n,) strength
     notes: tuple[str, ...] = ()
+    error: LifeError | None = None  # None: not estimated
 
 
 def load_range(readings: tuple[float, ...]) -> tuple[float, float]:
@@ -82,21 +99,22 @@ def solve_reliability(task: ReliabilityTask) -> Reliability:
 
     Raises `NoSolutionError` if no decay gives the mean life of the test.
     """
-    r, beta = _estimated(task)
+    r, beta, missed = _estimated(task)
     law = _Law(task.low, task.high, task.rate, r, beta)
     lives = tuple((part, life_at(law, part)) for part in PARTS)
     end = task.until if task.until is not None else life_at(law, LEFT)
     t = end * np.arange(task.rows + 1) / task.rows
     kept, intensity = np.exp(-hazard(law, t)), failure_rate(law, t)
     start, floor = span(law)
+    mean = mean_life(law)
     return Reliability(
         strength=r,
         decay=beta,
         low=task.low,
         high=task.high,
-        threshold=start,
-        floor=floor,
-        mean=mean_life(law),
+        threshold=float(start),
+        floor=None if floor is None else float(floor),
+        mean=mean,
         lives=lives,
         asked=tuple((each, float(np.exp(-hazard(law, np.array([each]))[0]))) for each in task.times),
         labels=tuple(map(str, range(len(t)))),
@@ -106,6 +124,12 @@ def solve_reliability(task: ReliabilityTask) -> Reliability:
         intensity=intensity,
         x=r * np.exp(-beta * t),
         notes=_notes(task, r),
+        error=LifeError(
+            reliability=_of_reliability(law, t, kept),
+            lives=max(_of_life(law, *life) for life in lives),
+            mean=_of_mean(law, mean),
+            decay=missed,
+        ),
     )
 
 
@@ -122,8 +146,8 @@ class _Law:
 
 def span(law: _Law) -> tuple[float, float | None]:
     """Times at which the strength reaches b and a, at least 0; None: it never reaches a."""
-    start = max(log(law.strength / law.high) / law.decay, 0.0)
-    return start, max(log(law.strength / law.low) / law.decay, 0.0) if law.low > 0 else None
+    start = max(np.log(law.strength / law.high) / law.decay, 0.0)
+    return start, max(np.log(law.strength / law.low) / law.decay, 0.0) if law.low > 0 else None
 
 
 def failure_rate(law: _Law, t: Values) -> Values:
@@ -179,6 +203,34 @@ def life_at(law: _Law, part: float) -> float:
     return _root(lambda t: float(hazard(law, np.array([t]))[0]) - wanted, *_around(law, wanted))
 
 
+def _of_reliability(law: _Law, t: Values, kept: Values) -> float:
+    """Error of the reliability at some of the times again in extended precision, twice that for the others."""
+    rows = spread(len(t), LOOKED)
+    return 2 * apart(kept[rows], np.exp(-hazard(widened(law), t[rows].astype(np.longdouble))))
+
+
+def _of_life(law: _Law, part: float, life: float) -> float:
+    """Residual over slope, both in extended precision."""
+    wide, at = widened(law), np.array([life], np.longdouble)
+    missed = hazard(wide, at) + np.log(np.longdouble(part))
+    slope = failure_rate(wide, at)
+    return MARGIN * float(np.max(np.abs(missed) / (slope * at), initial=0.0)) + EPS if slope[0] > 0 else EPS
+
+
+def _of_mean(law: _Law, mean: float) -> float:
+    """Against the integral of the reliability by Gauss's rule on panels, which has the error of the reliability."""
+    start, floor = span(law)
+    end = life_at(law, FORGOTTEN)
+    edges = [edge for edge in (start, floor) if edge is not None and 0 < edge < end]
+    edges += [start + (end - start) / 2**k for k in range(1, HALVED)]
+    on, values, _ = resolved(
+        lambda t: np.exp(-hazard(law, t))[None], panels(0.0, end, sorted(edges), end / 8), RESOLVED
+    )
+    missed = abs(float(on.total(values)[0]) - mean) / mean
+    own = _of_reliability(law, on.x.ravel(), values[0].ravel())
+    return MARGIN * (missed + own) + FORGOTTEN
+
+
 def _around(law: _Law, wanted: float) -> tuple[float, float]:
     start, _ = span(law)
     step = max(wanted / law.rate, 4 * float(np.spacing(start)))  # a shorter one would not move
@@ -187,12 +239,15 @@ def _around(law: _Law, wanted: float) -> tuple[float, float]:
     return start, start + step
 
 
-def _estimated(task: ReliabilityTask) -> tuple[float, float]:
-    """r and beta, given or from the test: the shortest life is the mode of its distribution (10), the mean is (8)."""
+def _estimated(task: ReliabilityTask) -> tuple[float, float, float]:
+    """r, beta and its relative error, given or from the test.
+
+    The shortest life of a test is the mode of its distribution (10), the mean is (8).
+    """
     if task.test is None:
         assert task.strength is not None
         assert task.decay is not None
-        return task.strength, task.decay
+        return task.strength, task.decay, 0.0
     test, width = task.test, task.high - task.low
 
     def strength(beta: float) -> float:
@@ -218,8 +273,12 @@ def _estimated(task: ReliabilityTask) -> tuple[float, float]:
             remedy="look at the lives, at their unit of time and at that of the rate",
         )
     k = int(change[-1])
-    beta = exp(_root(excess, float(grid[k]), float(grid[k + 1])))
-    return strength(beta), beta
+    root = _root(excess, float(grid[k]), float(grid[k + 1]))
+    beta = exp(root)
+    slope = (excess(root + STEP) - excess(root - STEP)) / (2 * STEP)
+    law = _Law(task.low, task.high, task.rate, strength(beta), beta)
+    missed = (abs(excess(root)) + _of_mean(law, test.mean + excess(root)) * test.mean) / abs(slope)
+    return law.strength, beta, missed + EPS * abs(root)
 
 
 def _root(f: Callable[[float], float], low: float, high: float) -> float:

@@ -6,9 +6,14 @@ cradle and, if there is one, on a sliding support. F moves the load, G presses i
 
 from __future__ import annotations
 
-from math import atan2, cos, sin, tan
+from math import cos
+from typing import Any
+
+import numpy as np
 
 from tmmcalc.errors import NoSolutionError
+from tmmcalc.numerics.extended import apart, widened
+from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
 
 
@@ -63,6 +68,7 @@ class TieDown:
     best_elevation: float  # [rad], of the least R
     held: str  # "friction", "all ties", "two ties"
     notes: tuple[str, ...] = ()
+    error: float = 0.0  # of the forces, relative to the largest
 
 
 def preload_of(thread: Thread) -> float:
@@ -71,7 +77,11 @@ def preload_of(thread: Thread) -> float:
     >>> round(preload_of(Thread(30.0, 0.014701, 0.0433, 0.2049)), 2)
     8052.38
     """
-    return thread.moment / (thread.diameter * tan(thread.lead + thread.friction_angle))
+    return float(_preload(thread))
+
+
+def _preload(thread: Thread) -> np.floating[Any]:
+    return thread.moment / (thread.diameter * np.tan(thread.lead + thread.friction_angle))
 
 
 def solve_tie_down(task: TieDownTask) -> TieDown:
@@ -79,10 +89,8 @@ def solve_tie_down(task: TieDownTask) -> TieDown:
 
     Raises `NoSolutionError` where the inertia tips the load off the cradle.
     """
-    preload = task.preload if task.thread is None else preload_of(task.thread)
-    push, own = _loads(task)
-    vertical = 4 * preload * sin(task.elevation)
-    press = own + vertical
+    found = _forces(task)
+    push, press, preload, force, change, vertical, balanced, best = found.tolist()
     if press <= 0:
         raise NoSolutionError(
             f"the load leaves its cradle: it presses on it by {press:.6g} N",
@@ -91,13 +99,9 @@ def solve_tie_down(task: TieDownTask) -> TieDown:
             limit=0.0,
             remedy="tighten the ties more, or let the load stand lower",
         )
-    mu, along = task.friction, cos(task.elevation) * cos(task.plan)
-    pull = 2 * (mu * sin(task.elevation) + along)
-    force = max((push - mu * press) / pull, preload)
-    change = force - preload
-    spread = max(push - mu * press, 0.0) / (4 * along)  # of both pairs
-    balanced = preload + spread if spread <= preload else (push - mu * own) / pull
-    held = "friction" if push <= mu * press else "all ties" if spread <= preload else "two ties"
+    spare = push - task.friction * press
+    all_tight = spare <= 4 * cos(task.elevation) * cos(task.plan) * preload
+    held = "friction" if spare <= 0 else "all ties" if all_tight else "two ties"
     return TieDown(
         push=push,
         press=press,
@@ -107,10 +111,27 @@ def solve_tie_down(task: TieDownTask) -> TieDown:
         opposite=max(preload - change, 0.0),
         vertical=vertical,
         balanced=balanced,
-        best_elevation=atan2(mu, cos(task.plan)),
+        best_elevation=best,
         held=held,
         notes=tuple(_notes(force, preload, balanced)),
+        error=apart(found[:-1], _forces(widened(task))[:-1]),
     )
+
+
+def _forces(task: TieDownTask) -> Values:
+    """F, G, P0, R, dR, vertical, balanced, best elevation (8,), in the numbers of the task."""
+    preload = task.preload if task.thread is None else _preload(task.thread)
+    push, own = _loads(task)
+    mu, sine, cosine = task.friction, np.sin(task.elevation), np.cos(task.plan)
+    along = np.cos(task.elevation) * cosine
+    vertical = 4 * preload * sine
+    press = own + vertical
+    pull = 2 * (mu * sine + along)
+    force = max((push - mu * press) / pull, preload)
+    spread = max(push - mu * press, 0.0) / (4 * along)  # of both pairs
+    balanced = preload + spread if spread <= preload else (push - mu * own) / pull
+    best = np.arctan2(mu, cosine)
+    return np.array([push, press, preload, force, force - preload, vertical, balanced, best])
 
 
 def _loads(task: TieDownTask) -> tuple[float, float]:

@@ -16,6 +16,7 @@ import numpy as np
 from tmmcalc.errors import UsageError
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.strength.results import Strength
+from tmmcalc.gears.strength.rounding import StrengthError, strength_error
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.task import StrengthTask, pinion_torque
 from tmmcalc.gears.train import Request, Trains, Variant
@@ -57,6 +58,7 @@ class Sized:
     beyond: float  # speed of the train's output shaft over that of the crank
     task: StrengthTask
     strength: Strength
+    error: StrengthError | None = None  # None: no sets
 
 
 @record
@@ -97,6 +99,7 @@ def _sized(variant: Variant, task: SizingTask, reduced: float | None) -> Sized:
     own = wheel_ratio(request)
     torque = _torque(task, reduced, float(own))
     strength = replace(task.strength, torque=torque.value)
+    found = solve_strength(sets, strength)
     return Sized(
         title=request.title,
         kind=request.kind,
@@ -105,7 +108,8 @@ def _sized(variant: Variant, task: SizingTask, reduced: float | None) -> Sized:
         torque=torque,
         beyond=1.0 if task.ratio is None else task.ratio / float(own),
         task=strength,
-        strength=solve_strength(sets, strength),
+        strength=found,
+        error=strength_error(sets, strength, found),
     )
 
 

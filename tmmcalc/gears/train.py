@@ -15,6 +15,7 @@ from tmmcalc.gears.model import Interval, ToothSets, TrainTask
 from tmmcalc.gears.radial import RadialShape
 from tmmcalc.gears.search.measures import block_of
 from tmmcalc.gears.search.relaxation import Relaxation, relaxations
+from tmmcalc.gears.search.rounding import angle_error
 from tmmcalc.gears.search.search import KEPT, Synthesis, synthesise
 from tmmcalc.gears.stepping import stepped
 from tmmcalc.gears.trace import found_by_textbook
@@ -58,6 +59,7 @@ class Variant:
     synthesis: Synthesis
     textbook: np.ndarray | None  # whether the textbook's program finds each set (n,); None: it has none for this task
     relaxations: tuple[Relaxation, ...] = ()  # changes that would give sets, if there are none
+    error: float = 0.0  # of the operating angles, relative to the largest; 0: all are exactly that of the rack
 
     @property
     def sets(self) -> ToothSets:
@@ -88,15 +90,16 @@ def _solve(request: Request, tell: Told | None) -> Variant:
             tell(part, f"{title}: {count} tooth sets")
 
     by_program = request.method == "textbook"
-    synthesis = _stepped(request) if by_program else synthesise(request.task, request.keep, progress)
+    synthesis = programmed(request) if by_program else synthesise(request.task, request.keep, progress)
     if synthesis.count:
-        return Variant(request, synthesis, found_by_textbook(request.task, synthesis.sets))
+        found = found_by_textbook(request.task, synthesis.sets)
+        return Variant(request, synthesis, found, error=angle_error(request.task, synthesis.sets))
     if tell is not None:
         tell(1.0, f"{title}: no tooth set; seeking the least change that gives one")
     return Variant(request, synthesis, None, relaxations(request.task, request.kind))
 
 
-def _stepped(request: Request) -> Synthesis:
+def programmed(request: Request) -> Synthesis:
     """The sets of the textbook's programs, without those that break a constraint which the programs do not know."""
     from tmmcalc.gears.search.constraints import sieve
     from tmmcalc.gears.search.tally import Tally

@@ -155,12 +155,13 @@ def _freeze(*arrays: np.ndarray) -> None:
 def _displacements(chain: Chain, outputs: tuple[Output, ...], values: Trace) -> tuple[Real, Real, Real]:
     """Displacement from position 0 and its transfer functions, each (O, n)."""
     n = values.r.shape[1]
-    rows = np.array([_row(chain, output, values) for output in outputs]).reshape(len(outputs), 3, n)
+    rows = np.array([output_row(chain, output, values) for output in outputs]).reshape(len(outputs), 3, n)
     s, ds, dds = rows[:, 0], rows[:, 1], rows[:, 2]
     return s - s[:, :1], ds, dds
 
 
-def _row(chain: Chain, output: Output, values: Trace) -> tuple[Real, Real, Real]:
+def output_row(chain: Chain, output: Output, values: Trace) -> tuple[Real, Real, Real]:
+    """Coordinate of an output and its transfer functions, each (n,)."""
     if output.link is not None:
         k = values.link_ids.index(output.link)
         return values.angle[k], values.dangle[k], values.ddangle[k]
@@ -192,9 +193,9 @@ def step_study(mechanism: Mechanism, result: Kinematics, decimals: int = 6) -> l
     per_degree = math.radians(1.0) if result.turns else float(np.ptp(result.x)) / 360
 
     def error(step: float, digits: int | None) -> DifferenceError:
-        _, ds, dds = _row(chain, output, differentiate(chain, result.x, step, digits, unit))
+        _, ds, dds = output_row(chain, output, differentiate(chain, result.x, step, digits, unit))
         return difference_error((exact[1], exact[2]), (ds, dds), scale)
 
-    exact = _row(chain, output, trace(chain, result.x))
+    exact = output_row(chain, output, trace(chain, result.x))
     steps = [degrees * per_degree for degrees in STEPS_DEG]
     return [StepError(step, error(step, decimals), error(step, None)) for step in steps]

@@ -162,6 +162,11 @@ class Loading:
     drive: Coupling | GearDrive = Coupling()
 
     @property
+    def heavy(self) -> tuple[Body, ...]:
+        """The bodies that resist acceleration."""
+        return tuple(body for body in self.bodies if body.mass > 0 or body.inertia > 0)
+
+    @property
     def rubs(self) -> bool:
         """Whether any pair has friction."""
         return any(pair.friction > 0 for pair in self.pairs)

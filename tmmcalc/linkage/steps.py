@@ -50,7 +50,7 @@ class Seat(NamedTuple):
 
     def along(self, point: complex) -> complex:
         """The vector from the line's point to this point of the same link, in axes of the line."""
-        return complex(np.conj(self.direction) * (point - self.point))
+        return self.direction.conjugate() * (point - self.point)
 
 
 def seat(joint: Joint, link: int) -> Seat:

@@ -15,6 +15,7 @@ from tmmcalc.machine.motorside import MotorSide, motor_side
 from tmmcalc.machine.positional import positional
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.textbook import Textbook, Turn
+from tmmcalc.machine.timescales import TimeScales
 from tmmcalc.machine.verdicts import Verdict, verdicts
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
@@ -47,6 +48,7 @@ class Motion:
     verdicts: tuple[Verdict, ...]
     balancing: float = 0.0  # moment of a diagram that closes its work before anything drives [N*m]
     motor: MotorSide | None = None  # the regime at the shaft of the motor; None without one
+    scales: TimeScales | None = None  # time constants over the cycle; None: nothing depends on the speed of a motor
 
 
 def solve_motion(
@@ -99,7 +101,14 @@ def solve_motion(
         verdicts=_verdicts(cycle, regime, driver, sense, key, undriven),
         balancing=cycle.balancing,
         motor=motor_side(regime, driver) if driver is not None else None,
+        scales=_scales(cycle, regime, driver) if driver is not None else None,
     )
+
+
+def _scales(cycle: Cycle, regime: Regime, driver: Driver) -> TimeScales | None:
+    from tmmcalc.machine.regimescales import regime_scales
+
+    return regime_scales(cycle, regime, driver)
 
 
 def _called(driver: Driver | None, undriven: bool) -> str:

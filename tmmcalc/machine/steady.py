@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 WHERE = "steady motion"
 NOTHING = 1e-13  # moment of the load, against what the motor gives at standstill by its slope, that is none
+ROUNDED = 8 * float(np.finfo(float).eps)  # of a solution
 INDIFFERENT = 1e-13  # change of the moment over the speed itself, against the moment
 
 
@@ -104,9 +105,15 @@ def _regime(machine: OneMass, orbit: Orbit) -> Regime:
         omega,
         orbit.y[1] if machine.lag else machine.characteristic.moment(omega),
         multipliers(orbit),
-        orbit.error,
+        _left_out(orbit),
         {"newton": orbit.iterations, "meshes": orbit.passes},
     )
+
+
+def _left_out(orbit: Orbit) -> float:
+    """Relative error of a solution: its last coefficients fall geometrically, so that the first missing one is told."""
+    order = orbit.panels.order
+    return float(orbit.error ** (order / (order - 1)) + ROUNDED)
 
 
 def _check_regulation(machine: OneMass) -> None:

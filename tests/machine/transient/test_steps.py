@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Callable
 from typing import Any
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 
 from machine.transient.scenes import case
+from tmmcalc.machine.transient.stability import growth, stable_step
 from tmmcalc.machine.transient.steps import MERSON, merson_step, rk4_step
 
 
@@ -59,14 +61,35 @@ def test_order_conditions_of_the_tableau() -> None:
     np.testing.assert_allclose([e.sum(), e @ c, e @ c**2, e @ a @ c], 0, atol=1e-15)
 
 
-def test_the_bound_of_stability() -> None:
-    c, b = np.array(MERSON.nodes, dtype=float), np.array(MERSON.weights)
-    assert len(c) == len(b)
+@pytest.mark.parametrize(("name", "step"), [("merson", merson_step), ("rk4", rk4_step)])
+@pytest.mark.parametrize("direction", [180.0, 150.0, 120.0, 100.0, 92.0])
+def test_the_polynomial_of_stability_is_what_a_step_does(name: str, step: Callable[..., Any], direction: float) -> None:
+    """One step of dy/dt = lambda y, in two real components, multiplies the size by |R|; so does the bound."""
+    way = cmath.rect(1.0, math.radians(direction))
 
-    def growth(z: float) -> float:
-        return abs(merson_step(lambda _, y: [z * y[0]], 0.0, [1.0], 1.0)[0][0])
+    def grown(size: float) -> float:
+        z = size * way
+        turn = [[z.real, -z.imag], [z.imag, z.real]]
+        y = step(lambda _, y: [a * y[0] + b * y[1] for a, b in turn], 0.0, [1.0, 0.0], 1.0)[0]
+        return math.hypot(*y)
 
-    assert growth(-0.999 * MERSON.real) < 1 < growth(-1.001 * MERSON.real)
+    for size in (0.3, 1.0, 2.5, 4.0):
+        assert float(growth(name, np.array(size * way))) == pytest.approx(grown(size), rel=1e-14)
+    bound = stable_step(name, np.array([1e6 * way, 1e6 * way.conjugate()]), 1e6) * 1e6
+    assert grown(0.9999 * bound) < 1 < grown(1.0001 * bound)
+
+
+def test_a_growth_that_the_duration_makes_little_of_is_let_pass() -> None:
+    """A swing without damping, beyond the bound of 2.828: in a few steps it grows little, in many it explodes."""
+    short, long = (stable_step("rk4", np.array([1000j, -1000j]), duration) for duration in (0.01, 30.0))
+    assert long == pytest.approx(2.828e-3, rel=1e-3)
+    assert short > 1.03 * long
+    assert float(growth("rk4", np.array(1000j * short))) ** (0.01 / short) == pytest.approx(math.e, rel=1e-6)
+
+
+def test_what_really_grows_bounds_no_step() -> None:
+    assert stable_step("merson", np.array([50.0 + 0j]), 1.0) == math.inf
+    assert stable_step("merson", np.zeros(3, complex), 1.0) == math.inf
 
 
 def test_the_estimate_is_exact_for_linear_equations() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from tmmcalc.cams.follower import Closure, Follower
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import Positions
+from tmmcalc.cams.rounding import Errors
 from tmmcalc.records import record
 
 
@@ -139,6 +140,7 @@ class CamForces:
     work: CamWork
     verdict: str  # "ok" or "loss_of_contact"
     notes: tuple[str, ...]
+    error: Errors  # estimates, relative: of load, contact, guide, pivot, torques, extremes, spring, work
 
     @property
     def labels(self) -> tuple[str, ...]:

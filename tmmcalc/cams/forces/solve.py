@@ -9,6 +9,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.course import NOTHING, Course, course_of, reserve_of
+from tmmcalc.cams.forces.errors import force_errors
 from tmmcalc.cams.forces.notes import force_notes
 from tmmcalc.cams.forces.results import CamForces, CamWork, ForceExtreme
 from tmmcalc.cams.forces.spring import solve_spring
@@ -31,7 +32,7 @@ def solve_forces(task: CamTask, follower: Follower) -> CamForces:
     found = state(course.carried, points)
     guide, turns = course.carried.guide, follower.kind == "oscillating"
     lost, reversals = _lost(task, course), _reversals(task, course)
-    reserve, work = reserve_of(course), _work(task, course, loads)
+    reserve, work, extremes = reserve_of(course), _work(task, course, loads), tuple(_extremes(course))
     side = float(follower.sense)
     return CamForces(
         follower=follower,
@@ -56,13 +57,14 @@ def solve_forces(task: CamTask, follower: Follower) -> CamForces:
         driving=found.driving,
         guide=guide,
         spring=spring,
-        extremes=tuple(_extremes(course)),
+        extremes=extremes,
         lost=lost,
         reversals=reversals,
         reserve=reserve,
         work=work,
         verdict="loss_of_contact" if lost else "ok",
         notes=tuple(force_notes(task, spring, lost, reversals, reserve)),
+        error=force_errors(task, loads, course, spring, points, found, extremes, work.error),
     )
 
 

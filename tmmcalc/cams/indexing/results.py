@@ -12,6 +12,7 @@ from tmmcalc.cams.indexing.efficiency import Flags
 from tmmcalc.cams.indexing.handover import Handover
 from tmmcalc.cams.indexing.rollers import RollerLimit
 from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.rounding import Errors
 from tmmcalc.records import record
 
 LARGEST = 1e12  # of l_k: a radius of curvature that stands for a straight line
@@ -113,6 +114,7 @@ class Indexing:
     motion: Values  # (4, n) beta [rad] and its derivatives by the angle of the cams
     cam: Cam | None  # None: the law is known by its B alone
     notes: tuple[str, ...]
+    error: Errors  # estimates, relative: of points, curvature, pressure, limits; of efficiency and ends absolute
 
     @property
     def centres(self) -> float:

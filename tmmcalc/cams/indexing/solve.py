@@ -9,6 +9,7 @@ import numpy as np
 
 from tmmcalc.cams.indexing.bounds import bounds, start_angle, start_pressure
 from tmmcalc.cams.indexing.choice import WHERE, choose_ratio, choose_roller
+from tmmcalc.cams.indexing.errors import indexing_errors
 from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName
 from tmmcalc.cams.indexing.handover import Handover, crossing, handover, working_tip
 from tmmcalc.cams.indexing.laws import StepLaw
@@ -51,6 +52,7 @@ def solve_indexing(task: IndexingTask) -> Indexing:
         motion=np.empty((4, 0)),
         cam=None,
         notes=(),
+        error={},
     )
     drive = drive_of(task, ratio)
     if drive is not None:
@@ -58,7 +60,9 @@ def solve_indexing(task: IndexingTask) -> Indexing:
         limits = roller_limits(drive, end.part, task.shaft)
         roller, how = choose_roller(task, limits)
         cam = _cam(task, drive, end, limits, roller)
-        found = replace(found, roller=roller, roller_how=how, motion=Flank(drive, "A").motion(k), cam=cam)
+        error = indexing_errors(drive, k, cam, roller, found.frictions)
+        motion = Flank(drive, "A").motion(k)
+        found = replace(found, roller=roller, roller_how=how, motion=motion, cam=cam, error=error)
     return replace(found, notes=tuple(remarks(found)))
 
 

@@ -55,7 +55,7 @@ class Law:
         """
         i = self.piece(k) if piece is None else piece
         t = k - self.breaks[i]
-        values = np.empty((ORDERS, len(t)))
+        values = np.empty((ORDERS, len(t)), t.dtype)
         for order, rows in enumerate(self._derivatives):
             c = rows[i] if self.count > 1 else rows  # a single row serves all k
             value = np.zeros(len(t)) + c[:, -1]
@@ -67,6 +67,12 @@ class Law:
             sine, cosine = a * np.sin(w * t + p), a * np.cos(w * t + p)
             values += np.stack((sine, w * cosine, -w * w * sine, -(w**3) * cosine))
         return values
+
+    @cached_property
+    def wider(self) -> Law:
+        """The same in extended precision, for the estimates of errors: made once for a law of the catalogue."""
+        held = (self.breaks, self.coefficients, self.amplitude, self.frequency, self.phase)
+        return Law(self.name, *(each.astype(np.longdouble) for each in held))
 
     @cached_property
     def _derivatives(self) -> tuple[Values, ...]:

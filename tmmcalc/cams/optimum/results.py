@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.contour import Contour
+from tmmcalc.cams.rounding import Errors
 from tmmcalc.records import record
 
 
@@ -152,5 +153,6 @@ class CamOptimum:
     section: Section | None
     flat: FlatChart | None
     notes: tuple[str, ...]
+    error: Errors  # estimates: of the margins, and of the least H2 relative to it
     refused: str = ""  # why what is asked has no solution: all but ``options`` is then of the lowest of them
     shown: tuple[str, ...] = ()  # the changes of that option

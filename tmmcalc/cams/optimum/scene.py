@@ -67,14 +67,16 @@ class Scene:
     requirements: Requirements
 
 
-def scene_of(task: CamTask, follower: Follower, phases: Phases = "turn") -> Scene:
+def scene_of(task: CamTask, follower: Follower, phases: Phases = "turn", denser: int = 1) -> Scene:
     """The scene of a task; ``phases`` is what of the turn is examined: all of it, or as in the textbook the rise.
+
+    ``denser`` panels stand in place of one.
 
     Raises `UsageError` without loads, `NoSolutionError` where the follower leaves the cam whatever its sizes.
     """
     loads = loads_of(task, WHERE)
     spring = solve_spring(task, loads)
-    widest = WIDEST / SHARPER if follower.kind == "flat" else WIDEST
+    widest = (WIDEST / SHARPER if follower.kind == "flat" else WIDEST) / denser
     phi, piece = nodes(task, loads, spring, phases == "rise", widest)
     at = at_rows(task, loads, Positions(phi, piece, ()))
     sense = _from_inside(at.sense)

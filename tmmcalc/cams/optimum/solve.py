@@ -12,6 +12,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum import flat
 from tmmcalc.cams.optimum.checks import choice_of
 from tmmcalc.cams.optimum.contour import Contour, contour
+from tmmcalc.cams.optimum.errors import optimum_errors
 from tmmcalc.cams.optimum.game import changed, options, options_without, variants
 from tmmcalc.cams.optimum.least import least_height
 from tmmcalc.cams.optimum.margins import SLACK, margins
@@ -79,7 +80,7 @@ def _solved(task: CamTask, follower: Follower, asked: Optimum, phases: Phases) -
     """The result as asked, with its options; raises as `solve_optimum` does."""
     scene = scene_of(task, follower, phases)
     if follower.kind == "flat":
-        return _flat(task, scene, asked, phases)
+        return _flat(task, follower, scene, asked, phases)
     found, known = search(scene, asked)
     if found is None:
         raise refusal(scene, asked, known.beyond)
@@ -115,10 +116,11 @@ def _solved(task: CamTask, follower: Follower, asked: Optimum, phases: Phases) -
         section=section_of(scene, chosen),
         flat=None,
         notes=tuple(optimum_notes(task, scene, chosen, least, theta)),
+        error=optimum_errors(task, follower, phases, scene, chosen, least),
     )
 
 
-def _flat(task: CamTask, scene: Scene, asked: Optimum, phases: Phases) -> CamOptimum:
+def _flat(task: CamTask, follower: Follower, scene: Scene, asked: Optimum, phases: Phases) -> CamOptimum:
     """The same of a flat-faced follower, whose only size is S0."""
     top, start, examined = flat.steps(scene, asked.step, asked.height_step)
     designs = [flat.choice_of(scene, each, top) for each in start.tolist()]
@@ -149,6 +151,7 @@ def _flat(task: CamTask, scene: Scene, asked: Optimum, phases: Phases) -> CamOpt
         section=None,
         flat=flat.chart(scene),
         notes=tuple(optimum_notes(task, scene, designs[0], least, ())),
+        error=optimum_errors(task, follower, phases, scene, designs[0], least),
     )
 
 

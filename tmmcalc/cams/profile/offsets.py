@@ -49,6 +49,13 @@ def frame(follower: Follower, phi: Values, motion: Values) -> Frame:
     return Frame(path[0], path[1] / speed, speed, curvature(path))
 
 
+def working_curvature(here: Frame, roller: float, flat: bool) -> Values:
+    """kappa/(1 - kappa r2) or 1/rho; at the very point of a cusp the largest number that a float holds."""
+    top, below = (np.ones_like(here.speed), here.speed) if flat else (here.bend, 1 - here.bend * roller)
+    tiny = np.abs(top) / np.finfo(float).max + np.finfo(float).tiny
+    return top / np.where(np.abs(below) > tiny, below, np.finfo(float).eps)
+
+
 @record
 class Rim:
     """The curve of a follower over the whole turn."""

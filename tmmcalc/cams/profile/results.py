@@ -8,6 +8,7 @@ from tmmcalc.cams.follower import Complex, Follower
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pivot import PivotRoom
 from tmmcalc.cams.program import Positions
+from tmmcalc.cams.rounding import Errors
 from tmmcalc.records import record
 
 WallName = Literal["inner", "outer", "tool", "outer tool"]
@@ -99,6 +100,7 @@ class Profile:
     face: Face | None
     pivot: PivotRoom | None  # None: no rocker
     remarks: tuple[str, ...]
+    error: Errors  # estimates, relative: of points, normals, curvature, limits, angles of loops
 
     @property
     def flat(self) -> bool:

@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pivot import pivot_room
 from tmmcalc.cams.profile.bends import LEVEL, Bends, bends
 from tmmcalc.cams.profile.crossings import crossings
-from tmmcalc.cams.profile.offsets import Frame, Rim, frame
+from tmmcalc.cams.profile.errors import profile_errors
+from tmmcalc.cams.profile.offsets import Frame, Rim, frame, working_curvature
 from tmmcalc.cams.profile.reach import reach
 from tmmcalc.cams.profile.results import Face, Place, Profile, Reach, Wall, WallName
 from tmmcalc.cams.profile.verdicts import refuse, remarks
@@ -48,7 +48,7 @@ def solve_profile(task: CamTask, follower: Follower) -> Profile:
         outer_tool=builder.wall("outer tool", tool - r2) if tool is not None and groove else None,
         normal=follower.placed(-1j * here.tangent),
         pitch_curvature=None if flat else here.bend,
-        curvature=_working_curvature(here, r2, flat),
+        curvature=working_curvature(here, r2, flat),
         tool_radius=tool,
         sharpest=sharpest,
         hollowest=hollowest,
@@ -59,10 +59,11 @@ def solve_profile(task: CamTask, follower: Follower) -> Profile:
         face=_face(task, follower) if flat else None,
         pivot=pivot_room(task, follower),
         remarks=(),
+        error={},
     )
     if not task.asked.report_faults:
         refuse(found, task)
-    return replace(found, remarks=tuple(remarks(found, task)))
+    return replace(found, remarks=tuple(remarks(found, task)), error=profile_errors(task, found))
 
 
 def _check_tool(tool: float | None, roller: float, groove: bool) -> None:
@@ -107,13 +108,6 @@ def _extremes(bend: Bends) -> tuple[Place, Place | None]:
     sharpest, hollowest = bend.extreme(1), bend.extreme(-1)
     concave = hollowest.value < -LEVEL * sharpest.value
     return sharpest, hollowest if concave else None
-
-
-def _working_curvature(here: Frame, roller: float, flat: bool) -> Values:
-    """kappa/(1 - kappa r2) or 1/rho; at the very point of a cusp the largest number that a float holds."""
-    top, below = (np.ones_like(here.speed), here.speed) if flat else (here.bend, 1 - here.bend * roller)
-    tiny = np.abs(top) / np.finfo(float).max + np.finfo(float).tiny
-    return top / np.where(np.abs(below) > tiny, below, np.finfo(float).eps)
 
 
 def _nearest(bend: Bends, roller: float) -> Place:

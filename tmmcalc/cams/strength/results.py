@@ -6,6 +6,7 @@ from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import Positions
+from tmmcalc.cams.rounding import Errors
 from tmmcalc.records import record
 
 OK, OPEN = "ok", "not judged"
@@ -89,6 +90,7 @@ class CamStrength:
     margins: tuple[Margin, ...]
     verdict: str  # the gravest of the margins' verdicts: "undercut", "tool_interference", "slip", "exceeded", "ok"
     notes: tuple[str, ...]
+    error: Errors  # estimates, relative: of the rows by their names, of the extremes behind the margins
 
     @property
     def judged(self) -> tuple[Margin, ...]:

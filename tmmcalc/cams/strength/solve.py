@@ -5,22 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import degrees
 
-import numpy as np
-
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.course import course_of
-from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.forces.results import CamForces
 from tmmcalc.cams.forces.spring import solve_spring
-from tmmcalc.cams.forces.state import State, state
+from tmmcalc.cams.forces.state import state
 from tmmcalc.cams.forces.turn import at_rows, loads_of
-from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.strength.carriers import bending_of, pressure_of, shaft_margins, shaft_of, stem_margins
-from tmmcalc.cams.strength.kernels import contact_stress, flat_stress, reduced_moment, shaft_by_strength, slip, whole
+from tmmcalc.cams.strength.carriers import shaft_margins, shaft_of, stem_margins
+from tmmcalc.cams.strength.errors import Positioned, strength_errors
+from tmmcalc.cams.strength.kernels import shaft_by_strength, whole
 from tmmcalc.cams.strength.results import OK, CamStrength, Margin, Rolling, ShaftFound
 from tmmcalc.cams.strength.roller import contact_margin, roller_unit, rolling_of, slip_margin, unit_margins
+from tmmcalc.cams.strength.rows import rows_of
 from tmmcalc.cams.strength.shape import shape_margins
-from tmmcalc.cams.strength.work import Case, case_of, curved, spun
+from tmmcalc.cams.strength.work import Case, case_of
 from tmmcalc.cams.task import CamTask
 
 FAULTS = {  # the gravest first
@@ -52,23 +50,21 @@ def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None =
     rows = forces.positions if forces else task.positions
     points = at_rows(task, loads, rows)
     now = state(case.course.carried, points)
-    kappa = curved(follower, points.motion)
-    run = spun(task, loads, follower, points, now.contact)
-    touching = np.abs(now.contact) > 0 if case.grooved else now.contact > 0
+    found = rows_of(case, rolling, follower, loads, points, now)
     bend = case.bend
     sharpest = 1 / bend.largest if bend.largest > 0 else None
     return CamStrength(
         follower=follower,
         positions=rows,
         ends=tuple(task.program.starts.tolist()),
-        touching=touching,
-        curvature=kappa,
-        run=None if case.flat else run,
-        slip=_slip(case, rolling, now, run),
-        stress=_stress(case, now, kappa, touching),
-        reduced=_reduced(case, now),
-        bending=bending_of(case, now, points.motion),
-        pressure=pressure_of(case, now),
+        touching=found.touching,
+        curvature=found.curvature,
+        run=found.run,
+        slip=found.slip,
+        stress=found.stress,
+        reduced=found.reduced,
+        bending=found.bending,
+        pressure=found.pressure,
         convex=max(bend.least, 0.0) if case.flat else sharpest,
         convex_phi=bend.least_phi if case.flat else bend.largest_phi,
         concave=-1 / bend.least if bend.least < 0 and not case.flat else None,
@@ -79,6 +75,7 @@ def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None =
         margins=margins,
         verdict=_verdict(margins),
         notes=tuple(_notes(case, margins, rolling, shaft)),
+        error=strength_errors(case, rolling, Positioned(points, rows.piece, now, found), margins, shaft),
     )
 
 
@@ -93,33 +90,6 @@ def _verdict(margins: tuple[Margin, ...]) -> str:
     """The gravest of what is wrong."""
     found = {verdict for verdict, _ in _decisive(margins)}
     return next((verdict for verdict in FAULTS if verdict in found), OK)
-
-
-def _slip(case: Case, rolling: Rolling | None, now: State, run: Values) -> Values | None:
-    if rolling is None:
-        return None
-    friction = case.needs.roller_friction or 1.0
-    grown, works = slip(
-        now.contact, run, rolling.resisting, rolling.inertia, case.loads.speed, friction, case.follower.roller
-    )
-    return np.where(works, np.abs(grown), 0.0)
-
-
-def _stress(case: Case, now: State, kappa: Values, touching: Mask) -> Values | None:
-    """sigma_H at the rows; None without its data or with a cusp."""
-    width, modulus = case.needs.width, case.needs.modulus
-    if width is None or case.cusped or not (case.flat or case.follower.roller):
-        return None
-    if case.flat:
-        found, _ = flat_stress(now.contact, 1 / kappa, width, modulus)
-    else:
-        found, _ = contact_stress(now.contact, kappa, case.follower.roller, width, modulus)
-    return np.where(touching, found, 0.0)
-
-
-def _reduced(case: Case, now: State) -> Values | None:
-    span = case.needs.span
-    return None if span is None else reduced_moment(now.contact, now.torque, span, case.needs.torsion)
 
 
 def _notes(case: Case, margins: tuple[Margin, ...], rolling: Rolling | None, shaft: ShaftFound | None) -> Iterator[str]:

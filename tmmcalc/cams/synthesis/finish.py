@@ -10,6 +10,7 @@ from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pivot import PivotRoom, pivot_room, told
 from tmmcalc.cams.pressure import Reached, reached, remarks
 from tmmcalc.cams.synthesis import roller
+from tmmcalc.cams.synthesis.errors import size_errors
 from tmmcalc.cams.synthesis.results import Design, Region, Size, Synthesis
 from tmmcalc.cams.task import CamTask
 from tmmcalc.errors import SingularityError
@@ -61,6 +62,7 @@ def finished(
         choice,
         residual,
         notes,
+        size_errors(task, follower, (rise, back), choice, room),
         room,
     )
 

@@ -8,6 +8,7 @@ from tmmcalc.cams.follower import Follower, FollowerKind
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.pivot import PivotRoom
 from tmmcalc.cams.pressure import Extreme, Reached
+from tmmcalc.cams.rounding import Errors
 from tmmcalc.records import record
 
 PLANE = "e, S0"  # frames of a region
@@ -103,6 +104,7 @@ class Synthesis:
     roller: RollerChoice | None
     residual: float  # [rad] by how much the sizes found miss the limit that they are to reach; 0 if they reach none
     notes: tuple[str, ...]
+    error: Errors  # estimates: of the sizes relative to R0, of angles and radii relative to themselves
     pivot: PivotRoom | None = None  # None: no rocker
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.synthesis import flat
+from tmmcalc.cams.synthesis.errors import flat_errors
 from tmmcalc.cams.synthesis.finish import GIVEN, WHOLE, size_of, up
 from tmmcalc.cams.synthesis.results import Design, Synthesis
 from tmmcalc.cams.synthesis.rocker import rocker
@@ -47,8 +48,9 @@ def _flat(task: CamTask) -> Synthesis:
         rounded = Design("whole millimetres", whole, whole, 0.0, 0.0, 0.0, (0.0, 0.0), (0.0, 0.0), 0.0)
     sizes = (size_of("S0", start, governs == GIVEN, how),)
     return Synthesis(
-        "flat", follower, sizes, governs, (), rounded, None, None, None, convexity, None, 0.0, (*task.remarks, *notes)
-    )
+        "flat", follower, sizes, governs, (), rounded, None, None, None, convexity, None, 0.0, (*task.remarks, *notes),
+        flat_errors(task, convexity, start),
+    )  # fmt: skip
 
 
 def _check_limits(task: CamTask) -> None:

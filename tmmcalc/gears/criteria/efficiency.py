@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from itertools import product
 from math import prod
+from typing import Any
 
 import numpy as np
 
 from tmmcalc.errors import UsageError
-from tmmcalc.gears.criteria.speeds import CARRIER, output, speeds
+from tmmcalc.gears.criteria.speeds import CARRIER, DOUBLE, output, speeds
 from tmmcalc.gears.model import ToothSets, Values
 from tmmcalc.gears.network.types import efficiency as planetary_efficiency
 from tmmcalc.records import record
@@ -27,8 +28,10 @@ class MeshEfficiency:
     internal: float = 0.985
 
 
-def efficiency(sets: ToothSets, meshes: MeshEfficiency | None = None, driver: str = "1") -> Values:
-    """Efficiency (n,) of every train, driven by wheel 1 or by its output shaft.
+def efficiency(
+    sets: ToothSets, meshes: MeshEfficiency | None = None, driver: str = "1", kind: np.dtype[Any] = DOUBLE
+) -> Values:
+    """Efficiency (n,) of every train, driven by wheel 1 or by its output shaft, in numbers of a kind.
 
     Zero or negative: the train locks itself in this direction; zero where no power can flow at all. Raises
     `UsageError` for another driver and `NoSolutionError` where wheel 1 or the output stands still.
@@ -46,11 +49,11 @@ def efficiency(sets: ToothSets, meshes: MeshEfficiency | None = None, driver: st
     if not sets.scheme.planetary:
         return np.full(len(sets), prod(each))
     if sets.layout == "AII":
-        return _three_central_wheels(sets, each, driver)
-    return planetary_efficiency(speeds(sets).of("1"), prod(each), "1" if driver == "1" else "H")
+        return _three_central_wheels(sets, each, driver, kind)
+    return planetary_efficiency(speeds(sets).of("1", kind), prod(each), "1" if driver == "1" else "H")
 
 
-def _three_central_wheels(sets: ToothSets, each: list[float], driver: str) -> Values:
+def _three_central_wheels(sets: ToothSets, each: list[float], driver: str, kind: np.dtype[Any]) -> Values:
     """Efficiency of AII by the powers T v that the wheels 1, 3, 4 bring to the planets, seen from the carrier.
 
     Losses turn their balance into sum T v eta^(+-1) = 0, + where power enters; the carrier bears no torque, so that
@@ -58,15 +61,16 @@ def _three_central_wheels(sets: ToothSets, each: list[float], driver: str) -> Va
     """
     turning = speeds(sets, driver)
     wheels = (driver, "3", "4" if driver == "1" else "1")
-    v = np.array([turning.of(wheel) - turning.of(CARRIER) for wheel in wheels])
-    eta = np.array(each)[["134".index(wheel) for wheel in wheels], None]
+    speed = {shaft: turning.of(shaft, kind) for shaft in (*wheels, CARRIER)}
+    v = np.array([speed[wheel] - speed[CARRIER] for wheel in wheels])
+    eta = np.array(each, kind)[["134".index(wheel) for wheel in wheels], None]
     _, directions = _balance(v, v)
-    found, known = np.zeros(len(sets)), np.zeros(len(sets), bool)
+    found, known = np.zeros(len(sets), kind), np.zeros(len(sets), bool)
     for flips in sorted(product((1, -1), repeat=3), key=sum, reverse=True):
         assumed = directions * np.array(flips)[:, None]
         torque, actual = _balance(v, v * eta**assumed)
         fits = ~known & np.all(assumed == actual, axis=0)
-        found = np.where(fits, -torque * turning.of(wheels[2]), found)
+        found = np.where(fits, -torque * speed[wheels[2]], found)
         known |= fits
     return found
 

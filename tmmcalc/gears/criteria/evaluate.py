@@ -78,7 +78,7 @@ def evaluate(
         centre_distances=centre_distances(sets, module, basis.rack),
         ratio=turning.of("1"),
         planet_ratio=turning.of("2"),
-        efficiency=efficiency(sets, basis.meshes, basis.driver),
+        efficiency=efficiency(sets, basis.meshes, basis.driver, module.dtype),
         error=np.zeros(len(sets)) if nominal is None else ratio_error(sets, nominal, basis.driver),
         slenderness=slender,
         width_deviation=outside,

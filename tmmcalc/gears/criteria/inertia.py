@@ -24,10 +24,10 @@ def reduced_inertia(
 
     Raises `NoSolutionError` if that shaft stands still.
     """
-    made, turning = wheels(sets, module, width, build), speeds(sets, to)
-    own = turning.ratios.values[:, : len(sets.scheme.wheels)] ** 2
+    made, turning, kind = wheels(sets, module, width, build), speeds(sets, to), module.dtype
+    own = turning.ratios.of_kind(kind)[:, : len(sets.scheme.wheels)] ** 2
     total = made.total(made.inertias * own)
-    carried = turning.of(CARRIER) ** 2
+    carried = turning.of(CARRIER, kind) ** 2
     for wheel, orbit in orbits(sets, centre_distances(sets, module, rack)).items():
         total = total + sets.planets * made.masses[:, sets.scheme.index(wheel)] * orbit**2 * carried
     return total

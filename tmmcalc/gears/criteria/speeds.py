@@ -7,6 +7,8 @@ fractions of 64-bit integers in lowest terms; signs count, positive means turnin
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError, UsageError
@@ -14,6 +16,7 @@ from tmmcalc.gears.model import Integers, ToothSets, Values
 from tmmcalc.records import record
 
 CARRIER = "H"
+DOUBLE = np.dtype(float)
 FIXED = {"AIbar": "3", "AI": "3", "AA": "3", "II": "3", "AII": "3", "2A-AA": "4"}  # the central wheel that stands still
 
 
@@ -27,7 +30,11 @@ class Ratios:
     @property
     def values(self) -> Values:
         """The ratios as floats (n, ...)."""
-        quotients: Values = self.numerators / self.denominators
+        return self.of_kind(DOUBLE)
+
+    def of_kind(self, kind: np.dtype[Any]) -> Values:
+        """The ratios (n, ...) as numbers of a kind, doubles or longdoubles, rounded once."""
+        quotients: Values = self.numerators.astype(kind) / self.denominators.astype(kind)
         return quotients
 
 
@@ -39,9 +46,9 @@ class Speeds:
     over: str
     ratios: Ratios  # (n, shafts)
 
-    def of(self, shaft: str) -> Values:
-        """Speed (n,) of a shaft."""
-        return self.ratios.values[:, self.shafts.index(shaft)]
+    def of(self, shaft: str, kind: np.dtype[Any] = DOUBLE) -> Values:
+        """Speed (n,) of a shaft in numbers of a kind."""
+        return self.exact(shaft).of_kind(kind)
 
     def exact(self, shaft: str) -> Ratios:
         """Speed (n,) of a shaft as fractions."""

@@ -69,7 +69,7 @@ class Wheels:
 
     def total(self, single: Values) -> Values:
         """Sum (n,) of a quantity of single wheels (n, wheels) over all, alike for like trains to the last bit."""
-        amount = np.zeros(len(single))
+        amount = np.zeros(len(single), single.dtype)
         for column, number in zip(single.T, self.numbers, strict=True):
             amount += number * column
         return amount
@@ -96,7 +96,7 @@ def wheels(sets: ToothSets, module: Values, width: Values, build: Build | None =
     """
     build = Build() if build is None else build
     scheme, moving = sets.scheme, MOVING[sets.layout]
-    masses, inertias = np.zeros((2, *sets.teeth.shape))
+    masses, inertias = np.zeros((2, *sets.teeth.shape), module.dtype)
     reference = radii(sets, module)
     for wheel, part in moving.items():
         column, stage = scheme.index(wheel), stage_of(sets, wheel)

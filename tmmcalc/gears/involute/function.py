@@ -10,22 +10,20 @@ import numpy as np
 from tmmcalc.gears.model import Values
 
 # tan(a) - a = a^3 (1/3 + 2/15 a^2 + ...): numerators and denominators of the Taylor coefficients of tan
-_TAYLOR = tuple(
-    top / bottom
-    for top, bottom in (
-        (1, 3),
-        (2, 15),
-        (17, 315),
-        (62, 2835),
-        (1382, 155925),
-        (21844, 6081075),
-        (929569, 638512875),
-        (6404582, 10854718875),
-        (443861162, 1856156927625),
-        (18888466084, 194896477400625),
-        (113927491862, 2900518163668125),
-    )
+SERIES = (
+    (1, 3),
+    (2, 15),
+    (17, 315),
+    (62, 2835),
+    (1382, 155925),
+    (21844, 6081075),
+    (929569, 638512875),
+    (6404582, 10854718875),
+    (443861162, 1856156927625),
+    (18888466084, 194896477400625),
+    (113927491862, 2900518163668125),
 )
+_TAYLOR = tuple(top / bottom for top, bottom in SERIES)
 _SMALL = 0.3  # [rad] below it the difference tan(a) - a would lose digits
 _STEPS = 6  # of Newton's method: from the start below four are enough everywhere
 

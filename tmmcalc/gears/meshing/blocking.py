@@ -13,6 +13,7 @@ from tmmcalc.gears.involute.contour.contour import Contour, contours
 from tmmcalc.gears.involute.contour.interval import Interval, intervals
 from tmmcalc.gears.involute.contour.joined import Region
 from tmmcalc.gears.involute.contour.margins import Margins, margins
+from tmmcalc.gears.involute.contour.rounding import contour_error
 from tmmcalc.gears.meshing.blockinglines import contour_lines
 from tmmcalc.gears.meshing.blockingpoints import contour_points
 from tmmcalc.gears.meshing.choice import contour_task
@@ -104,6 +105,7 @@ def _area(found: Contour) -> Area:
         pieces=tuple(_outline(piece) for piece in found.pieces),
         untraced=tuple(wheel for wheel in (1, 2) if {wheel, 3} & set(found.untraced)),
         best_contact_ratio=found.best_contact_ratio,
+        error=contour_error(found),
     )
 
 

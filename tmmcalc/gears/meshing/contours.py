@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.gears.involute.contour.rounding import ContourError
 from tmmcalc.gears.involute.rack import Rack
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
@@ -43,6 +44,7 @@ class Area:
     pieces: tuple[Outline, ...]  # beyond a pinch point, or apart, mostly with a tip inside its reference circle
     untraced: tuple[int, ...]  # wheels on whose side there are pieces whose outline is not found
     best_contact_ratio: float  # largest that the other conditions leave
+    error: ContourError | None = None  # of the main curve; None: there is none
 
 
 @record

@@ -33,6 +33,7 @@ class WheelProfile:
     rolls: tuple[float, float, float, float]  # phi_L, phi_D, phi_A, phi_F: limit point, root, tip, form
     fillet_least_radius: float  # least radius of curvature of the fillet
     join: float  # distance of fillet and involute where they meet: 0 but for rounding
+    error: float  # of the outline's place, over its largest radius (of a rack its largest coordinate)
 
 
 @record

@@ -167,6 +167,18 @@ class SlidingPeaks:
 
 
 @record
+class PairError:
+    """Relative errors of the sizes of a pair, for its shifts as they are; of a group to the largest of it."""
+
+    angle: float  # alpha_tw
+    distance: float  # a_w
+    contact_ratio: float  # eps_alpha of the whole flanks
+    thickness: float  # of the teeth on reference and tip circles
+    span: float | None  # W of the chosen spans
+    balls: float | None  # M over or between balls or pins
+
+
+@record
 class MeshPair:
     """One pair, solved."""
 
@@ -194,6 +206,7 @@ class MeshPair:
     peaks_left: SlidingPeaks | None  # of the involutes that there are; None: these do not reach each other
     sliding: SlidingTable
     measures: tuple[Measures, ...]  # as sizes
+    error: PairError | None = None  # None: not estimated
 
     @property
     def total(self) -> float:

@@ -9,6 +9,7 @@ from tmmcalc.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.rack import require_tool
 from tmmcalc.gears.meshing.refusal import joined, millimetres, named
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
+from tmmcalc.gears.meshing.rounding import pair_error
 from tmmcalc.gears.meshing.task import PairsTask, PairTask
 
 if TYPE_CHECKING:
@@ -46,7 +47,8 @@ def solve_pair(task: PairTask) -> MeshPair:
     with named(task):
         require_tool(task.rack)
         found = _solved(task)
-        return replace(found, note="; ".join(filter(None, (found.note, _rounded(task)))))
+        note = "; ".join(filter(None, (found.note, _rounded(task))))
+        return replace(found, note=note, error=pair_error(found))
 
 
 def _solved(task: PairTask) -> MeshPair:

@@ -11,6 +11,7 @@ from tmmcalc.gears.meshing.halves import Half, Part, half_tooth
 from tmmcalc.gears.meshing.members import Member, members
 from tmmcalc.gears.meshing.profiles import Profiles, WheelProfile
 from tmmcalc.gears.meshing.results import Pairs
+from tmmcalc.numerics.extended import EPS
 
 FEWEST = 3  # points of a curve
 SHARE = 5  # arcs and straight lines have so many times fewer
@@ -46,6 +47,7 @@ def _profile(member: Member, half: Half, points: int) -> WheelProfile:
     m = member.module
     each = [_sampled(part, points) for part in half.parts]
     places = np.concatenate([part.curve.point(at) for part, at in zip(half.parts, each, strict=True)])
+    roll = np.concatenate([part.roll(at) for part, at in zip(half.parts, each, strict=True)])
     return WheelProfile(
         pair=member.pair,
         wheel=member.name,
@@ -59,7 +61,7 @@ def _profile(member: Member, half: Half, points: int) -> WheelProfile:
         form=m * half.form,
         undercut=half.undercut,
         part=np.repeat([part.name for part in half.parts], [len(at) for at in each]),
-        roll=np.concatenate([part.roll(at) for part, at in zip(half.parts, each, strict=True)]),
+        roll=roll,
         x=m * places.real,
         y=m * places.imag,
         radius=m * np.concatenate([part.radius(at) for part, at in zip(half.parts, each, strict=True)]),
@@ -68,7 +70,15 @@ def _profile(member: Member, half: Half, points: int) -> WheelProfile:
         rolls=half.rolls,
         fillet_least_radius=m * half.least_radius,
         join=m * half.join,
+        error=_error(member, half, roll, places),
     )
+
+
+def _error(member: Member, half: Half, roll: np.ndarray, places: np.ndarray) -> float:
+    """What roundings leave: of the radius, of the angles that turn it (psi, alpha_t, phi), and where curves join."""
+    radius = np.abs(places)
+    turned = 0.0 if member.shape == "rack" else abs(_half_angle(member)) + tan(member.wheel.section.angle)
+    return float((np.max(EPS * radius * (1 + turned + np.abs(roll))) + half.join) / np.max(radius))
 
 
 def _half_angle(member: Member) -> float:

@@ -89,7 +89,7 @@ def self_locking(i_1h: Numbers, eta0: Numbers, driver: Driver = "1") -> np.ndarr
 
 
 def _checked(i_1h: Numbers, eta0: Numbers, driver: str) -> tuple[Values, Values]:
-    i, eta = np.broadcast_arrays(np.asarray(i_1h, dtype=float), np.asarray(eta0, dtype=float))
+    i, eta = np.broadcast_arrays(np.multiply(i_1h, 1.0), np.multiply(eta0, 1.0))
     if driver not in ("1", "H"):
         raise UsageError(f"the driver is {driver!r}", where=WHERE, remedy='wheel "1" or carrier "H"')
     if not np.all((eta > 0) & (eta <= 1)):

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from tmmcalc.gears.criteria.choice import Ranking, Reason
 from tmmcalc.gears.criteria.comparison import Comparison
 from tmmcalc.gears.criteria.evaluate import Criteria
+from tmmcalc.gears.criteria.rounding import CriteriaError
 from tmmcalc.gears.criteria.series import Series
 from tmmcalc.gears.model import Integers, ToothSets, Values
 from tmmcalc.gears.split import Split
@@ -31,6 +32,7 @@ class Weighed:
     locking: int  # of them self-locking: no power passes
     unseen: int  # sets of the variant whose strength was not found
     refused: dict[str, int] = field(default_factory=dict)  # that break a constraint of the user's, by its name
+    error: CriteriaError | None = None  # None: no trains
 
 
 @record

@@ -17,6 +17,7 @@ from tmmcalc.gears.criteria.choice import Measured, Ranking, Reason, front, leas
 from tmmcalc.gears.criteria.comparison import Comparison, compare
 from tmmcalc.gears.criteria.efficiency import efficiency
 from tmmcalc.gears.criteria.evaluate import Basis, evaluate
+from tmmcalc.gears.criteria.rounding import criteria_error
 from tmmcalc.gears.criteria.speeds import CARRIER, speeds
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.selection.guides import guides
@@ -82,10 +83,12 @@ def _weighed(request: Request, sized: Sized, task: SelectionTask) -> Weighed:
     locks = efficiency(rows_of(sized.sets, strong), basis.meshes, basis.driver) <= 0
     sets, module, width = _at(sized, strong[~locks])
     criteria = evaluate(sets, module, width, basis=basis)
+    error = criteria_error(sets, module, width, basis, criteria)
     criteria = replace(criteria, error=abs(ratios(request, sets)[1]))  # of the ratio as it was asked for
     locking, weak = int(np.count_nonzero(locks)), len(sized.sets) - len(strong)
     unseen = sized.count - len(sized.sets)
-    return Weighed(sized.title, sets, module, width, criteria, len(sized.sets), weak, locking, unseen)
+    counts = len(sized.sets), weak, locking, unseen
+    return Weighed(sized.title, sets, module, width, criteria, *counts, error=error)
 
 
 def _at(sized: Sized, rows: np.ndarray) -> tuple[ToothSets, np.ndarray, np.ndarray]:

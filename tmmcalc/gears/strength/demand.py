@@ -49,7 +49,7 @@ def form_factor(teeth: Values) -> Values:
 def form_factors(sets: ToothSets, layout: Layout) -> Values:
     """Form factors (n, wheels) of all wheels, rings as racks."""
     ring = np.array([wheel in layout.rings for wheel in layout.wheels])
-    return np.where(ring, RACK_FORM, form_factor(sets.teeth.astype(float)))
+    return np.where(ring, RACK_FORM, form_factor(1.0 * sets.teeth))
 
 
 def demand(sets: ToothSets, torque: float, basis: Basis, loads: MeshLoads) -> Demand:

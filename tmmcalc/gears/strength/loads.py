@@ -67,7 +67,7 @@ def _teeth(sets: ToothSets, layout: Layout) -> Values:
         )
     if sets.teeth.size and sets.teeth.min() < 1:
         raise UsageError("a tooth number is not positive", where="strength", value=int(sets.teeth.min()), limit=1)
-    return sets.teeth.astype(float)
+    return 1.0 * sets.teeth
 
 
 def _check_rings(layout: Layout, z1: Values, z2: Values) -> None:
@@ -102,7 +102,7 @@ def _on_first(sets: ToothSets, layout: Layout) -> Values:
 
 def _on_first_of_three(sets: ToothSets) -> Values:
     """AII: the carrier takes no torque, so T1 + T3 + T4 = 0 and T4 = -i_14 T1."""
-    z1, z2, z2b, z3, z4 = (sets.of(wheel).astype(float) for wheel in sets.scheme.wheels)
+    z1, z2, z2b, z3, z4 = (1.0 * sets.of(wheel) for wheel in sets.scheme.wheels)
     difference = z2 * z4 - z3 * z2b
     wrong = np.flatnonzero(difference == 0)
     if wrong.size:

@@ -214,8 +214,8 @@ def compile_statics(scene: Scene, with_inertia: bool = True) -> Statics:
     """The force analysis of a scene; loads of inertia are left out of a static one."""
     keep_pages()
     chain, travel, loading = scene.chain, scene.travel, scene.loading
-    heavy = tuple(body for body in loading.bodies if body.mass > 0 or body.inertia > 0)
-    dynamic = [inertia(heavy, travel.speed, travel.acceleration)] if with_inertia and heavy else []
+    heavy = loading.heavy if with_inertia else ()
+    dynamic = [inertia(heavy, travel.speed, travel.acceleration)] if heavy else []
     pairs = {pair.joint: pair for pair in loading.pairs}
     plans = tuple(plan_of(chain.mechanism, group, pairs) for group in reversed(chain.structure.groups))
     driver = post_of(chain.input_joint, chain.structure.input_link, pairs)

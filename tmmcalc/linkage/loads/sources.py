@@ -81,7 +81,7 @@ def weights(loading: Loading) -> list[Source]:
     def actions(place: Place) -> list[Action]:
         motions = place.configuration.motions
         return [
-            Action(b.link, np.full((), b.mass * loading.gravity, np.complex128), motions[b.link].point(b.center), _ZERO)
+            Action(b.link, np.asarray(b.mass * loading.gravity, np.complex128), motions[b.link].point(b.center), _ZERO)
             for b in heavy
         ]
 

@@ -46,7 +46,7 @@ class Travel(NamedTuple):
     @property
     def sense(self) -> float:
         """Sign of the speed."""
-        return math.copysign(1.0, self.speed)
+        return 1.0 if self.speed > 0 else -1.0
 
     def x(self, theta: Real) -> Real:
         """Input coordinate at theta."""

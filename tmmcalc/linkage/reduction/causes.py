@@ -94,7 +94,7 @@ class Causes(NamedTuple):
 
     def _at(self, place: Place, side: Real, named: Callable[[NDArray[np.intp]], list[str]]) -> Sample:
         sense, n = self.scene.travel.sense, len(place.theta)
-        bodies = [body for body in self.scene.loading.bodies if body.mass or body.inertia]
+        bodies = self.scene.loading.heavy
         inertia, slope = reduced_inertia(bodies, place.configuration, n) if bodies else np.zeros((2, n))
         moments = np.zeros((len(self.names), n))
         for source in self.scene.sources:

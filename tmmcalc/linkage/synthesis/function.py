@@ -35,7 +35,7 @@ def solve(task: SynthesisTask) -> Synthesis:
     """The linkages that generate the function; raises `NoSolutionError` if none assembles at all points."""
     asked: FunctionTask = task.asked
     closure = closure_of(asked)
-    exact = len(asked.inputs) <= exact_points(closure)
+    exact = is_exact(asked)
     tell(0.0, "precision points")
     found = solved_exactly(closure, GRID) if exact else best_fits(closure, GRID, task.seed)
     if not len(found.offsets):
@@ -49,6 +49,11 @@ def solve(task: SynthesisTask) -> Synthesis:
     residual = _residual(shown) if exact else 0.0
     counters = {"candidates": len(found.offsets), "designs": len(designs)}
     return Synthesis("function", RULE, shown, residual, tuple(_notes(asked, exact, shown)), counters)
+
+
+def is_exact(asked: FunctionTask) -> bool:
+    """Whether the points are no more than a linkage of this kind can meet exactly."""
+    return len(asked.inputs) <= exact_points(closure_of(asked))
 
 
 _ERROR = {False: "structural_error_max[deg]", True: "structural_error_max[mm]"}

@@ -8,6 +8,7 @@ primary, order 2 secondary. Weights on a shaft geared 1, -1, 2 or -2 to 1, in tw
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import TypedDict
@@ -24,6 +25,7 @@ from tmmcalc.records import record
 WHERE = "engine"
 ORDERS = (1, 2, 4, 6)
 FREE = 1e-9  # part of the cylinders' own forces of an order below which it counts as balanced
+ROUNDED = 4 * sys.float_info.epsilon  # rounding of a force, relative
 ROUNDING = 1e-13  # part of their forces of all orders that is rounding
 
 
@@ -64,7 +66,7 @@ class EngineBalance:
     alone: tuple[Series, Series]  # sums over the cylinders of the moduli |F_k| [N] and |C_k| [N*m], by order
     scales: tuple[float, float]  # moduli of all forces [N] and couples [N*m] added up: rounding is proportional to them
     weights: tuple[ShaftWeights, ...]
-    error: float  # what the series leave out, relative to the cylinders' own forces [-]
+    error: float  # what the series and rounding leave out, relative to the cylinders' own forces [-]
 
 
 @record
@@ -103,9 +105,14 @@ def engine_balance(
         alone=alone,
         scales=scales,
         weights=(),
-        error=tail,
+        error=tail + ROUNDED * max(map(_magnified, cylinders)),
         **_parts(tuple(orders), Series(each.sum(axis=0)), Series(arms @ each), alone, scales),
     )
+
+
+def _magnified(c: Cylinder) -> float:
+    """How many times rounding is magnified where the rod stands most aslant."""
+    return 1 / (1 - ((c.crank_radius + abs(c.offset)) / c.rod_length) ** 2)
 
 
 def _own_scale(c: Cylinder) -> float:

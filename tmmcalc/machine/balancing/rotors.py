@@ -9,6 +9,7 @@ the couple sum z U as well.
 from __future__ import annotations
 
 import cmath
+import sys
 from collections.abc import Sequence
 
 from tmmcalc.errors import UsageError
@@ -17,6 +18,7 @@ from tmmcalc.machine.balancing.weights import in_planes
 from tmmcalc.records import record
 
 WHERE = "rotor"
+ROUNDING = 2 * sys.float_info.epsilon  # of every moment of an unbalance in a sum
 
 
 @record
@@ -87,6 +89,7 @@ class RotorBalance:
     static_plane: float  # z [m]
     moments: tuple[complex, complex]  # corrections in two planes [kg*m]
     planes: tuple[float, float]  # z [m]
+    error: float = 0.0  # estimated, of loads and corrections, relative to the largest or to that of one unbalance
 
 
 def resultant(unbalances: Sequence[Unbalance]) -> complex:
@@ -155,7 +158,20 @@ def rotor_balance(rotor: Rotor, planes: tuple[float, float], static_plane: float
         static_plane=plane,
         moments=two,
         planes=planes,
+        error=max(_rounding(rotor.unbalances, at) for at in (planes, rotor.bearings)),
     )
+
+
+def _rounding(unbalances: Sequence[Unbalance], planes: tuple[float, float]) -> float:
+    """What rounding leaves of the equivalents in two planes, relative to the larger one or that of one unbalance.
+
+    Moments about z = 0 are large where the planes are far from it, and where they are near one another.
+    """
+    low, span = planes[0], abs(planes[1] - planes[0])
+    summed = sum(abs(u.moment) * (1 + (abs(u.position) + abs(low)) / span) for u in unbalances)
+    alone = [max(map(abs, equivalent([u], planes))) for u in unbalances]
+    largest = max([*map(abs, equivalent(unbalances, planes)), *alone], default=0.0)
+    return ROUNDING * summed / largest if largest else 0.0
 
 
 def verdict(rotor: Rotor, now: RotorState, grade: float) -> RotorVerdict:

@@ -31,6 +31,8 @@ SHORTEST = 0.01  # of the root: where the probes begin if less is at hand
 ABOVE = 2.0  # times the inertia that just does not stall: where the search begins if Mertsalov's stalls
 THRESHOLD = 1e-3  # relative tolerance of the inertia that just does not stall, which is told
 EQUAL = 1e-9  # relative differences of delta that do not count as rising
+MARGIN = 2.0  # of the slope between trials, which is not that at the root
+APART = 1e-3  # relative difference of delta from which on two trials tell a slope
 NOISE = 1e-12  # nor absolute ones: delta is a difference of two speeds, and has their rounding
 
 _MERTSALOV = METHODS[2]
@@ -69,7 +71,7 @@ def required_inertia(
     carrying = None
     if first.delta is None:
         carrying = _carrying(cycle, characteristic, time_constant, first.inertia)
-    return _result(first, root, regime, trials, carrying)
+    return _result(first, root, regime, trials, carrying, delta)
 
 
 def correction_history(
@@ -133,7 +135,22 @@ def _earliest(model: Model, delta: float, first: Trial, root: Trial, count: int,
     return root
 
 
-def _result(first: Trial, root: Trial, regime: Regime, trials: list[Trial], carrying: float | None) -> RequiredInertia:
+def _inexact(root: Trial, regime: Regime, trials: tuple[Trial, ...], delta: float) -> float:
+    """Relative error of the inertia: by how much the unevenness is off, times d ln J / d ln delta.
+
+    The unevenness is off by what the search leaves, and by the errors of the two speeds that it is the difference of.
+    """
+    near = [t for t in trials if t.delta and t.inertia > 0 and abs(t.delta / regime.delta - 1) > APART]
+    slope = 1.0
+    if near:
+        other = min(near, key=lambda trial: abs(trial.inertia - root.inertia))
+        slope = abs(math.log(other.inertia / root.inertia) / math.log((other.delta or delta) / regime.delta))
+    return MARGIN * slope * (abs(regime.delta / delta - 1) + 2 * regime.error / delta)
+
+
+def _result(
+    first: Trial, root: Trial, regime: Regime, trials: list[Trial], carrying: float | None, delta: float
+) -> RequiredInertia:
     ordered = tuple(sorted(trials, key=lambda trial: trial.inertia))
     rises = [(a, b) for a, b in pairwise(ordered) if _size(b) > _size(a) * (1 + EQUAL) + NOISE]
     remarks = []
@@ -155,6 +172,7 @@ def _result(first: Trial, root: Trial, regime: Regime, trials: list[Trial], carr
         ordered,
         not rises,
         tuple(remarks),
+        0.0 if first is root else _inexact(root, regime, ordered, delta),
     )
 
 

@@ -8,7 +8,7 @@ from tmmcalc.errors import AccuracyError, NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import UNDRIVEN, ConstantInertia, Driver
 from tmmcalc.machine.flywheel.comparison import Row, compared
-from tmmcalc.machine.flywheel.curve import nodal_work
+from tmmcalc.machine.flywheel.curve import energy_curve, nodal_work
 from tmmcalc.machine.flywheel.placement import Wheel, wheels
 from tmmcalc.machine.flywheel.positional import FlywheelMethod, on_nodes
 from tmmcalc.machine.flywheel.rim import Rim
@@ -18,6 +18,7 @@ from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.verdicts import Verdict
 from tmmcalc.records import record
 
+ROUNDING = 2e-15  # of the intercepts of a tangent, relative to work and energy
 BOOK = 1  # place of the textbook's method among all
 
 
@@ -40,6 +41,7 @@ class Flywheel:
     verdicts: tuple[Verdict, ...]
     sense: float = 1.0  # of the input's motion: -1 clockwise; places are sense theta
     undriven: bool = False  # without a motor: the loads alone set the speed
+    error: float = 0.0  # estimated relative error of the total constant inertia
 
     @property
     def under(self) -> str:
@@ -122,7 +124,15 @@ def solve_flywheel(
         ),
         sense=sense,
         undriven=driver is not None and driver.characteristic.name == UNDRIVEN,
+        error=required.error if required is not None else _inexact(cycle, exact.inertia, task.delta, speed),
     )
+
+
+def _inexact(cycle: Cycle, inertia: float, delta: float, speed: float) -> float:
+    """Relative error of the inertia by the exact tangents: of two intercepts, beside their difference."""
+    curve, square = energy_curve(cycle, speed), speed * speed
+    turned = float(np.max(np.abs(curve.work))) + float(np.max(cycle.inertia)) * square / 2 * (1 + delta)
+    return (cycle.error + ROUNDING) * turned / (abs(inertia) * delta * square) if inertia else 0.0
 
 
 def _history(cycle: Cycle, driver: Driver | None, delta: float, at_hand: ConstantInertia) -> tuple[Trial, ...]:

@@ -26,6 +26,7 @@ class RequiredInertia:
     trials: tuple[Trial, ...]  # all inertias tried, ascending
     monotone: bool  # among the trials delta falls as the inertia grows
     remarks: tuple[str, ...]
+    error: float = 0.0  # estimated relative error of the inertia
 
     @property
     def evaluations(self) -> int:

@@ -1,19 +1,20 @@
 """Which method integrates a drive: the eigenvalues of its Jacobian against the duration asked for.
 
 Explicit steps must be shorter than about three of the fastest time constants, whatever the accuracy; implicit ones need
-not. An oscillation that lasts must be followed by either, period by period; where these are too many its shaft is
-taken as rigid.
+not. The eigenvalues are those at all speeds that are known beforehand, with all that acts there. An oscillation that
+lasts must be followed by either, period by period; where these are too many its shaft is taken as rigid.
 """
 
 from __future__ import annotations
 
 import math
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import NamedTuple
 
 import numpy as np
 
 from tmmcalc.errors import AccuracyError
+from tmmcalc.machine.timescales import TimeScales, time_scales
 from tmmcalc.machine.transient.equations import Regime, System, derivative
 from tmmcalc.machine.transient.jacobian import jacobian
 from tmmcalc.machine.transient.methods import Method
@@ -21,8 +22,8 @@ from tmmcalc.machine.transient.model import Drive, rigid_shafts
 from tmmcalc.machine.transient.profile import Profile
 from tmmcalc.machine.transient.reading import stretches
 from tmmcalc.machine.transient.scenario import Scenario
-from tmmcalc.machine.transient.setup import assembled, sizes, working
-from tmmcalc.machine.transient.steps import MERSON, RK4_REAL
+from tmmcalc.machine.transient.setup import assembled, known_speeds, sizes
+from tmmcalc.machine.transient.stability import growth, stable_step
 from tmmcalc.numerics.panels import Values
 
 EXPLICIT = 1_000  # explicit steps for the sake of stability that one mass takes before an implicit method is quicker
@@ -39,38 +40,35 @@ class Plan(NamedTuple):
     reason: str
     rigid: frozenset[int]
     notes: tuple[str, ...]  # on the shafts that were not given as rigid
-    ripple: float  # what rigid shafts leave out of the speeds, relative: the swing after a sudden largest moment
+    ripple: float  # what rigid shafts leave out of the speeds: the swing after a sudden largest moment [rad/s]
+    scales: TimeScales | None  # of the drive that runs; None: nothing changes within the duration
 
 
-class Mode(NamedTuple):
-    """What the eigenvalues say."""
-
-    fastest: float  # largest |lambda| [1/s]
-    damped: float  # fastest decay, largest -Re lambda [1/s]
-    periods: float  # most periods of an oscillation within the duration, before it has died away
-
-
-def plan(drive: Drive, scenario: Scenario, profile: Profile, method: Method) -> Plan:
-    """The method asked for, or the one that suits the stiffness.
+def plan(
+    drive: Drive, scenario: Scenario, profile: Profile, method: Method, rigid: frozenset[int] | None = None
+) -> Plan:
+    """The method asked for, with the ``rigid`` shafts (by default those given so), or the one that suits the stiffness.
 
     Raises `AccuracyError` for fixed steps that are unstable.
     """
-    rigid = rigid_shafts(drive)
+    rigid = rigid_shafts(drive) if rigid is None else rigid
     if method.name != "auto":
+        values = eigenvalues(assembled(drive, scenario, profile, rigid), drive, scenario, profile)
         if method.step is not None:
-            _check_stable(modes(assembled(drive, scenario, profile, rigid), drive, scenario, profile), method)
-        return Plan(method.name, "asked for", rigid, (), 0.0)
+            _check_stable(values, method.name, method.step, scenario.duration)
+        return Plan(method.name, "asked for", rigid, (), 0.0, time_scales(values, scenario.duration))
     notes: list[str] = []
     ripple = 0.0
     while True:
         system = assembled(drive, scenario, profile, rigid)
-        mode = modes(system, drive, scenario, profile)
-        swing = _swing(system, scenario.duration)
-        if swing is None or mode.periods <= FOLLOWED:
-            name, reason = _suitable(mode, scenario.duration, system.layout.works)
-            return Plan(name, reason, rigid, tuple(notes), ripple)
+        values = eigenvalues(system, drive, scenario, profile)
+        periods, swing = _periods(values, scenario.duration), _swing(system, scenario.duration)
+        if swing is None or periods <= FOLLOWED:
+            scales = time_scales(values, scenario.duration)
+            name, reason = _suitable(scales, periods, system.layout.works)
+            return Plan(name, reason, rigid, tuple(notes), ripple, scales)
         size = sizes(drive, system, scenario, profile)
-        ripple += size.moment / (swing.inertia * swing.rate * size.speed)
+        ripple += size.moment / (swing.inertia * swing.rate)
         rigid |= {swing.shaft}
         notes.append(
             f"shaft {swing.shaft + 1} is taken as rigid, for it would swing {swing.periods:.3g} periods at "
@@ -78,55 +76,69 @@ def plan(drive: Drive, scenario: Scenario, profile: Profile, method: Method) -> 
         )
 
 
-def _check_stable(mode: Mode, method: Method) -> None:
-    """Refuse a fixed step in which the fastest part of the solution would grow instead of dying away."""
-    limit = MERSON.real if method.name == "merson" else RK4_REAL
-    if method.step and mode.damped * method.step > limit:
-        raise AccuracyError(
-            f"steps of {method.step:g} s are unstable: the fastest time constant is {1 / mode.damped:.3g} s",
-            where="transient motion",
-            value=method.step,
-            limit=limit / mode.damped,
-            remedy=f"steps below {limit / mode.damped:.3g} s, or step control, or an implicit method",
-        )
+def _check_stable(values: Values, name: str, step: float, duration: float) -> None:
+    """Refuse a fixed step with which a part of the solution would grow in place of dying away or swinging."""
+    limit = stable_step(name, values, duration)
+    if step <= limit:
+        return
+    worst = values[np.argmax(growth(name, step * values) / np.exp(step * np.maximum(values.real, 0.0)))]
+    fastest = f"the fastest time constant is {1 / float(np.abs(values).max()):.3g} s"
+    what = f"a swing of {abs(worst.imag):.4g} rad/s" if abs(worst.imag) > abs(worst.real) else "what should die away"
+    times = float(growth(name, step * worst))
+    longest = _rounded_down(limit)
+    raise AccuracyError(
+        f"steps of {step:g} s are unstable: {what} grows {times:.3g} times in every step; {fastest}",
+        where="transient motion",
+        value=step,
+        limit=limit,
+        remedy=f"steps of at most {longest} s, or step control, or an implicit method",
+    )
 
 
-def modes(system: System, drive: Drive, scenario: Scenario, profile: Profile) -> Mode:
-    """The fastest eigenvalue and the longest oscillation at the working speeds, where the inertia is least."""
+def _rounded_down(value: float) -> str:
+    """Three digits that are not more than the value."""
+    unit = 10.0 ** (math.floor(math.log10(value)) - 2)
+    return f"{math.floor(value / unit) * unit:.3g}"
+
+
+def eigenvalues(system: System, drive: Drive, scenario: Scenario, profile: Profile) -> Values:
+    """Eigenvalues (m,) [1/s] at the speeds known beforehand and the telling angles, motor and brake on and off."""
     n, size = system.layout.groups, system.layout.works
     factor = max((step.factor for step in scenario.load), key=abs)
-    place = profile.place(profile.lightest, True)
-    regime = Regime(system.moment is not None, scenario.brake is not None, 0.0, frozenset(), factor, *place)
-    stretch = stretches(profile, regime.factor)[regime.stretch]
-    matrix = jacobian(system, profile, regime, derivative(system, regime, stretch))
-    found = []
-    for speed in working(drive, scenario, system.chain.motor_ratio):
-        y = np.zeros(system.layout.size)
-        y[0], y[n : 2 * n] = profile.lightest, speed
-        found.append(np.linalg.eigvals(matrix(0.0, y)[:size, :size]))
-    return _mode(np.concatenate(found), scenario.duration)
+    parts, found = stretches(profile, factor), []
+    for (motor, brake), angle in product(_switched(system, scenario), profile.telling):
+        regime = Regime(motor, brake, 0.0, frozenset(), factor, *profile.place(angle, True))
+        matrix = jacobian(system, profile, regime, derivative(system, regime, parts[regime.stretch]))
+        for speed in known_speeds(drive, scenario, system.chain.motor_ratio):
+            y = np.zeros(system.layout.size)
+            y[0], y[n : 2 * n] = angle, speed
+            found.append(matrix(0.0, y)[:size, :size])
+    values: Values = np.linalg.eigvals(np.array(found)).ravel()
+    return values
 
 
-def _mode(values: Values, duration: float) -> Mode:
+def _switched(system: System, scenario: Scenario) -> list[tuple[bool, bool]]:
+    """Whether motor and brake act, as they do one after the other."""
+    times = (0.0, *scenario.times()[:-1])
+    powered = system.moment is not None
+    return list(dict.fromkeys((powered and scenario.motor_on(t), scenario.brake_on(t)) for t in times))
+
+
+def _periods(values: Values, duration: float) -> float:
+    """Most periods of an oscillation within the duration, before it has died away."""
     lasting = np.minimum(DECAY / np.maximum(-values.real, DECAY / duration), duration)
-    size = np.abs(values)
-    periods = float((np.abs(values.imag) * lasting).max()) / (2 * math.pi)
-    return Mode(float(size.max()), float(-values.real.min()), periods)
+    return float((np.abs(values.imag) * lasting).max()) / (2 * math.pi)
 
 
-def _steps(mode: Mode, duration: float) -> float:
-    """Explicit steps that stability alone asks for."""
-    return mode.fastest * duration / MERSON.real
-
-
-def _suitable(mode: Mode, duration: float, unknowns: int) -> tuple[str, str]:
-    """The method for these eigenvalues and the reason."""
-    steps = _steps(mode, duration)
-    fast = f"fastest time constant {1 / mode.fastest:.3g} s in {duration:.3g} s" if mode.fastest else "no time constant"
-    if steps > (EXPLICIT if unknowns == 2 else SEVERAL):
-        return "collocation", f"{fast}: stiff, stability alone would take {steps:.2g} explicit steps"
-    if mode.periods > PERIODS:
-        return "collocation", f"{mode.periods:.0f} periods of oscillation to follow"
+def _suitable(scales: TimeScales | None, periods: float, unknowns: int) -> tuple[str, str]:
+    """The method for these time scales and the reason."""
+    if scales is None:
+        return "merson", "no time constant: not stiff"
+    fast = f"fastest time constant {scales.fastest:.3g} s in {scales.duration:.3g} s"
+    if scales.steps > (EXPLICIT if unknowns == 2 else SEVERAL):
+        return "collocation", f"{fast}: stiff, stability alone would take {scales.steps:.2g} explicit steps"
+    if periods > PERIODS:
+        return "collocation", f"{periods:.0f} periods of oscillation to follow"
     return "merson", f"{fast}: not stiff"
 
 

@@ -52,6 +52,7 @@ class Method:
     tolerance: float | None = None  # None: that of the method
     budget: int = 500_000  # evaluations of the equations after which the run is given up
     error: float = 0.0  # relative error of the speeds that is asked for in place of a tolerance; 0: none
+    compared: bool = True  # find the error by a second run; False: guess it
 
     def __post_init__(self) -> None:
         """Refuse what is not a method."""

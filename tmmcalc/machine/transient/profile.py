@@ -52,6 +52,14 @@ class Profile(NamedTuple):
         return float(self.edges[k] + self.edges[k + 1]) / 2
 
     @property
+    def telling(self) -> tuple[float, ...]:
+        """Angles [rad] that eigenvalues are told at: J least, the load steepest over the angle and over the speed."""
+        full = self.idle + self.load
+        steep = (full[0, :, 1], full[1, :, 0], full[2, :, 0])
+        pieces = [int(np.argmax(np.abs(values))) for values in steep if values.any()]
+        return tuple(dict.fromkeys((self.lightest, *(float(self.edges[k] + self.edges[k + 1]) / 2 for k in pieces))))
+
+    @property
     def largest_moment(self) -> float:
         """Largest |M| with and without load at the middles of the pieces [N*m]."""
         idle, load = self.idle[0, :, 0], self.load[0, :, 0]

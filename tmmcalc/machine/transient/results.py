@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from tmmcalc.machine.timescales import TimeScales
 from tmmcalc.machine.transient.model import Drive
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.verdicts import Verdict
@@ -55,6 +56,7 @@ class Transient:
     verdicts: tuple[Verdict, ...]
     method: str  # the method that ran
     reason: str  # why
+    scales: TimeScales | None  # time constants over the duration; None: nothing changes within it
     rigid: tuple[int, ...]  # shafts that were taken as rigid
     imbalance: float  # largest |energy - initial energy - works| over the largest energy turned over [-]
     error: float  # estimated relative error of the speeds [-]

@@ -93,10 +93,16 @@ def working(drive: Drive, scenario: Scenario, u: float) -> set[float]:
     return known
 
 
+def known_speeds(drive: Drive, scenario: Scenario, u: float) -> set[float]:
+    """All speeds of the crank that are known beforehand [rad/s]: `working` ones, targets, that which ends the run."""
+    ends = () if scenario.end_speed is None else (scenario.end_speed,)
+    return {*working(drive, scenario, u), *scenario.targets, *ends}
+
+
 def sizes(drive: Drive, system: System, scenario: Scenario, profile: Profile) -> Sizes:
     """Largest speed, moment and energy that are known beforehand."""
     u = system.chain.motor_ratio
-    speed = max(map(abs, (*working(drive, scenario, u), *scenario.targets, scenario.end_speed or 0.0)))
+    speed = max(map(abs, known_speeds(drive, scenario, u)))
     factor = max(1.0, *(abs(step.factor) for step in scenario.load))
     driving = [system.moment(w) for w in (scenario.speed, *_rated(drive, u))] if system.moment else []
     inertia = sum(system.chain.inertia) + max(profile.least_inertia, 0.0)

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple, cast
 
 import numpy as np
 
+from tmmcalc.errors import AccuracyError
 from tmmcalc.machine.transient.choice import plan
 from tmmcalc.machine.transient.collocation import Collocation
+from tmmcalc.machine.transient.compared import FEW, instants_of, missed, second
+from tmmcalc.machine.transient.compared import left as left_of
 from tmmcalc.machine.transient.equations import System
 from tmmcalc.machine.transient.levels import RUNAWAY, Limits
-from tmmcalc.machine.transient.methods import Method, habit
+from tmmcalc.machine.transient.methods import Method, MethodName, habit
 from tmmcalc.machine.transient.model import Drive
 from tmmcalc.machine.transient.outcome import Curves, curves
 from tmmcalc.machine.transient.results import Transient
@@ -24,6 +29,8 @@ from tmmcalc.machine.transient.ways import Ways
 
 STEPS = 3_000  # that an asked error is spread over: a start seldom takes more
 FINEST, COARSEST = 1e-13, 1e-4  # tolerances of a step
+BETTER = 0.1  # part of an asked error that is asked of the run which tells that of fixed steps
+RETRIES, AIMED = 4, 0.5  # runs that an asked error is given, and the part of it that the next one aims at
 
 
 def simulate(
@@ -42,18 +49,71 @@ def simulate(
     ('standstill', 0.5)
     """
     method = method or Method()
+    if method.step is not None:
+        return _in_fixed_steps(drive, scenario, method, instants)
+    aim = method.error
+    for _ in range(RETRIES):
+        found, guess = _integrated(drive, scenario, method, instants, aim)
+        left = _left(found, guess, method) if method.compared else guess.error
+        if left <= method.error or not aim or guess.tolerance <= FINEST:
+            break
+        aim *= AIMED * method.error / left
+    return replace(found, error=max(found.error, left))
+
+
+class _Guess(NamedTuple):
+    """What the steps of a run may leave."""
+
+    error: float  # relative error of the speeds; of rk4 in fixed steps, which does not tell, 0
+    tolerance: float  # of a step; 0: fixed
+    allowed: float  # error of the speeds in a step, relative to the largest
+
+
+def _left(found: Transient, guess: _Guess, method: Method) -> float:
+    """Relative error of the speeds that the steps leave, from a second run; where that fails what is guessed."""
+    tolerance, times = second(found.method, guess.tolerance), instants_of(found, FEW)
+    other = Method(cast(MethodName, found.method), tolerance=tolerance, budget=method.budget)
+    try:
+        again, _ = _integrated(found.drive, found.scenario, other, times, 0.0, frozenset(found.rigid))
+    except AccuracyError:
+        return guess.error
+    return left_of(found, again, guess.tolerance, guess.allowed)
+
+
+def _in_fixed_steps(drive: Drive, scenario: Scenario, method: Method, instants: Sequence[float]) -> Transient:
+    """The motion in fixed steps, its error from a second run with step control if the method asks for it."""
+    found, guess = _integrated(drive, scenario, method, instants, 0.0)
+    if not method.compared:
+        return replace(found, error=max(found.error, guess.error))
+    better = Method(budget=method.budget, error=BETTER * method.error, compared=False)
+    controlled = simulate(drive, scenario, better, instants_of(found))
+    return replace(found, error=missed(found, controlled))
+
+
+def _integrated(
+    drive: Drive,
+    scenario: Scenario,
+    method: Method,
+    instants: Sequence[float],
+    aim: float,
+    rigid: frozenset[int] | None = None,
+) -> tuple[Transient, _Guess]:
+    """The motion by one method, its error but for that of the steps, which is guessed beside it."""
     ways = Ways(drive)
     shape = ways.forward
-    chosen = plan(drive, scenario, shape, method)
+    chosen = plan(drive, scenario, shape, method, rigid)
     system = assembled(drive, scenario, shape, chosen.rigid)
     size = sizes(drive, system, scenario, shape)
-    tolerance, left = _control(method, chosen.name, system)
+    tolerance, left = _control(method, chosen.name, system, aim)
     stepper = _stepper(chosen.name, method.step, [] if tolerance is None else allowed(system, size, tolerance))
     run = Run(system, ways, scenario, stepper, _limits(drive, scenario, system, size), size, method.budget)
     end = run.go(initial(system, scenario, ways.of(math.copysign(1.0, scenario.speed))), instants)
     found = curves(drive, system, ways, run.rows, brake_mass(drive, scenario))
     imbalance, given = _imbalance(found), drive.cycle.error if drive.cycle else 0.0
-    return Transient(
+    largest = float(np.abs(found.omega / np.array(system.chain.ratio)[:, None]).max()) or size.speed
+    allowance = (tolerance or 0.0) * size.speed / largest
+    guess = _Guess(_estimate(tolerance, left, run, size) / largest, tolerance or 0.0, allowance)
+    motion = Transient(
         drive=drive,
         scenario=scenario,
         **{name: value for name, value in found._asdict().items() if name != "works"},
@@ -67,9 +127,10 @@ def simulate(
         verdicts=verdicts(scenario, system, found, run.events, end, imbalance, chosen.notes, drive, shape),
         method=chosen.name,
         reason=chosen.reason,
+        scales=chosen.scales,
         rigid=tuple(sorted(chosen.rigid)),
         imbalance=imbalance,
-        error=max(imbalance, chosen.ripple, given, _estimate(tolerance, left, run, size)),
+        error=max(chosen.ripple / largest, given),
         counters={
             "steps": run.steps,
             "rejected": stepper.rejected,
@@ -77,15 +138,16 @@ def simulate(
             "pieces": run.pieces,
         },
     )
+    return motion, guess
 
 
-def _control(method: Method, name: str, system: System) -> tuple[float | None, float]:
-    """Tolerance of a step and what steps leave of it; None with fixed steps."""
+def _control(method: Method, name: str, system: System, aim: float) -> tuple[float | None, float]:
+    """Tolerance of a step and what steps leave of it, if they are to leave the error ``aim``; None of fixed steps."""
     if method.step is not None:
         return None, 0.0
     used = habit(name, system.layout.works)
-    if method.error:
-        return min(max(method.error / (used.left * math.sqrt(STEPS)), FINEST), COARSEST), used.left
+    if aim:
+        return min(max(aim / (used.left * math.sqrt(STEPS)), FINEST), COARSEST), used.left
     return method.tolerance or used.tolerance, used.left
 
 
@@ -102,12 +164,11 @@ def _stepper(name: str, step: float | None, errors: list[float]) -> Stepper:
 
 
 def _estimate(tolerance: float | None, left: float, run: Run, size: Sizes) -> float:
-    """Relative error of the speeds that the steps leave together; of fixed steps only Kutta-Merson tells its errors."""
+    """Error of the speeds [rad/s] that the steps leave together; 0 of rk4 in fixed steps, which does not tell."""
     if tolerance is not None:
-        return left * tolerance * math.sqrt(run.steps)
-    layout = run.system.layout
-    speeds = slice(layout.speed, layout.crank + 1)
-    return sum(max(map(abs, row.error[speeds])) for row in run.rows if row.error) / size.speed
+        return left * tolerance * math.sqrt(run.steps) * size.speed
+    speeds = slice(run.system.layout.speed, run.system.layout.crank + 1)
+    return sum(max(map(abs, row.error[speeds])) for row in run.rows if row.error)
 
 
 def _limits(drive: Drive, scenario: Scenario, system: System, size: Sizes) -> Limits:

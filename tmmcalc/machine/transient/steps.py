@@ -19,7 +19,6 @@ class Tableau(NamedTuple):
     rows: tuple[tuple[float, ...], ...]  # a
     weights: tuple[float, ...]  # b
     error: tuple[float, ...]  # of the estimate h sum e_i k_i
-    real: float  # |lambda| h up to which a decaying solution stays bounded
 
 
 # R = h |2 k0 - 9 k2 + 8 k3 - k4| / 30; exact to fifth order for linear equations with constant coefficients
@@ -28,10 +27,7 @@ MERSON = Tableau(
     rows=((), (1 / 3,), (1 / 6, 1 / 6), (1 / 8, 0, 3 / 8), (1 / 2, 0, -3 / 2, 2)),
     weights=(1 / 6, 0, 0, 2 / 3, 1 / 6),
     error=(1 / 15, 0, -3 / 10, 4 / 15, -1 / 30),
-    real=3.548,
 )
-
-RK4_REAL = 2.785  # the same bound of the classical method
 
 
 def merson_step(
@@ -46,7 +42,7 @@ def merson_step(
     >>> round(y[0], 9), abs(round(error[0], 10))
     (1.183227848, 1.60485e-05)
     """
-    c, a, b, e, _ = MERSON
+    c, a, b, e = MERSON
     k0 = f(t, y) if k0 is None else k0
     z = y[:-integrals] if integrals else y
     p = h * a[1][0]

@@ -17,6 +17,7 @@ from tmmcalc.machine.positional import positional
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.selfregulation import self_regulated
 from tmmcalc.machine.steady import driven
+from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Back, Drive, Mass, ratios
 from tmmcalc.machine.transient.results import Transient
 from tmmcalc.machine.transient.scenario import Scenario
@@ -109,7 +110,7 @@ def _rigid_moments(drive: Drive, scenario: Scenario) -> tuple[float, ...]:
     if all(shaft.stiffness == math.inf for shaft in drive.shafts):
         return ()
     rigid = replace(drive, shafts=tuple(replace(shaft, stiffness=math.inf) for shaft in drive.shafts))
-    moments = simulate(rigid, scenario).shaft_moment
+    moments = simulate(rigid, scenario, Method(compared=False)).shaft_moment
     return tuple(np.abs(moments).max(axis=1).tolist())
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tmmcalc.machine.timescales import TimeScales
 from tmmcalc.machine.transient.results import End, Event
 from tmmcalc.machine.verdicts import Verdict
 from tmmcalc.numerics.panels import Values
@@ -38,6 +39,7 @@ class TimedMotion:
     verdicts: tuple[Verdict, ...]
     method: str
     reason: str
+    scales: TimeScales | None
     rigid: tuple[int, ...]
     imbalance: float  # of the energy [-]
     error: float  # estimated relative error of the speeds [-]

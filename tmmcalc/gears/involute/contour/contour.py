@@ -15,7 +15,7 @@ from tmmcalc.gears.involute.contour.frame import Frame, frame_of
 from tmmcalc.gears.involute.contour.joined import Region, joined
 from tmmcalc.gears.involute.contour.largest import largest_contact_ratio
 from tmmcalc.gears.involute.contour.task import Task
-from tmmcalc.gears.involute.contour.trace import Part, parts_of, scan
+from tmmcalc.gears.involute.contour.trace import POINTS, Part, parts_of, scan
 from tmmcalc.gears.model import Values
 from tmmcalc.records import record
 
@@ -95,9 +95,12 @@ class Contour:
         return "a smaller tip thickness, more teeth, or the tolerated contour"
 
 
-def contour(task: Task, strict: bool = True, *, pieces: bool = True) -> Contour:
-    """The strict or the tolerated contour, or its main region only; main is None if no shifts meet all conditions."""
-    return _contours(task, (strict,), pieces)[0]
+def contour(task: Task, strict: bool = True, *, pieces: bool = True, points: int = POINTS) -> Contour:
+    """The strict or the tolerated contour, or its main region only; main is None if no shifts meet all conditions.
+
+    ``points`` are those of an edge between two of its breaks, on which the accuracy of the area depends.
+    """
+    return _contours(task, (strict,), pieces, points)[0]
 
 
 def contours(task: Task) -> tuple[Contour, Contour]:
@@ -110,7 +113,7 @@ def contours(task: Task) -> tuple[Contour, Contour]:
     return strict, replace(tolerated, main=strict.main, twin=strict) if same else tolerated
 
 
-def _contours(task: Task, kinds: tuple[bool, ...], pieces: bool) -> list[Contour]:
+def _contours(task: Task, kinds: tuple[bool, ...], pieces: bool, points: int = POINTS) -> list[Contour]:
     frame = frame_of(task)
     found: dict[bool, list[Part]] = {kind: [] for kind in kinds}
     untraced: dict[bool, list[int]] = {kind: [] for kind in kinds}
@@ -126,7 +129,7 @@ def _contours(task: Task, kinds: tuple[bool, ...], pieces: bool) -> list[Contour
                 untraced[kind] += [b for b in untraced[kinds[0]] if b == branch]
                 continue
             try:
-                found[kind] += parts_of(frame, branch, kind, scanned)
+                found[kind] += parts_of(frame, branch, kind, scanned, points)
             except AccuracyError:
                 if branch == 0:
                     raise

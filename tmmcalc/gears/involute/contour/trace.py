@@ -90,15 +90,15 @@ def scan(frame: Frame, region: int, also: Sequence[Part] = ()) -> Values:
     return w[(w >= left) & (w <= right)]
 
 
-def parts_of(frame: Frame, region: int, strict: bool, scanned: Cuts) -> tuple[Part, ...]:
-    """All closed regions of one branch, by ascending sums."""
-    return tuple(_traced(frame, region, strict, part) for part in breaks_of(frame, region, strict, scanned))
+def parts_of(frame: Frame, region: int, strict: bool, scanned: Cuts, points: int = POINTS) -> tuple[Part, ...]:
+    """All closed regions of one branch, by ascending sums; ``points`` of an edge between two breaks."""
+    return tuple(_traced(frame, region, strict, part, points) for part in breaks_of(frame, region, strict, scanned))
 
 
-def _traced(frame: Frame, region: int, strict: bool, breaks: list[Break]) -> Part:
+def _traced(frame: Frame, region: int, strict: bool, breaks: list[Break], points: int) -> Part:
     breaks, edges_w = _snapped(frame, breaks)
     start, end = breaks[0], breaks[-1]
-    gauss = rule(POINTS)
+    gauss = rule(points)
     half, mean = np.diff(edges_w) / 2, (edges_w[1:] + edges_w[:-1]) / 2
     inner = mean[:, None] - half[:, None] * np.cos(np.pi * gauss.points)
     w = np.concatenate([np.append(a, row) for a, row in zip(edges_w[:-1], inner, strict=True)] + [edges_w[-1:]])
@@ -109,7 +109,7 @@ def _traced(frame: Frame, region: int, strict: bool, breaks: list[Break]) -> Par
     for b in breaks[1:-1]:
         (low if b.side < 0 else high)[np.searchsorted(w, b.w)] = b.x1
     total = found.sums.total
-    size = POINTS + 1
+    size = points + 1
     gaps = (high - low)[:-1].reshape(-1, size)[:, 1:] * frame.sum_slope(inner)
     area = float(np.sum(gaps * half[:, None] * np.sin(np.pi * gauss.points) * np.pi * gauss.weights))
     middle = np.arange(half.size) * size + size // 2

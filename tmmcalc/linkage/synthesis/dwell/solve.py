@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -28,6 +29,9 @@ from tmmcalc.linkage.synthesis.results import Check, Design, Size, Synthesis
 from tmmcalc.linkage.synthesis.simulation import check
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 from tmmcalc.progress import tell
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.synthesis.dwell.kept import Rule
 
 WHERE = "synthesis.dwell"
 STEPS = 360  # of the turn of a linkage that is analysed
@@ -71,10 +75,9 @@ def solve(task: SynthesisTask) -> Synthesis:
 def _rows(task: SynthesisTask, asked: DwellTask) -> tuple[Real, dict[str, int], str]:
     """Parameters (k, 9) of the linkages that are analysed, what a search counted, and the rule of choice."""
     if asked.optimum is not None:
-        from tmmcalc.linkage.synthesis.dwell.kept import Rule
         from tmmcalc.linkage.synthesis.dwell.optimum import search
 
-        rule = None if task.constraints is None else Rule(task.constraints, asked)
+        rule = _rule(task, asked)
         found = search(asked, asked.optimum, task.seed, task.solutions, rule)
         weights = ", ".join(f"{w:g} {name}" for w, name in zip(asked.optimum.weights, CRITERIA, strict=True) if w)
         counters = {"linkages tried": found.tried, "worked": found.worked}
@@ -96,6 +99,15 @@ def _rows(task: SynthesisTask, asked: DwellTask) -> tuple[Real, dict[str, int], 
     rows = np.array([list((usual | {"left": side}).values()) for side in sides], dtype=float)
     _refuse(drawn(asked, rows).faults, len(rows))
     return rows, {}, "the dwell's largest deviation as a part of the stroke"
+
+
+def _rule(task: SynthesisTask, asked: DwellTask) -> Rule | None:
+    """What the user's constraints ask of a candidate of the search; None without them."""
+    if task.constraints is None:
+        return None
+    from tmmcalc.linkage.synthesis.dwell.kept import Rule
+
+    return Rule(task.constraints, asked)
 
 
 def _refuse(faults: dict[str, np.ndarray], count: int) -> None:

@@ -1,0 +1,21 @@
+"""Whether estimates of errors bound the true ones over random scenes, and how far above them they lie."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+FLOOR = 2.0**-53  # true errors below it cannot be told from rounding of the result itself
+RATE = 0.99  # of the scenes in which an estimate has to be a bound
+USEFUL = 30.0  # median ratio of estimate and true error
+
+
+def assert_bounds(pairs: Iterable[tuple[float, float]], what: str, *, scenes: int = 200) -> None:
+    """Check pairs of estimate and true relative error, one a scene; failures tell the rate and the median ratio."""
+    estimates, errors = np.array(list(pairs)).T
+    assert len(errors) >= scenes, f"{what}: {len(errors)} scenes only"
+    errors = np.maximum(errors, FLOOR)
+    rate, ratio = float(np.mean(estimates >= errors)), float(np.median(estimates / errors))
+    assert rate >= RATE, f"{what}: {rate:.1%} of the estimates are bounds; median ratio {ratio:.3g}"
+    assert ratio < USEFUL, f"{what}: the median ratio is {ratio:.3g}; {rate:.1%} of the estimates are bounds"

@@ -1,0 +1,58 @@
+"""An error that is asked for is kept, against DOP853 of scipy at 1e-13, and a looser one costs less."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tmmcalc import load_spec
+from tmmcalc.errors import AccuracyError
+from tmmcalc.machine.transient.methods import Method
+from tmmcalc.machine.transient.simulate import simulate
+from tmmcalc.machine.transient.task import beginning
+from tmmcalc.pipeline.runner import run
+from tmmcalc.stages import transient
+
+CONFIGS = Path(__file__).parents[3] / "configs"
+MOTOR = 'motor={power="0.55 kW", speed="1390 rpm", synchronous_speed="1500 rpm", overload=2.2, characteristic="kloss"}'
+START = 'transients=[{{name="start-up", duration="{} s", load=0, load_steps=[{{factor=1, time="0.1 s"}}]}}]'
+SCENES = {
+    "press": (MOTOR, START.format(0.5)),
+    "shaper": (START.format(0.4),),
+    "elastic-drive": (START.format(0.15),),
+}
+ASKED = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_what_is_asked_is_kept_and_less_costs_less(name: str) -> None:
+    spec = load_spec(CONFIGS / f"{name}.toml", SCENES[name])
+    results = run(spec, target="transient", tolerance=1e-4).results
+    given = transient.inputs(spec)
+    ((drive, scenario),) = beginning(transient.machine_of(given, results), given[0], 1.0)
+    instants = np.linspace(0.0, scenario.duration, 42)[1:-1]
+    times = instants.tolist()
+    exact = simulate(drive, scenario, Method("DOP853", tolerance=1e-13, compared=False), times)
+    true = exact.omega[:, np.searchsorted(exact.t, instants)]
+    counts = []
+    for asked in ASKED:
+        found = simulate(drive, scenario, Method(error=asked), times)
+        missed = np.max(np.abs(found.omega[:, np.searchsorted(found.t, instants)] - true)) / np.max(np.abs(true))
+        assert missed <= found.error <= asked
+        counts.append(found.counters["evaluations"])
+    assert counts == sorted(counts)
+    assert counts[-1] > 3 * counts[0]
+
+
+def test_what_cannot_be_reached_is_an_error() -> None:
+    spec = load_spec(CONFIGS / "shaper.toml", SCENES["shaper"])
+    with pytest.raises(AccuracyError, match=r"the estimated error of .* more than the 1e-15 asked for"):
+        run(spec, target="transient", tolerance=1e-15)
+    coarse = load_spec(
+        CONFIGS / "shaper.toml", ('transients=[{name="coarse", duration="0.3 s", method="rk4", step="20 ms"}]',)
+    )
+    assert run(coarse, target="transient", tolerance=1e-2).results["transient"].motions[0].error < 1e-2
+    with pytest.raises(AccuracyError, match=r"transient: the estimated error of (speed|energy) is"):
+        run(coarse, target="transient", tolerance=1e-9)

@@ -1,0 +1,81 @@
+"""What rounding leaves of the rows of the requirements and of the extremes that the margins are made of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from tmmcalc.cams.forces.errors import at_sides, wide_points
+from tmmcalc.cams.forces.state import State, state
+from tmmcalc.cams.forces.turn import Points
+from tmmcalc.cams.laws.law import Indices, Values
+from tmmcalc.cams.rounding import Errors, chosen, nearer, relative
+from tmmcalc.cams.strength.kernels import flat_radius
+from tmmcalc.cams.strength.results import Margin, Rolling, ShaftFound
+from tmmcalc.cams.strength.rows import Rows, rows_of
+from tmmcalc.cams.strength.work import Case
+from tmmcalc.cams.wide import wide
+from tmmcalc.records import record
+
+TINY = 1e-300
+OF_ROWS = {"D": "slip", "sigma_H": "stress", "sigma_F": "bending"}  # symbols of margins that are extremes of rows
+
+
+@record
+class Positioned:
+    """The rows of the tables."""
+
+    points: Points
+    piece: Indices
+    state: State
+    rows: Rows
+
+
+def strength_errors(
+    case: Case, rolling: Rolling | None, at: Positioned, margins: tuple[Margin, ...], shaft: ShaftFound | None
+) -> Errors:
+    """Estimates of the rows, and of the largest values behind the margins, each relative to itself."""
+    found = at.rows.named()
+    slipping = at.rows.slip if at.rows.slip is not None else np.zeros(1)
+    least = 1 / (np.abs(at.state.contact) + TINY)
+    which = chosen(len(at.points.phi), at.rows.curvature, slipping, at.state.contact, least)
+    exact = _exact(case, rolling, wide_points(case.task, case.loads, at.points, at.piece, which))[0].named()
+    errors = {
+        name: relative(values[which], exact[name], float(np.max(np.abs(values)))) for name, values in found.items()
+    }
+    return errors | {"extremes": max(_extremes(case, rolling, margins, shaft))}
+
+
+def _exact(case: Case, rolling: Rolling | None, at: Points) -> tuple[Rows, State]:
+    now = state(wide(case.course.carried), at)
+    return rows_of(case, rolling, wide(case.follower), wide(case.loads), at, now), now
+
+
+def _extremes(
+    case: Case, rolling: Rolling | None, margins: tuple[Margin, ...], shaft: ShaftFound | None
+) -> Iterator[float]:
+    bend, pressing = case.bend, case.pressing
+    stressed = [each for each in margins if each.value is not None and each.phi is not None]
+    known = [each for each in stressed if each.symbol in OF_ROWS or each.constraint == 8]
+    phi = [bend.least_phi, bend.largest_phi, pressing.place, *(each.phi for each in known)]
+    if shaft is not None and shaft.moment_phi is not None:
+        phi.append(shaft.moment_phi)
+    at = at_sides(case.task, case.loads, np.array(phi))
+    rows, now = _exact(case, rolling, at)
+
+    def there(values: Values, k: int) -> Values:
+        return values.reshape(2, -1)[:, k]
+
+    shape = flat_radius(at.motion, wide(case.follower.start)) if case.flat else rows.curvature
+    size = max(abs(bend.least), abs(bend.largest))
+    yield nearer([bend.least], there(shape, 0), size)
+    yield nearer([bend.largest], there(shape, 1), size)
+    yield nearer([pressing.size], np.abs(there(now.contact, 2)))
+    named = rows.named()
+    for k, each in enumerate(known, start=3):
+        values = named.get(OF_ROWS.get(each.symbol, "pressure"))
+        if values is not None:
+            yield nearer([each.value], there(values, k))
+    if shaft is not None and shaft.moment is not None and rows.reduced is not None:
+        yield nearer([shaft.moment], there(rows.reduced, len(phi) - 1))

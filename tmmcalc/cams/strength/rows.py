@@ -1,0 +1,82 @@
+"""What the requirements are made of at points: curvature, what makes the roller slip, stresses, moment of the shaft."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+
+import numpy as np
+
+from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.forces.kernels import Mask
+from tmmcalc.cams.forces.state import State
+from tmmcalc.cams.forces.turn import Points
+from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.strength.carriers import bending_of, pressure_of
+from tmmcalc.cams.strength.kernels import contact_stress, flat_stress, reduced_moment, slip
+from tmmcalc.cams.strength.results import Rolling
+from tmmcalc.cams.strength.work import Case, curved, spun
+from tmmcalc.cams.task import Loads
+from tmmcalc.records import record
+
+
+@record
+class Rows:
+    """At m points, each (m,); what has no data is None."""
+
+    curvature: Values  # kappa [1/m] of the pitch curve, or of the profile under a flat face
+    run: Values | None  # A [m] of the roller
+    slip: Values | None  # D; 0 where nothing presses
+    stress: Values | None  # sigma_H [Pa]
+    reduced: Values | None  # M_E [N*m]
+    bending: Values | None  # stress of the stem [Pa]
+    pressure: Values | None  # larger pressure of the two edges of the guide [Pa]
+    touching: Mask  # a wall presses on the roller
+
+    def named(self) -> dict[str, Values]:
+        """What there is, by its name."""
+        every = {each.name: getattr(self, each.name) for each in fields(self) if each.name != "touching"}
+        return {name: values for name, values in every.items() if values is not None}
+
+
+def rows_of(case: Case, rolling: Rolling | None, follower: Follower, loads: Loads, at: Points, now: State) -> Rows:
+    """The rows at points with the forces there; ``follower`` and ``loads`` are those of the case."""
+    kappa = curved(follower, at.motion)
+    run = spun(case.task, loads, follower, at, now.contact)
+    touching = np.abs(now.contact) > 0 if case.grooved else now.contact > 0
+    return Rows(
+        curvature=kappa,
+        run=None if case.flat else run,
+        slip=_slip(case, rolling, now, run),
+        stress=_stress(case, now, kappa, touching),
+        reduced=_reduced(case, now),
+        bending=bending_of(case, now, at.motion),
+        pressure=pressure_of(case, now),
+        touching=touching,
+    )
+
+
+def _slip(case: Case, rolling: Rolling | None, now: State, run: Values) -> Values | None:
+    if rolling is None:
+        return None
+    friction = case.needs.roller_friction or 1.0
+    grown, works = slip(
+        now.contact, run, rolling.resisting, rolling.inertia, case.loads.speed, friction, case.follower.roller
+    )
+    return np.where(works, np.abs(grown), 0.0)
+
+
+def _stress(case: Case, now: State, kappa: Values, touching: Mask) -> Values | None:
+    """sigma_H at the rows; None without its data or with a cusp."""
+    width, modulus = case.needs.width, case.needs.modulus
+    if width is None or case.cusped or not (case.flat or case.follower.roller):
+        return None
+    if case.flat:
+        found, _ = flat_stress(now.contact, 1 / kappa, width, modulus)
+    else:
+        found, _ = contact_stress(now.contact, kappa, case.follower.roller, width, modulus)
+    return np.where(touching, found, 0.0)
+
+
+def _reduced(case: Case, now: State) -> Values | None:
+    span = case.needs.span
+    return None if span is None else reduced_moment(now.contact, now.torque, span, case.needs.torsion)

@@ -1,0 +1,85 @@
+"""The error of a run from a second one: what fixed steps miss of step control, what a tolerance leaves.
+
+The classical Runge-Kutta step tells no error at all, that of Kutta-Merson is many times too large where the equations
+are not linear, and neither tells of steps that are unstable: their motion is run a second time with step control. What
+the steps under a tolerance leave together depends on how errors die away or add up, by five decades; a second run with
+a tolerance a thousand times as large costs some third of the first and tells it: the error goes as a power of it.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tmmcalc.errors import AccuracyError
+from tmmcalc.machine.transient.model import ratios
+from tmmcalc.machine.transient.results import Transient
+from tmmcalc.numerics.panels import Values
+
+INSTANTS = 120  # of a motion in fixed steps at which the two are compared
+FEW = 32  # the same of a motion with step control
+MARGIN = 1.5  # what the largest difference at these instants may be exceeded by between them
+COARSER = 1e3  # times the tolerance: of the second run
+SCALED = 5.0  # what the error may be larger by than its power of the tolerance tells
+POWER, POWERS = 0.8, {"collocation": 1.0}  # of the tolerance that the error goes as; Kutta-Merson: order 4 of 5
+EPS = 8 * math.ulp(1.0)  # rounding of a step
+NEWTON = 5e-5  # of the error allowed in a step: what Newton's method leaves of collocation
+FINER = 1e-2  # times the tolerance: of a second run where a coarser one would have too few steps to tell anything
+COARSE, COARSES = 1e-9, {"collocation": 3e-8}  # tolerances beyond which that is so
+
+
+def instants_of(found: Transient, count: int = INSTANTS) -> list[float]:
+    """Times of steps of a motion, evenly taken [s]."""
+    chosen = np.linspace(0, len(found.t) - 1, min(count, len(found.t))).astype(int)
+    times: list[float] = found.t[chosen].tolist()
+    return times
+
+
+def second(method: str, tolerance: float) -> float:
+    """The tolerance of a second run that tells the error of a first one."""
+    return tolerance * (FINER if tolerance > COARSES.get(method, COARSE) else COARSER)
+
+
+def left(found: Transient, other: Transient, tolerance: float, allowed: float) -> float:
+    """Estimated relative error of the speeds under a ``tolerance``, from the run with that of `second`.
+
+    ``allowed`` is the error of the speeds that the tolerance allows in a step, relative to the largest.
+    """
+    difference = _difference(found, other, instants_of(found, FEW), found)
+    rounding = EPS * math.sqrt(found.counters["steps"]) + (NEWTON * allowed if found.method == "collocation" else 0.0)
+    if second(found.method, tolerance) < tolerance:
+        return rounding + MARGIN * difference
+    return rounding + difference * SCALED / COARSER ** POWERS.get(found.method, POWER)
+
+
+def missed(found: Transient, controlled: Transient) -> float:
+    """Estimated relative error of the speeds: of the difference between two runs, and of the better one itself.
+
+    Raises `AccuracyError` where the difference is as large as the speeds, so that ``found`` is no result.
+    """
+    error = MARGIN * _difference(found, controlled, instants_of(found), controlled)
+    if error > 1:
+        raise AccuracyError(
+            f"the fixed steps are too long: their speeds differ from those with step control by {error / MARGIN:.3g} "
+            "times the largest speed",
+            where=f"transient motion, scenario {found.scenario.name}",
+            value=error,
+            limit=1.0,
+            remedy="take smaller steps, or step control (leave the step out), or an implicit method",
+        )
+    return error + controlled.error
+
+
+def _difference(one: Transient, other: Transient, times: list[float], scale: Transient) -> float:
+    """Largest difference of the speeds at ``times`` of rows of both, relative to the largest of ``scale``."""
+    own, others = (_speeds(motion, np.array(times)) for motion in (one, other))
+    largest = float(np.abs(_speeds(scale, scale.t)).max()) or 1.0
+    return float(np.abs(own - others).max()) / largest
+
+
+def _speeds(motion: Transient, times: Values) -> Values:
+    """Speeds (N, m) of all masses, as speeds of the crank, at times of rows; after its end a motion stays as it is."""
+    at = np.minimum(np.searchsorted(motion.t, times), len(motion.t) - 1)
+    speeds: Values = motion.omega[:, at] / np.array(ratios(motion.drive))[:, None]
+    return speeds
