@@ -6,7 +6,7 @@ BIN    := $(VENV)/bin
 DEMO   := demo.out
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: demo test slow lint bench format schema clean
+.PHONY: demo test slow lint bench accuracy format schema clean
 
 demo: $(VENV)/.run
 	$(BIN)/tmmcalc run configs/shaper.toml -o $(DEMO) --quiet
@@ -28,6 +28,10 @@ lint: $(VENV)/.dev
 
 bench: $(VENV)/.dev
 	$(BIN)/python tests/bench.py
+
+# docs/accuracy.md with its diagrams: errors and times of all methods, measured on this machine
+accuracy: $(VENV)/.dev
+	$(BIN)/python docs/make_accuracy.py
 
 format: $(VENV)/.dev
 	$(BIN)/ruff check --fix --quiet .

@@ -17,6 +17,7 @@ from time import perf_counter
 from typing import Any
 
 import numpy as np
+from bench_batch import batches
 from bench_cams import cams
 from bench_gears import gears
 from bench_pairs import pairs
@@ -63,7 +64,8 @@ app(["x"])
 
 def main() -> None:
     """Print all tables."""
-    missed = [*startup(), *kinematics(), *forces(), *higher(), *machine(), *project(), *gears(), *pairs(), *cams()]
+    rooms = (startup, kinematics, forces, higher, machine, project, gears, pairs, cams, batches)
+    missed = [name for room in rooms for name in room()]
     growth()
     memory()
     print(f"\n{len(missed)} bars missed{': ' if missed else ''}{'; '.join(missed)}")

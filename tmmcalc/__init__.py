@@ -16,6 +16,7 @@ from tmmcalc._version import __version__
 # Public names by their modules, which are imported when a name is first used; `__init__.pyi` has their types.
 _HOMES = {
     "tmmcalc.api": ("run",),
+    "tmmcalc.api.batches": ("sweep",),
     "tmmcalc.api.cams": (
         "solve_cam_elastic",
         "solve_cam_forces",
@@ -63,6 +64,7 @@ _HOMES = {
         "solve_transients",
         "solve_vibrator",
     ),
+    "tmmcalc.batch.sheet": ("Sheet",),
     "tmmcalc.errors": (
         "AccuracyError",
         "AssemblyError",

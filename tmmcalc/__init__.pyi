@@ -1,5 +1,6 @@
 from tmmcalc._version import __version__ as __version__
 from tmmcalc.api import run as run
+from tmmcalc.api.batches import sweep as sweep
 from tmmcalc.api.cams import solve_cam_elastic as solve_cam_elastic
 from tmmcalc.api.cams import solve_cam_forces as solve_cam_forces
 from tmmcalc.api.cams import solve_cam_law as solve_cam_law
@@ -37,6 +38,7 @@ from tmmcalc.api.machines import solve_pendulum as solve_pendulum
 from tmmcalc.api.machines import solve_power as solve_power
 from tmmcalc.api.machines import solve_transients as solve_transients
 from tmmcalc.api.machines import solve_vibrator as solve_vibrator
+from tmmcalc.batch.sheet import Sheet as Sheet
 from tmmcalc.errors import AccuracyError as AccuracyError
 from tmmcalc.errors import AssemblyError as AssemblyError
 from tmmcalc.errors import LimitError as LimitError

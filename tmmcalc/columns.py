@@ -67,12 +67,13 @@ def _matching(names: Collection[str], patterns: Sequence[str]) -> list[str]:
     for pattern in patterns:
         found = [name for name in names if fnmatchcase(name, pattern)]
         if not found:
-            raise UsageError(f"no column is called {pattern!r}", where="--columns", remedy=_nearest(names, pattern))
+            raise UsageError(f"no column is called {pattern!r}", where="--columns", remedy=nearest(names, pattern))
         chosen |= dict.fromkeys(found)
     return list(chosen)
 
 
-def _nearest(names: Collection[str], pattern: str) -> str:
+def nearest(names: Collection[str], pattern: str) -> str:
+    """Names like a pattern that matches nothing, for the remedy of the error."""
     from difflib import get_close_matches
 
     close = get_close_matches(pattern, names, 3, 0.5)

@@ -109,7 +109,7 @@ def test_unknown_command(cli: Cli, given: str, remedy: str) -> None:
     assert remedy in err
 
 
-@pytest.mark.parametrize("args", [("kinematics",), ("run", "my.toml", "again"), ("check", "my.toml", "--colour")])
+@pytest.mark.parametrize("args", [("kinematics",), ("forces", "my.toml", "again"), ("check", "my.toml", "--colour")])
 def test_wrong_usage(cli: Cli, args: tuple[str, ...]) -> None:
     code, out, err = cli(*args)
     assert (code, out) == (2, "")
@@ -124,6 +124,7 @@ def test_wrong_usage(cli: Cli, args: tuple[str, ...]) -> None:
         ("tmmcalc kinematics --me", 2, ["--method"]),
         ("tmmcalc kinematics my.toml --method ", 4, ["closed", "projection", "differences", "splitting"]),
         ("tmmcalc run my.toml --to ", 4, list(STAGES)),
+        ("tmmcalc sweep my.toml --to kin", 4, ["kinematics"]),
         ("tmmcalc init slot", 2, ["slotted-link", "slotter"]),
         ("tmmcalc bogus ", 2, list(COMMANDS)),
     ],

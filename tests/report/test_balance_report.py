@@ -23,8 +23,9 @@ from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.loading import Body
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.machine.balancing.arrangements import Gear, in_line, vee
+from tmmcalc.machine.balancing.enginetask import solve_engine
 from tmmcalc.machine.balancing.rotors import Rotor, Unbalance
-from tmmcalc.machine.balancing.task import solve_engine, solve_rotor
+from tmmcalc.machine.balancing.rotortask import solve_rotor
 from tmmcalc.machine.model import EngineTask, RotorTask
 from tmmcalc.report.balance import balance_document, balance_summary
 from tmmcalc.report.document import Document

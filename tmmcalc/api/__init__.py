@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,13 +19,17 @@ def run(
     fresh: bool = False,
     from_stage: str | None = None,
     csv: bool | None = None,
+    columns: Sequence[str] = (),
+    skip: Sequence[str] = (),
     settings: Mapping[str, Mapping[str, Any]] | None = None,
     on_event: Callable[[Event], None] | None = None,
 ) -> RunResult:
     """Run the pipeline up to ``target`` (None: every stage that the spec has), with files in ``out`` if given.
 
     A stage whose stored inputs are unchanged is loaded; ``fresh`` recomputes all, ``from_stage`` that one
-    and the following. ``csv`` None writes CSV files up to 2000 rows. ``settings`` are options of methods by stage.
+    and the following. ``csv`` None writes CSV files up to 2000 rows, ``columns`` are names and wildcards of those
+    that they have (empty: all). ``skip`` leaves stages out, with all that read them. ``settings`` are options of
+    methods by stage.
     """
     from tmmcalc.pipeline.runner import run as _run
 
@@ -37,6 +41,8 @@ def run(
         fresh=fresh,
         from_stage=from_stage,
         csv=csv,
+        columns=columns,
+        skip=skip,
         settings=settings,
         on_event=on_event,
     )

@@ -36,6 +36,7 @@ SECTIONS = {
         "feasibility": ("tmmcalc.cli.feasibility", "Constraints on results: which hold, by how much."),
         "plot": ("tmmcalc.cli.plot", "Draw the result of a stage to an svg, png or pdf file."),
         "accuracy": ("tmmcalc.cli.accuracy", "Error against run time of every method of the stages."),
+        "stress": ("tmmcalc.cli.stress", "Ladders of extremes: where every stage loses its digits."),
     },
 }
 

@@ -76,6 +76,16 @@ Columns = Annotated[
         "--columns", metavar="NAMES", help="Columns by name, with wildcards: 'phi,x_*,omega_3'.", show_default=False
     ),
 ]
+Skip = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--skip",
+        metavar="STAGE",
+        help="Leave this stage out, and all that read it; may be repeated.",
+        show_default=False,
+        autocompletion=stages,
+    ),
+]
 Positions = Annotated[
     str | None,
     typer.Option("--positions", metavar="LIST", help="Positions to show: '0,6,18' or '0:24:2'.", show_default=False),

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.options import Form, Format, Set, SpecFile, stages
+from tmmcalc.cli.options import Form, Format, Set, Skip, SpecFile, stages
 from tmmcalc.cli.work import Job, show, title
 
 
@@ -21,25 +21,31 @@ def command(
             autocompletion=stages,
         ),
     ] = None,
+    why: Annotated[
+        bool,
+        typer.Option(
+            "--why",
+            help="Tell of every stage what decided, what would bring it in, who reads it, and what it leaves out.",
+        ),
+    ] = False,
+    skip: Skip = None,
     form: Form = Format.table,
     overrides: Set = None,
 ) -> None:
     """Which stages run for this spec and target, which are left out, and why. Nothing is computed.
 
-    Example: tmmcalc plan my.toml kinematics
+    Example: tmmcalc plan my.toml kinematics --why
     """
     from tmmcalc.pipeline.plan import plan
-    from tmmcalc.report.document import Document, View
+    from tmmcalc.report.stageplan import plan_document
 
     scene = Job(spec, overrides=overrides or ()).spec()
-    steps = plan(scene, target).steps
-    view = View(
-        ["stage", "runs", "why", "gives"],
-        [
-            [s.stage for s in steps],
-            ["yes" if s.runs else "no" for s in steps],
-            [s.reason for s in steps],
-            [s.title for s in steps],
-        ],
-    )
-    show(Document(title(scene, spec, "plan"), table=view), form)
+    found = plan(scene, target, skip=skip or ())
+    heading = title(scene, spec, "plan")
+    if why:
+        from tmmcalc.pipeline.why import explain
+        from tmmcalc.report.why import why_document
+
+        show(why_document(explain(scene, found), scene, heading), form)
+    else:
+        show(plan_document(found, heading), form)

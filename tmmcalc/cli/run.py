@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmmcalc.cli.flags import with_flags
-from tmmcalc.cli.options import Form, Format, stages
+from tmmcalc.cli.options import Form, Format, Skip, patterns_of, stages
 from tmmcalc.cli.work import Job, title
+from tmmcalc.errors import UsageError
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
@@ -27,6 +28,16 @@ def command(
         str | None,
         typer.Option("--to", metavar="STAGE", help="Stop after this stage.", show_default=False, autocompletion=stages),
     ] = None,
+    skip: Skip = None,
+    columns: Annotated[
+        str | None,
+        typer.Option(
+            "--columns",
+            metavar="NAMES",
+            help="Columns that the CSV files have, with wildcards: 'phi,R_*' (default: all).",
+            show_default=False,
+        ),
+    ] = None,
     form: Form = Format.table,
 ) -> None:
     """Run every stage that the spec has, layer by layer; print the summaries, leave all tables as files.
@@ -39,7 +50,8 @@ def command(
 
     Example: tmmcalc run my.toml -o my.out
     """
-    job = replace(job, keep_going=True)
+    _check_columns(job, columns)
+    job = replace(job, keep_going=True, columns=patterns_of(columns), skip=skip or ())
     if others:
         from tmmcalc.cli.several import run_all
 
@@ -47,6 +59,13 @@ def command(
     else:
         document, result = outcome(job, target)
         job.finish(document, result, form)
+
+
+def _check_columns(job: Job, columns: str | None) -> None:
+    """Refuse a choice of columns of files that are not written."""
+    if columns is not None and (not job.store or job.csv is False):
+        flag = "--no-csv" if job.store else "--no-store"
+        raise UsageError(f"{flag} writes no CSV files", where="--columns", remedy="leave one of the two flags out")
 
 
 def outcome(job: Job, target: str | None) -> tuple[Document, RunResult]:

@@ -39,6 +39,8 @@ class Job:
     settings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     keep_going: bool = False
     tolerance: float | None = None  # relative error that is asked of every stage
+    columns: Sequence[str] = ()  # names and wildcards of those that a CSV has; empty: all
+    skip: Sequence[str] = ()  # stages that are left out
 
     def spec(self) -> Spec:
         """Read the spec with its overrides."""
@@ -87,6 +89,8 @@ class Job:
             fresh=self.fresh,
             from_stage=self.from_stage,
             csv=self.csv,
+            columns=self.columns,
+            skip=self.skip,
             settings=self.settings,
             tolerance=self.tolerance,
             on_start=on_start,

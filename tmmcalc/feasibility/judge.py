@@ -6,7 +6,7 @@ limit as a part of that limit (of one where the limit is zero): not negative whe
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import reduce
 from typing import Literal
 
@@ -14,6 +14,7 @@ import numpy as np
 
 from tmmcalc.feasibility.logic import LARGEST, Form, conjunction
 from tmmcalc.feasibility.rule import failing, function, holds
+from tmmcalc.numerics.extended import apart, widened
 from tmmcalc.records import record
 
 Of = Literal["max", "min", "range", "mean", "size", "first", "last"]
@@ -101,6 +102,7 @@ class Feasibility:
     function: float
     failing: tuple[str, ...]
     candidates: tuple[Candidate, ...] = ()
+    error: float = 0.0  # what rounding leaves of the margins, relative to the largest; that of values is their stage's
 
     @property
     def chosen(self) -> int:
@@ -127,6 +129,12 @@ def _margins(value: float, at_least: float | None, at_most: float | None) -> lis
     return [min(max(part, -LARGEST), LARGEST) for part in parts]
 
 
+def _rounding(verdicts: Sequence[Verdict]) -> float:
+    """Of the margins, against the same in extended precision."""
+    wide = [(widened(each.value), each.at_least, each.at_most) for each in verdicts]
+    return apart([each.margin for each in verdicts], [margin(*each) for each in wide])
+
+
 def judge(task: FeasibilityTask, found: Mapping[str, tuple[float, str, float | None, float | None]]) -> Feasibility:
     """Judge quantities by constraint name: value, unit, and both limits in that unit."""
     verdicts, functions = [], {}
@@ -146,4 +154,5 @@ def judge(task: FeasibilityTask, found: Mapping[str, tuple[float, str, float | N
         holds(rule, truths),
         float(function(rule, functions, task.form, task.m)),
         tuple(failing(rule, truths)),
+        error=_rounding(verdicts),
     )

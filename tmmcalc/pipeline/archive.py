@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -23,11 +23,12 @@ LOG_NAME = "run.log"
 
 
 class Archive:
-    """Results of earlier runs in ``folder`` and of this one; ``csv`` as in :meth:`Store.save`."""
+    """Results of earlier runs in ``folder`` and of this one; ``csv`` and ``columns`` as in :meth:`Store.save`."""
 
-    def __init__(self, folder: Path, csv: bool | None) -> None:
+    def __init__(self, folder: Path, csv: bool | None, columns: Sequence[str] = ()) -> None:
         self.store = Store(folder)
         self.csv = csv
+        self.columns = tuple(columns)
         self._hashes: dict[str, str] = {}
 
     def provenance(self, stage: Stage, inputs: object, settings: Mapping[str, Any]) -> Provenance:
@@ -76,9 +77,9 @@ class Archive:
 
     def _loaded(self, stage: Stage, provenance: Provenance, found: Found) -> tuple[Outcome, Event]:
         outcome = Outcome(stage, found.record)
-        if self.store.csv_differs(found, self.csv):
+        if self.store.csv_differs(found, self.csv, self.columns):
             self._save(provenance, outcome)
         return outcome, Event(stage.name, "loaded", "files are valid")
 
     def _save(self, provenance: Provenance, outcome: Outcome) -> None:
-        self.store.save(provenance, outcome.record, outcome.table, self.csv)
+        self.store.save(provenance, outcome.record, outcome.table, self.csv, self.columns)

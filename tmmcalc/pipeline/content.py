@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from tmmcalc.pipeline.stage import Table
 
 _EPOCH = (1980, 1, 1, 0, 0, 0)  # zip cannot do without a time; this is its zero
+BLOCK = 4096  # rows of a CSV that are written at once
 _UNIX = 3  # the system named in a zip entry
 
 
@@ -44,13 +45,20 @@ def csv_bytes(table: Table) -> bytes:
 
     Raises ValueError if the header and the columns do not match.
     """
-    columns = [column.tolist() for column in table.columns]
-    if len(columns) != len(table.header) or len({len(column) for column in columns}) > 1:
-        raise ValueError(f"{len(table.header)} headers over columns of {[len(column) for column in columns]} rows")
-    lines = [",".join(_cell(name) for name in table.header)]
-    written = [[_cell(v) for v in c] if c and isinstance(c[0], str) else map(repr, c) for c in columns]
-    lines += [",".join(row) for row in zip(*written, strict=True)]
-    return "\n".join([*lines, ""]).encode()
+    columns = list(table.columns)
+    lengths = [len(column) for column in columns]
+    if len(columns) != len(table.header) or len(set(lengths)) > 1:
+        raise ValueError(f"{len(table.header)} headers over columns of {lengths} rows")
+    blocks = [",".join(_cell(name) for name in table.header).encode()]
+    blocks += [_lines([c[at : at + BLOCK] for c in columns]) for at in range(0, lengths[0] if lengths else 0, BLOCK)]
+    return b"\n".join([*blocks, b""])
+
+
+def _lines(columns: Sequence[Any]) -> bytes:
+    """The rows of a block, so that no more than a block of numbers is held as Python's own."""
+    values = [column.tolist() for column in columns]
+    written = [[_cell(v) for v in c] if c and isinstance(c[0], str) else map(repr, c) for c in values]
+    return "\n".join([",".join(row) for row in zip(*written, strict=True)]).encode()
 
 
 def _cell(text: str) -> str:

@@ -23,7 +23,7 @@ from tmmcalc._version import __version__
 if TYPE_CHECKING:
     from tmmcalc.pipeline.stage import Stage
 
-FORMAT = 1  # of the stored files: a new layout makes every older file stale
+FORMAT = 2  # of the stored files: a new layout makes every older file stale
 
 
 def stage_hash(

@@ -5,7 +5,7 @@
 [result]      scalars
 [error]       error estimate
 [counters]    steps, iterations, evaluations
-[table]       rows of the table
+[table]       rows of the table; the columns that the csv was asked to have, if not all
 [files.*]     size and SHA-256 of the npz and of the csv
 [digest]      SHA-256 of everything above, in the last line
 """
@@ -57,6 +57,7 @@ class Manifest:
     record: Record  # without its arrays
     files: Mapping[str, Seal]  # by extension: "npz", "csv"
     rows: int | None  # of the table; None: the stage has none
+    columns: tuple[str, ...] = ()  # names and wildcards of the columns of the csv; empty: all
 
 
 def seal(data: bytes) -> Seal:
@@ -95,7 +96,7 @@ def _tables(manifest: Manifest) -> dict[str, Any]:
         "files": {kind: asdict(value) for kind, value in manifest.files.items()},
     }
     if manifest.rows is not None:
-        tables["table"] = {"rows": manifest.rows}
+        tables["table"] = {"rows": manifest.rows} | ({"columns": list(manifest.columns)} if manifest.columns else {})
     return {name: table for name, table in tables.items() if table}
 
 
@@ -120,4 +121,5 @@ def _manifest(text: str) -> Manifest:
         ),
         {kind: Seal(value.get("size", 0), value.get("sha256", "")) for kind, value in tables.get("files", {}).items()},
         tables.get("table", {}).get("rows"),
+        tuple(tables.get("table", {}).get("columns", ())),
     )

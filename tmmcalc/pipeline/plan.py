@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 from tmmcalc.errors import UsageError
 from tmmcalc.pipeline.stage import Stage, of_scene, resolve
 from tmmcalc.pipeline.stages import STAGES
 from tmmcalc.records import record
+
+SKIP = "--skip"
+SKIPPED = f"left out by {SKIP}"
 
 
 @record
@@ -38,17 +41,19 @@ class Plan:
         return next(step for step in self.steps if step.stage == name)
 
 
-def plan(spec: object, target: str | None = None, stages: Mapping[str, Stage] = STAGES) -> Plan:
+def plan(
+    spec: object, target: str | None = None, stages: Mapping[str, Stage] = STAGES, skip: Collection[str] = ()
+) -> Plan:
     """Return the plan that leads to ``target``, or to every stage that the scene wants.
 
-    A stage is left out if the scene does not want it, if it needs one that is left out, or if the target
-    does not need it. Raises UsageError for an unknown target.
+    A stage is left out if the scene does not want it, if it needs one that is left out, if the target does not need
+    it, or if it is one of ``skip`` or would read the result of one. Raises UsageError for an unknown stage.
     """
-    if target is not None:
-        known_stage(target, stages)
+    for name in (*skip, *(() if target is None else (target,))):
+        known_stage(name, stages)
     stages = of_scene(stages, spec)
     asked = set(stages) if target is None else _upstream(target, stages)
-    barred = _barred(spec, asked, stages)
+    barred = _barred(spec, asked, stages, skip)
     if target in barred:
         barred = {name: barred.get(name, f"only {target} needs it, which is left out") for name in asked}
     running = asked - set(barred)
@@ -74,18 +79,32 @@ def _upstream(target: str, stages: Mapping[str, Stage]) -> set[str]:
     return found
 
 
-def _barred(spec: object, asked: set[str], stages: Mapping[str, Stage]) -> dict[str, str]:
+def _barred(spec: object, asked: set[str], stages: Mapping[str, Stage], skip: Collection[str]) -> dict[str, str]:
     """Return the asked stages that cannot run, with the reason."""
     barred: dict[str, str] = {}
+    lost: set[str] = set()  # stages that the scene has, of which --skip takes the result away
     for name, stage in stages.items():
         if name not in asked:
             continue
         lacking = next((need for need in stage.needs if need in barred), None)
         # the scene's own reason tells more than the chain that leads there
-        reason = _unwanted(spec, stage) or (f"needs {lacking}, which is left out" if lacking else None)
+        reason = _unwanted(spec, stage)
+        if reason is None and (taken := _taken(stage, lost, skip)) is not None:
+            lost.add(name)
+            reason = taken
         if reason is not None:
             barred[name] = reason
+        elif lacking:
+            barred[name] = f"needs {lacking}, which is left out"
     return barred
+
+
+def _taken(stage: Stage, lost: Collection[str], skip: Collection[str]) -> str | None:
+    """Whether ``skip`` takes a stage out, by itself or by what it reads: without that it would give other numbers."""
+    if stage.name in skip:
+        return SKIPPED
+    read = next((name for name in (*stage.needs, *stage.uses) if name in lost), None)
+    return f"reads {read}, which {SKIP} leaves out" if read else None
 
 
 def _unwanted(spec: object, stage: Stage) -> str | None:

@@ -6,7 +6,7 @@ not see the same numbers to the last bit. Without an output folder nothing is ha
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
@@ -16,7 +16,7 @@ from tmmcalc.pipeline.accuracy import check_accuracy
 from tmmcalc.pipeline.outcome import Event, Outcome, RunResult
 from tmmcalc.pipeline.plain import plain_record
 from tmmcalc.pipeline.plan import Plan, known_stage, plan
-from tmmcalc.pipeline.stage import Stage, of_scene, resolve
+from tmmcalc.pipeline.stage import Stage, matches, of_scene, resolve
 from tmmcalc.pipeline.stages import STAGES
 
 if TYPE_CHECKING:
@@ -35,6 +35,8 @@ def run(
     fresh: bool = False,
     from_stage: str | None = None,
     csv: bool | None = None,
+    columns: Sequence[str] = (),
+    skip: Collection[str] = (),
     settings: Settings | None = None,
     tolerance: float | None = None,
     on_start: Callable[[str], None] | None = None,
@@ -46,10 +48,11 @@ def run(
 
     With ``out`` each stage leaves its files there, and one whose files are valid is loaded, not computed.
     ``fresh`` computes all; ``from_stage`` that stage and all after it. ``csv``: True, False, or None for up
-    to 2000 rows. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``tolerance`` is the relative
-    error asked of every stage: one with a choice takes the cheapest method for it. ``on_start`` is called with the
-    name of a stage before it runs, ``on_event`` as soon as it is done. ``keep_going``: a stage without a solution ends
-    only those that read it, and is told in ``failures``.
+    to 2000 rows; ``columns``: names and wildcards of those that a CSV has (empty: all). ``skip``: stages that are left
+    out, with all that read them. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``tolerance``
+    is the relative error asked of every stage: one with a choice takes the cheapest method for it. ``on_start`` is
+    called with the name of a stage before it runs, ``on_event`` as soon as it is done. ``keep_going``: a stage without
+    a solution ends only those that read it, and is told in ``failures``.
 
     Raises UsageError for an unknown stage or option, a target that the scene leaves out, and files that
     cannot be read or written; AccuracyError for a stage that does not reach ``tolerance`` by its own estimate; and
@@ -57,11 +60,11 @@ def run(
     valid.
     """
     stages = of_scene(stages, spec)
-    scene = plan(spec, target, stages)
+    scene = plan(spec, target, stages, skip)
     options = _options(settings or {}, stages, tolerance)
     forced = _forced(fresh, from_stage, stages)
     _check_target(scene)
-    archive = _archive(out, csv)
+    archive = _archive(out, csv, columns)
     work = _Run(spec, options, forced, archive, tolerance, on_event)
     for step in scene.steps:
         if not step.runs:
@@ -71,6 +74,8 @@ def run(
             if on_start is not None:
                 on_start(step.stage)
             work.do(stages[step.stage], keep_going)
+    if columns:
+        _check_columns(columns, work.outcomes)
     files = () if archive is None else archive.files(work.outcomes)
     return RunResult(work.outcomes, scene, tuple(work.events), files, work.failures)
 
@@ -145,12 +150,25 @@ class _Run:
         return Outcome(stage, lambda: record)
 
 
-def _archive(out: Path | None, csv: bool | None) -> Archive | None:
+def _archive(out: Path | None, csv: bool | None, columns: Sequence[str]) -> Archive | None:
     if out is None:
         return None
     from tmmcalc.pipeline.archive import Archive
 
-    return Archive(out, csv)
+    return Archive(out, csv, columns)
+
+
+def _check_columns(columns: Sequence[str], outcomes: Mapping[str, Outcome]) -> None:
+    """Raise UsageError for a name that no table of the run has: of one stage it need not be."""
+    headers = [header for outcome in outcomes.values() if outcome.table is not None for header in outcome.table.header]
+    for pattern in columns:
+        if not any(matches(header, pattern) for header in headers):
+            from tmmcalc.columns import nearest
+
+            names = list(dict.fromkeys(header.partition("[")[0] for header in headers))
+            raise UsageError(
+                f"no stage has a column called {pattern!r}", where="--columns", remedy=nearest(names, pattern)
+            )
 
 
 def _check_target(scene: Plan) -> None:

@@ -12,10 +12,11 @@ the only form in which a result is handed on, whether it has just been computed 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Mapping
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import field, replace
+from fnmatch import fnmatchcase
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 from tmmcalc.records import record
 
@@ -38,17 +39,65 @@ class Record:
     counters: Mapping[str, Any] = field(default_factory=dict)  # steps, iterations, evaluations
 
 
+class Late(Sequence["np.ndarray[Any, Any]"]):
+    """Columns of a table, each an array (n,) or what makes it when asked for: no long table is made whole."""
+
+    def __init__(self, makers: Sequence[np.ndarray[Any, Any] | Callable[[], np.ndarray[Any, Any]]]) -> None:
+        self._makers = makers
+
+    def __len__(self) -> int:
+        return len(self._makers)
+
+    @overload
+    def __getitem__(self, k: int) -> np.ndarray[Any, Any]: ...
+    @overload
+    def __getitem__(self, k: slice) -> Sequence[np.ndarray[Any, Any]]: ...
+    def __getitem__(self, k: int | slice) -> Any:
+        if isinstance(k, slice):
+            return Late(self._makers[k])
+        maker = self._makers[k]
+        return maker() if callable(maker) else maker
+
+    def those(self, chosen: Sequence[int]) -> Late:
+        """Some of them; none is made."""
+        return Late([self._makers[k] for k in chosen])
+
+
 @record
 class Table:
-    """Columns for people: ``header`` such as ``phi[deg]`` and one array of shape (n,) for each."""
+    """Columns for people: ``header`` such as ``phi[deg]`` and one array of shape (n,) for each.
+
+    The first column says what a row is.
+    """
 
     header: list[str]
-    columns: list[np.ndarray[Any, Any]]
+    columns: Sequence[np.ndarray[Any, Any]]
 
     @property
     def rows(self) -> int:
         """Number of rows; 0 for a table without columns."""
         return len(self.columns[0]) if self.columns else 0
+
+    def selected(self, patterns: Sequence[str]) -> Table | None:
+        """The first column and those whose names, or headers, match; None if none does; all without patterns."""
+        if not patterns:
+            return self
+        kept = [k for k, header in enumerate(self.header) if any(matches(header, pattern) for pattern in patterns)]
+        if not kept:
+            return None
+        kept = sorted({0, *kept})
+        own = self.columns
+        chosen = own.those(kept) if isinstance(own, Late) else [own[k] for k in kept]
+        return Table([self.header[k] for k in kept], chosen)
+
+
+def matches(header: str, pattern: str) -> bool:
+    """Whether a pattern such as ``x_*`` names a column.
+
+    >>> matches("x_C[m]", "x_*"), matches("x_C[m]", "x_C[m]"), matches("x_C[m]", "C")
+    (True, True, False)
+    """
+    return header == pattern or fnmatchcase(header.partition("[")[0], pattern)
 
 
 @record
@@ -56,7 +105,7 @@ class Stage:
     """One stage of the pipeline; every function is a ``"module:function"`` string.
 
     ``wanted`` and ``spares`` are called while planning, also for scenes that leave the stage out: their module
-    must import little.
+    must import little. ``omits`` and ``packages`` are called of stages that run, and only by who asks why.
     """
 
     name: str
@@ -70,6 +119,8 @@ class Stage:
     needs: tuple[str, ...] = ()  # the stages whose results it reads
     uses: tuple[str, ...] = ()  # the stages whose results it reads if the scene has them
     spares: str = ""  # (spec) -> those of ``uses`` that it does without in this scene; empty: none
+    omits: str = ""  # (spec) -> sentences on what it leaves out within itself, because the scene has it not
+    packages: str = ""  # (spec) -> heavy packages that it imports for this scene; empty: none
     settings: Mapping[str, Any] = field(default_factory=dict)  # options of the method and their defaults
 
     def upstream(self, done: Container[str]) -> list[str]:

@@ -16,12 +16,15 @@ def _stage(
     uses: tuple[str, ...] = (),
     spares: bool = False,
     wanted: bool = False,
+    omits: bool = False,
+    packages: bool = False,
     settings: Mapping[str, Any] | None = None,
     table: bool = True,
 ) -> Stage:
     """Declare a stage whose functions live in the module of its name.
 
-    ``wanted``: not every scene has it; ``spares``: not every scene needs what it uses.
+    ``wanted``: not every scene has it; ``spares``: not every scene needs what it uses; ``omits``: it leaves something
+    out within itself where the scene has it not; ``packages``: some scenes need a heavy package.
     """
     home = f"tmmcalc.stages.{name}"
     return Stage(
@@ -31,6 +34,8 @@ def _stage(
         uses=uses,
         spares=f"tmmcalc.stages.spared:{name}" if spares else "",
         wanted=f"tmmcalc.stages.wanted:{name}" if wanted else "",
+        omits=f"tmmcalc.stages.omitted:{name}" if omits else "",
+        packages=f"tmmcalc.stages.packages:{name}" if packages else "",
         inputs=f"{home}:inputs",
         solve=f"{home}:solve",
         dump=f"{home}:dump",
@@ -45,13 +50,16 @@ TOLERANCE = {"tolerance": 0.0}  # relative error asked for; 0: that of the metho
 STAGES: dict[str, Stage] = {
     stage.name: stage
     for stage in (
-        _stage("synthesis", "a linkage by what it is to do; checks; ready specs", wanted=True),
+        _stage(
+            "synthesis", "a linkage by what it is to do; checks; ready specs", wanted=True, omits=True, packages=True
+        ),
         _stage("structure", "mobility, Assur groups, structural formula, class and order", wanted=True, table=False),
         _stage(
             "kinematics",
             "positions, velocities and accelerations over the cycle",
             needs=("structure",),
             wanted=True,
+            omits=True,
             settings={"method": "closed", "step": 0.0, "decimals": 0},  # 0: the default step, no rounding
         ),
         _stage(
@@ -59,14 +67,18 @@ STAGES: dict[str, Stage] = {
             "reactions in all pairs and the drive, with friction",
             needs=("kinematics",),
             wanted=True,
+            omits=True,
+            packages=True,
         ),
         _stage(
             "reduction",
             "reduced moments and inertia, work per cycle",
             uses=("kinematics",),
             wanted=True,
+            omits=True,
+            packages=True,
         ),
-        _stage("train", "tooth numbers of the gear train: all sets within the constraints", wanted=True),
+        _stage("train", "tooth numbers of the gear train: all sets within the constraints", wanted=True, omits=True),
         _stage("gearing", "a written train: speeds, torques, power flow, efficiency", wanted=True),
         _stage(
             "strength",
@@ -81,6 +93,7 @@ STAGES: dict[str, Stage] = {
             "the best gear train; its inertia and ratio for the machine",
             needs=("train", "strength"),
             wanted=True,
+            omits=True,
         ),
         _stage(
             "pair",
@@ -108,6 +121,8 @@ STAGES: dict[str, Stage] = {
             uses=("criteria",),
             spares=True,
             wanted=True,
+            omits=True,
+            packages=True,
             table=False,
         ),
         _stage(
@@ -117,6 +132,8 @@ STAGES: dict[str, Stage] = {
             uses=("criteria",),
             spares=True,
             wanted=True,
+            omits=True,
+            packages=True,
             table=False,
         ),
         _stage(
@@ -126,6 +143,8 @@ STAGES: dict[str, Stage] = {
             uses=("criteria", "flywheel"),
             spares=True,
             wanted=True,
+            omits=True,
+            packages=True,
             settings=TOLERANCE,
         ),
         _stage(
@@ -135,6 +154,8 @@ STAGES: dict[str, Stage] = {
             uses=("criteria", "flywheel"),
             spares=True,
             wanted=True,
+            omits=True,
+            packages=True,
             settings=TOLERANCE,
         ),
         _stage(
@@ -143,14 +164,17 @@ STAGES: dict[str, Stage] = {
             needs=("kinematics",),
             wanted=True,
         ),
-        _stage("manipulator", "gripper and joints of a manipulator over the time", wanted=True),
+        _stage(
+            "manipulator", "gripper and joints of a manipulator over the time", wanted=True, omits=True, packages=True
+        ),
         _stage(
             "balance",
             "shaking forces of linkage, engine, rotor; counterweights",
             uses=("kinematics",),
             wanted=True,
+            omits=True,
         ),
-        _stage("cam_law", "law of motion of the cam's follower, its constants and jumps", wanted=True),
+        _stage("cam_law", "law of motion of the cam's follower, its constants and jumps", wanted=True, packages=True),
         _stage("cam_synthesis", "sizes of cam and follower within their limits", wanted=True, table=False),
         _stage("cam_profile", "pitch and working profile of the cam", needs=("cam_synthesis",), wanted=True),
         _stage("cam_pressure", "pressure angle over the turn", needs=("cam_synthesis",), wanted=True),
@@ -188,12 +212,18 @@ STAGES: dict[str, Stage] = {
             wanted=True,
         ),
         _stage("indexing", "cam-lantern indexing drive: limits, profiles, pressure angles, efficiency", wanted=True),
-        _stage("vibrator", "vibratory device: natural frequencies, steady vibration, starts", wanted=True),
+        _stage(
+            "vibrator",
+            "vibratory device: natural frequencies, steady vibration, starts",
+            wanted=True,
+            omits=True,
+            packages=True,
+        ),
         _stage("pendulum", "pendulum-rotor: whirl, critical speeds, torsion, motion in time", wanted=True),
-        _stage("contact", "elastic contact: pressure, approach, Hertz as check", wanted=True),
-        _stage("reliability", "reliability under shock loads while the strength falls", wanted=True),
+        _stage("contact", "elastic contact: pressure, approach, Hertz as check", wanted=True, packages=True),
+        _stage("reliability", "reliability under shock loads while the strength falls", wanted=True, packages=True),
         _stage("tie_down", "forces in the ties of a transported load", wanted=True, table=False),
-        _stage("falling_ball", "fall of a ball whose radius decreases", wanted=True),
+        _stage("falling_ball", "fall of a ball whose radius decreases", wanted=True, packages=True),
         _stage("bearing", "speeds and frequencies of the defects of a bearing", wanted=True, table=False),
     )
 }

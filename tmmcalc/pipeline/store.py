@@ -8,7 +8,7 @@ the ones beside it. A stage without arrays has no npz. The hidden file ``.lock``
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
@@ -90,13 +90,21 @@ class Store:
                 return Missing(_change(stored.provenance, wanted))
             return self._verified(stored)
 
-    def save(self, provenance: Provenance, record: Record, table: Table | None, csv: bool | None = None) -> None:
+    def save(
+        self,
+        provenance: Provenance,
+        record: Record,
+        table: Table | None,
+        csv: bool | None = None,
+        columns: Sequence[str] = (),
+    ) -> None:
         """Write the files of a stage, data first and manifest last; unchanged files are not touched.
 
         ``record`` must be plain. ``csv`` True or False forces or forbids the CSV, None writes it up to
-        CSV_ROWS rows; a CSV that is not to be is removed. Raises UsageError if the folder cannot be written.
+        CSV_ROWS rows, ``columns`` names those that it has (empty: all); a CSV that is not to be is removed. Raises
+        UsageError if the folder cannot be written.
         """
-        contents = _contents(provenance, record, table, csv)
+        contents = _contents(provenance, record, table, csv, tuple(columns))
         with blamed_on(self.folder, "written"):
             self.folder.mkdir(parents=True, exist_ok=True)
             with locked(self.folder):
@@ -104,11 +112,14 @@ class Store:
                 if self._replace(provenance.stage, contents):
                     sync_folder(self.folder)
 
-    def csv_differs(self, found: Found, csv: bool | None) -> bool:
+    def csv_differs(self, found: Found, csv: bool | None, columns: Sequence[str] = ()) -> bool:
         """Tell whether the CSV that this run is to have is not the one that is there."""
         rows = found.manifest.rows
-        wanted = rows is not None and csv_wanted(rows, csv)
-        return not (wanted == found.has_csv == ("csv" in found.manifest.files))
+        if rows is None:
+            return found.has_csv
+        if tuple(columns) != found.manifest.columns:
+            return True
+        return not (csv_wanted(rows, csv) == found.has_csv == ("csv" in found.manifest.files))
 
     @contextmanager
     def _reading(self) -> Iterator[None]:
@@ -151,16 +162,19 @@ def csv_wanted(rows: int, csv: bool | None) -> bool:
     return rows <= CSV_ROWS if csv is None else csv
 
 
-def _contents(provenance: Provenance, record: Record, table: Table | None, csv: bool | None) -> dict[str, bytes | None]:
+def _contents(
+    provenance: Provenance, record: Record, table: Table | None, csv: bool | None, columns: tuple[str, ...]
+) -> dict[str, bytes | None]:
     """Return the bytes of every file of a stage, None for one that is not to be; the manifest comes last."""
-    listed = table is not None and csv_wanted(table.rows, csv)
+    rows = None if table is None else table.rows
+    listed = table.selected(columns) if table is not None and csv_wanted(table.rows, csv) else None
     data = {
         "npz": content.npz_bytes(record.arrays) if record.arrays else None,
-        "csv": content.csv_bytes(table) if table is not None and listed else None,
+        "csv": content.csv_bytes(listed) if listed is not None else None,
     }
     seals = {kind: manifest.seal(part) for kind, part in data.items() if part is not None}
-    rows = None if table is None else table.rows
-    return {**data, "toml": manifest.written(Manifest(provenance, record, seals, rows))}
+    asked = columns if table is not None else ()
+    return {**data, "toml": manifest.written(Manifest(provenance, record, seals, rows, asked))}
 
 
 def _mismatch(data: bytes, expected: Seal) -> str | None:

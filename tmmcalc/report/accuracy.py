@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from tmmcalc.accuracy.study import Accuracy, Point, Series, Study
+from tmmcalc.report.accuracyladder import ladder_document
 from tmmcalc.report.document import Document, Fact, View
 
 NUMBER = re.compile(r"[-+]?\d[\d.]*(?:e[-+]?\d+)?")  # in a reason: settings that fail alike differ in numbers alone
@@ -17,6 +18,7 @@ TOLD = ("stage", "quantity", "method", "setting", "size", "error", "seconds", "e
 def accuracy_document(result: Accuracy, title: str, tolerance: float | None = None) -> Document:
     """One part a study: the reference, the cheapest method for ``tolerance`` (by default for four), all settings."""
     parts = tuple(_part(study, (tolerance,) if tolerance else TOLERANCES) for study in result.studies)
+    parts += tuple(ladder_document(ladder) for ladder in result.ladders)
     facts = [Fact("studied", ", ".join(dict.fromkeys(study.stage for study in result.studies)) or "nothing")]
     if result.without:
         facts.append(Fact("one method only", ", ".join(result.without), {"one_method_only": list(result.without)}))

@@ -12,8 +12,8 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from tmmcalc.machine.balancing.engines import EngineBalance, Order, ShaftWeights
+from tmmcalc.machine.balancing.enginetask import Engine
 from tmmcalc.machine.balancing.firing import Firing
-from tmmcalc.machine.balancing.task import Engine
 from tmmcalc.numerics.fourier import Magnitude
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import NOISE, angle, number

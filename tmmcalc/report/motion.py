@@ -23,6 +23,7 @@ from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import NOISE, number
 from tmmcalc.report.places import Shaft, span_fact
 from tmmcalc.report.positions import with_positions
+from tmmcalc.report.timescales import scales_fact
 
 NAMES = {"kloss": "Kloss", "table": "tabulated"}
 SHOWN = 6  # speeds of the iteration that are named
@@ -43,6 +44,7 @@ def motion_summary(result: Motion, title: str) -> Document:
         _stability_fact(regime),
         *_idle_facts(shaft, result.idle),
         *_textbook_facts(result),
+        *_method_facts(result),
         *_check_facts(regime),
     )
     return Document(title, facts, tuple(str(verdict) for verdict in result.verdicts))
@@ -228,6 +230,17 @@ def _turns(book: Textbook) -> Iterator[str]:
 
 def _sound(book: Textbook) -> str:
     return "" if book.regime.warning < 1 else ": above 1 it swings from node to node, take more positions"
+
+
+def _method_facts(result: Motion) -> list[Fact]:
+    """How the regime was found, and of a motor's its time scales."""
+    counters = result.regime.counters
+    if result.kind != "motor":
+        return []
+    why = "implicit over the whole cycle at once, so that stiffness costs nothing"
+    text = f"collocation: {why}\n{result.regime.panels.count} panels, {counters['newton']} Newton steps"
+    values = {"method": "collocation", "method_reason": why, "counters": counters}
+    return [Fact("found by", text, values), scales_fact(result.scales, "time scales of a cycle")]
 
 
 def _check_facts(regime: Regime) -> list[Fact]:

@@ -9,7 +9,7 @@ from typing import Any
 
 from tmmcalc.machine.balancing.grades import EXAMPLES
 from tmmcalc.machine.balancing.rotors import RotorState, RotorVerdict
-from tmmcalc.machine.balancing.task import BalancedRotor
+from tmmcalc.machine.balancing.rotortask import BalancedRotor
 from tmmcalc.machine.balancing.weights import Weight
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import NOISE, number

@@ -20,6 +20,7 @@ from tmmcalc.numerics.panels import Values
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import number
 from tmmcalc.report.timed import course, events_view, whole_table, within
+from tmmcalc.report.timescales import scales_fact
 
 TURN = 2 * math.pi
 NOTHING = 1e-9  # of the largest moment or energy: less is none
@@ -65,6 +66,7 @@ def _motion_document(motion: TimedMotion) -> Document:
     """Facts, verdicts and the table of events of one motion."""
     facts = (
         _method_fact(motion),
+        scales_fact(motion.scales),
         _end_fact(motion),
         *_target_facts(motion),
         _speed_fact(motion),

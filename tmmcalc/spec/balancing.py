@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from tmmcalc.machine.model import EngineTask, RotorTask
 
-from .linkage import link_points, place, to_linkage
 from .units import unit_direction
 
 if TYPE_CHECKING:
@@ -26,6 +25,8 @@ def to_balance(spec: Spec) -> BalanceTask:
     from tmmcalc.linkage.balance.redistribution import Place
     from tmmcalc.linkage.balance.task import BalanceTask
     from tmmcalc.linkage.model import FRAME
+
+    from .linkage import link_points, place, to_linkage
 
     table = spec.balance
     if table is None:

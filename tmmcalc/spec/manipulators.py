@@ -113,7 +113,7 @@ def _route(path: PathTable) -> Route:
 
 
 def _limits(table: ManipulatorTable) -> tuple[JointLimit, ...]:
-    given = {name: getattr(table.limits, name) for name in type(table.limits).model_fields}
+    given = {name: getattr(table.limits, name) for name in table.limits.__class__.model_fields}
     return tuple(JointLimit(name, *pair) for name, pair in given.items() if pair is not None)
 
 

@@ -7,7 +7,6 @@ from pydantic import Field
 from tmmcalc.errors import UsageError
 
 from .late import late
-from .mechanism import MechanismTable
 from .project import ProjectTable
 from .table import Table
 
@@ -29,6 +28,7 @@ if TYPE_CHECKING:
     from .linksynthesis import LinkSynthesisTable
     from .loads import LoadTable
     from .manipulator import ManipulatorTable
+    from .mechanism import MechanismTable
     from .motion import MotionTable
     from .motor import MotorTable
     from .pair import PairTable
@@ -63,6 +63,7 @@ else:
     LinkSynthesisTable = late("linksynthesis", "LinkSynthesisTable")
     LoadTable = late("loads", "LoadTable")
     ManipulatorTable = late("manipulator", "ManipulatorTable")
+    MechanismTable = late("mechanism", "MechanismTable")
     MotionTable = late("motion", "MotionTable")
     MotorTable = late("motor", "MotorTable")
     PairTable = late("pair", "PairTable")

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.pipeline.stage import Late, Record, Table
 from tmmcalc.records import record
 from tmmcalc.stages.conversion import restore, to_record
 
@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.balance.task import BalanceTask, Balancing
     from tmmcalc.linkage.loading import Body
     from tmmcalc.linkage.model import Mechanism
-    from tmmcalc.machine.balancing.task import BalancedRotor, Engine
+    from tmmcalc.machine.balancing.enginetask import Engine
+    from tmmcalc.machine.balancing.rotortask import BalancedRotor
     from tmmcalc.machine.model import EngineTask, RotorTask
     from tmmcalc.spec import Spec
 
@@ -71,11 +72,11 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
         mechanism, bodies, task = given.linkage
         linkage = solve_balance(mechanism, bodies, upstream["kinematics"], task)
     if given.engine is not None:
-        from tmmcalc.machine.balancing.task import solve_engine
+        from tmmcalc.machine.balancing.enginetask import solve_engine
 
         engine = solve_engine(given.engine)
     if given.rotor is not None:
-        from tmmcalc.machine.balancing.task import solve_rotor
+        from tmmcalc.machine.balancing.rotortask import solve_rotor
 
         rotor = solve_rotor(given.rotor)
     return Balances(linkage, engine, rotor)
@@ -86,6 +87,8 @@ def dump(result: Balances) -> Record:
     errors = {"linkage": result.linkage.shaking.error} if result.linkage is not None else {}
     if result.engine is not None:
         errors["engine"] = result.engine.balance.error
+    if result.rotor is not None:
+        errors["rotor"] = result.rotor.balance.error
     return to_record(result, errors)
 
 
@@ -106,7 +109,7 @@ def _linkage_in(record: Record) -> Balancing | None:
 def _engine_in(record: Record) -> Engine | None:
     if "engine" not in record.scalars:
         return None
-    from tmmcalc.machine.balancing.task import Engine
+    from tmmcalc.machine.balancing.enginetask import Engine
 
     found: Engine = _part(Engine, "engine", record)
     return found
@@ -115,7 +118,7 @@ def _engine_in(record: Record) -> Engine | None:
 def _rotor_in(record: Record) -> BalancedRotor | None:
     if "rotor" not in record.scalars:
         return None
-    from tmmcalc.machine.balancing.task import BalancedRotor
+    from tmmcalc.machine.balancing.rotortask import BalancedRotor
 
     found: BalancedRotor = _part(BalancedRotor, "rotor", record)
     return found
@@ -132,4 +135,4 @@ def table(result: Balances) -> Table | None:
     from tmmcalc.linkage.balance.columns import columns
 
     chosen = columns(result.linkage)
-    return Table(["i", *(c.header for c in chosen)], [np.array(result.labels), *(c.make() for c in chosen)])
+    return Table(["i", *(c.header for c in chosen)], Late([np.array(result.labels), *(c.make for c in chosen)]))

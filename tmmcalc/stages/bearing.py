@@ -27,7 +27,7 @@ def solve(given: BearingTask, upstream: Mapping[str, Any], settings: Mapping[str
 
 def dump(result: Bearing) -> Record:
     """Arrays by the names of the fields."""
-    return to_record(result)
+    return to_record(result, {"frequencies": result.error})
 
 
 def load(record: Record) -> Bearing:

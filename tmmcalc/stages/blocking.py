@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.gears.meshing.contours import Blocking
 from tmmcalc.pipeline.stage import Record, Table
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.stages.conversion import from_record, largest, to_record
 
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
@@ -26,7 +26,7 @@ def solve(given: None, upstream: Mapping[str, Any], settings: Mapping[str, Any])
 
 def dump(result: Blocking) -> Record:
     """Arrays by the names of the fields: ``pairs.0.strict.main.x1``, ..."""
-    return to_record(result)
+    return to_record(result, largest([area.error for pair in result.pairs for area in (pair.strict, pair.tolerated)]))
 
 
 def load(record: Record) -> Blocking:

@@ -29,7 +29,7 @@ def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, An
 
 def dump(result: Profile) -> Record:
     """Arrays by the names of the fields."""
-    return to_record(result)
+    return to_record(result, result.error)
 
 
 def load(record: Record) -> Profile:

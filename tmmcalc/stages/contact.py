@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.extras.contact import Contact, ContactTask, solve_contact
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.pipeline.stage import Record, Table
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.stages.conversion import from_record, plain, to_record
 
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
@@ -27,7 +28,7 @@ def solve(given: ContactTask, upstream: Mapping[str, Any], settings: Mapping[str
 
 def dump(result: Contact) -> Record:
     """Arrays by the names of the fields."""
-    return to_record(result)
+    return to_record(result, {**plain(result.error), "load": max(result.load_error, EPS)})
 
 
 def load(record: Record) -> Contact:

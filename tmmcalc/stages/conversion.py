@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from fractions import Fraction
 from functools import cache
@@ -28,6 +28,14 @@ def to_record(result: Any, error: Mapping[str, Any] | None = None) -> Record:
     _check_finite(type(result).__name__.lower(), scalars, arrays)
     counters = scalars.pop("counters", {})
     return Record(scalars, arrays, error or {}, counters)
+
+
+def largest(errors: Sequence[Any]) -> dict[str, float]:
+    """The largest of each estimate of several records of one kind; None are records without any."""
+    told: dict[str, float] = {}
+    for name, size in (pair for each in errors if each is not None for pair in plain(each).items()):
+        told[name] = max(told.get(name, 0.0), size)
+    return told
 
 
 def _check_finite(what: str, scalars: Any, arrays: Mapping[str, np.ndarray]) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.selection.task import SelectionTask
 from tmmcalc.pipeline.stage import Record, Table
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.stages.conversion import from_record, largest, to_record
 
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
@@ -30,7 +30,7 @@ def solve(given: SelectionTask, upstream: Mapping[str, Any], settings: Mapping[s
 
 def dump(result: Selection) -> Record:
     """Arrays by the names of the fields, those of the first variant under ``variants.0.``."""
-    return to_record(result)
+    return to_record(result, largest([variant.error for variant in result.variants]))
 
 
 def load(record: Record) -> Selection:

@@ -110,7 +110,7 @@ _OF = {
 
 def dump(result: Feasibility) -> Record:
     """All of it is scalars."""
-    return to_record(result)
+    return to_record(result, {"margins": result.error})
 
 
 def load(record: Record) -> Feasibility:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tmmcalc.machine.flywheel.task import Flywheel
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
@@ -11,8 +11,17 @@ from tmmcalc.pipeline.stage import Record
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
-    from tmmcalc.machine.driver import Driver
+    from tmmcalc.machine.driver import ConstantInertia, Driver
     from tmmcalc.spec import Spec
+
+
+class Asked(NamedTuple):
+    """What a flywheel is for: the constant inertia at hand, what drives, the mean speed without a motor [rad/s]."""
+
+    at_hand: ConstantInertia
+    driver: Driver | None
+    speed: float
+
 
 Given = tuple[FlywheelTask, MotorChoice | None, Gears, MotionTask]
 
@@ -29,33 +38,17 @@ def inputs(spec: Spec) -> Given:
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Flywheel:
     """All methods, and the wheel itself."""
     from tmmcalc.machine.flywheel.task import solve_flywheel
-    from tmmcalc.stages.shaft import (
-        constant_inertia,
-        driver,
-        equal_steps,
-        geared,
-        mean_speed,
-        motor_ratio,
-        sense,
-        shaft_ratio,
-    )
+    from tmmcalc.stages.shaft import equal_steps, geared, motor_ratio, sense, shaft_ratio
 
-    task, wish, gears, motion = given
-    gears = geared(upstream, gears)
-    at_hand = constant_inertia(upstream, gears, motion)
+    task, machine = given[0], asked(given, upstream)
+    gears = geared(upstream, given[2])
     reduction, power = upstream["reduction"], upstream["power"]
-    if motion.undriven:
-        from tmmcalc.machine.selfregulation import undriven_driver
-
-        moved: Driver | None = undriven_driver(reduction.cycle)
-    else:
-        moved = driver(upstream, wish, gears, motion)
     return solve_flywheel(
         reduction.cycle,
-        at_hand,
+        machine.at_hand,
         task,
-        moved,
-        mean_speed(upstream, motion),
+        machine.driver,
+        machine.speed,
         shaft_ratio(task, power, gears),
         motor_ratio=motor_ratio(power, gears),
         steps=equal_steps(reduction),
@@ -63,9 +56,27 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
     )
 
 
+def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
+    """The machine with the gears that earlier stages found, without a flywheel."""
+    from tmmcalc.stages.shaft import constant_inertia, driver, geared, mean_speed
+
+    _, wish, gears, motion = given
+    gears = geared(upstream, gears)
+    if motion.undriven:
+        from tmmcalc.machine.selfregulation import undriven_driver
+
+        moved: Driver | None = undriven_driver(upstream["reduction"].cycle)
+    else:
+        moved = driver(upstream, wish, gears, motion)
+    return Asked(constant_inertia(upstream, gears, motion), moved, mean_speed(upstream, motion))
+
+
 def dump(result: Flywheel) -> Record:
     """Arrays by the names of the fields: the picture and the regime with the flywheel."""
-    return to_record(result, {"speed": result.required.regime.error} if result.required is not None else {})
+    errors = {"inertia": result.error}
+    if result.required is not None:
+        errors["speed"] = result.required.regime.error
+    return to_record(result, errors)
 
 
 def load(record: Record) -> Flywheel:

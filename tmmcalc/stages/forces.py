@@ -9,7 +9,7 @@ import numpy as np
 
 from tmmcalc.linkage.forces.columns import columns
 from tmmcalc.linkage.forces.results import Forces
-from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.pipeline.stage import Late, Record, Table
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
@@ -47,4 +47,4 @@ def load(record: Record) -> Forces:
 def table(result: Forces) -> Table:
     """All columns, one row a position; two where friction jumps."""
     chosen = columns(result)
-    return Table(["i", *(c.header for c in chosen)], [np.array(result.labels), *(c.make() for c in chosen)])
+    return Table(["i", *(c.header for c in chosen)], Late([np.array(result.labels), *(c.make for c in chosen)]))

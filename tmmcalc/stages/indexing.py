@@ -32,7 +32,7 @@ def solve(given: IndexingTask, upstream: Mapping[str, Any], settings: Mapping[st
 
 def dump(result: Indexing) -> Record:
     """Arrays by the names of the fields."""
-    return to_record(result)
+    return to_record(result, result.error)
 
 
 def load(record: Record) -> Indexing:

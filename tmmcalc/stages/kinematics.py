@@ -9,7 +9,7 @@ import numpy as np
 
 from tmmcalc.linkage.columns import columns
 from tmmcalc.linkage.results import Kinematics, Method, Trace
-from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.pipeline.stage import Late, Record, Table
 from tmmcalc.stages.conversion import plain, restore
 
 if TYPE_CHECKING:
@@ -74,4 +74,4 @@ def table(result: Kinematics) -> Table:
     """All columns, one row a position."""
     chosen = columns(result)
     label = np.array(result.labels)
-    return Table(["i", *(c.header for c in chosen)], [label, *(c.make() for c in chosen)])
+    return Table(["i", *(c.header for c in chosen)], Late([label, *(c.make for c in chosen)]))

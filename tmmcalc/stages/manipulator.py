@@ -9,7 +9,7 @@ import numpy as np
 
 from tmmcalc.manipulators.columns import manipulator_columns
 from tmmcalc.manipulators.results import Manipulator
-from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.pipeline.stage import Late, Record, Table
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
@@ -46,4 +46,4 @@ def table(result: Manipulator) -> Table:
     """All columns, one row an instant."""
     columns = manipulator_columns(result)
     label = np.array(result.labels)
-    return Table(["i", *(c.header for c in columns)], [label, *(c.make() for c in columns)])
+    return Table(["i", *(c.header for c in columns)], Late([label, *(c.make for c in columns)]))

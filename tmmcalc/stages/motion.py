@@ -10,7 +10,7 @@ import numpy as np
 from tmmcalc.machine.columns import motion_columns
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
 from tmmcalc.machine.motion import Motion
-from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.pipeline.stage import Late, Record, Table
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
@@ -80,4 +80,4 @@ def load(record: Record) -> Motion:
 def table(result: Motion) -> Table:
     """All columns, one row a position."""
     chosen = motion_columns(result)
-    return Table(["i", *(c.header for c in chosen)], [np.array(result.labels), *(c.make() for c in chosen)])
+    return Table(["i", *(c.header for c in chosen)], Late([np.array(result.labels), *(c.make for c in chosen)]))

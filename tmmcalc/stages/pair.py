@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.gears.meshing.results import Pairs
 from tmmcalc.gears.meshing.task import PairsTask
 from tmmcalc.pipeline.stage import Record, Table
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.stages.conversion import from_record, largest, to_record
 
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
@@ -30,7 +30,7 @@ def solve(given: PairsTask, upstream: Mapping[str, Any], settings: Mapping[str, 
 
 def dump(result: Pairs) -> Record:
     """Arrays by the names of the fields: those of the first pair under ``pairs.0.``."""
-    return to_record(result)
+    return to_record(result, largest([pair.error for pair in result.pairs]))
 
 
 def load(record: Record) -> Pairs:

@@ -29,8 +29,7 @@ def solve(given: int, upstream: Mapping[str, Any], settings: Mapping[str, Any]) 
 
 def dump(result: Profiles) -> Record:
     """Arrays by the names of the fields: ``wheels.0.x``, ..."""
-    joins = {f"join_{wheel.pair or 'pair'}_{wheel.wheel}": wheel.join for wheel in result.wheels}
-    return to_record(result, joins)
+    return to_record(result, {"outline": max((wheel.error for wheel in result.wheels), default=0.0)})
 
 
 def load(record: Record) -> Profiles:

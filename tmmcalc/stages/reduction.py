@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,10 +11,11 @@ import numpy as np
 from tmmcalc.linkage.reduction.columns import EFFICIENCY, cells, columns
 from tmmcalc.linkage.reduction.results import Reduction
 from tmmcalc.machine.model import TorqueTask
-from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.pipeline.stage import Late, Record, Table
 from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
+    from tmmcalc.columns import Column
     from tmmcalc.linkage.loading import Loading
     from tmmcalc.linkage.model import Mechanism
     from tmmcalc.spec import Spec
@@ -63,10 +65,11 @@ def load(record: Record) -> Reduction:
 def table(result: Reduction) -> Table:
     """All columns, one row a position; one with blanks is written as text."""
     chosen = columns(result)
-    written = [_written(cells(result, c)) if c.name == EFFICIENCY else c.make() for c in chosen]
-    return Table(["i", *(c.header for c in chosen)], [np.array(result.labels), *written])
+    written = [partial(_efficiency, result, c) if c.name == EFFICIENCY else c.make for c in chosen]
+    return Table(["i", *(c.header for c in chosen)], Late([np.array(result.labels), *written]))
 
 
-def _written(values: list[float | str]) -> np.ndarray:
+def _efficiency(result: Reduction, column: Column) -> np.ndarray:
     """The cells as texts of full precision (n,)."""
+    values = cells(result, column)
     return np.array([value if isinstance(value, str) else repr(value) for value in values])

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.extras.reliability import Reliability, ReliabilityTask, solve_reliability
 from tmmcalc.pipeline.stage import Record, Table
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.stages.conversion import from_record, plain, to_record
 
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
@@ -27,7 +27,7 @@ def solve(given: ReliabilityTask, upstream: Mapping[str, Any], settings: Mapping
 
 def dump(result: Reliability) -> Record:
     """Arrays by the names of the fields."""
-    return to_record(result)
+    return to_record(result, plain(result.error))
 
 
 def load(record: Record) -> Reliability:

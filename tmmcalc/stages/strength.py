@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.errors import UsageError
 from tmmcalc.gears.sizing import Sizing, SizingTask
 from tmmcalc.pipeline.stage import Record, Table
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.stages.conversion import from_record, largest, to_record
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.reduction.results import Reduction
@@ -44,7 +44,7 @@ def largest_moment(reduction: Reduction) -> float:
 
 def dump(result: Sizing) -> Record:
     """Arrays by the names of the fields, those of the first variant under ``variants.0.``."""
-    return to_record(result)
+    return to_record(result, largest([variant.error for variant in result.variants]))
 
 
 def load(record: Record) -> Sizing:

@@ -10,7 +10,7 @@ import numpy as np
 
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.synthesis.task import SynthesisTask
-from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.pipeline.stage import Late, Record, Table
 from tmmcalc.records import record
 from tmmcalc.stages.conversion import from_record, to_record
 
@@ -70,7 +70,9 @@ def table(result: Synthesis) -> Table:
 
         dwell = result.best.dwell
         listed = columns_of(dwell.motion, dwell.output)
-        return Table(["i", *(c.header for c in listed)], [np.array(dwell.motion.labels), *(c.make() for c in listed)])
+        return Table(
+            ["i", *(c.header for c in listed)], Late([np.array(dwell.motion.labels), *(c.make for c in listed)])
+        )
     from tmmcalc.linkage.synthesis.columns import columns
 
     found = columns(result)

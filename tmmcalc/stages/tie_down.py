@@ -27,7 +27,7 @@ def solve(given: TieDownTask, upstream: Mapping[str, Any], settings: Mapping[str
 
 def dump(result: TieDown) -> Record:
     """Arrays by the names of the fields."""
-    return to_record(result)
+    return to_record(result, {"forces": result.error})
 
 
 def load(record: Record) -> TieDown:

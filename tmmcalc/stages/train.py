@@ -45,8 +45,8 @@ def solve(given: Asked, upstream: Mapping[str, Any], settings: Mapping[str, Any]
 
 
 def dump(result: Trains) -> Record:
-    """Arrays by the names of the fields, those of the first variant under ``variants.0.``."""
-    return to_record(result)
+    """Arrays by the names of the fields, those of the first variant under ``variants.0.``; ratios are exact."""
+    return to_record(result, {"ratio": 0.0, "angles": max(variant.error for variant in result.variants)})
 
 
 def load(record: Record) -> Trains:

@@ -10,7 +10,7 @@ import numpy as np
 from tmmcalc.linkage.unsteady.columns import unsteady_columns
 from tmmcalc.linkage.unsteady.results import Unsteady
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
-from tmmcalc.pipeline.stage import Record, Table
+from tmmcalc.pipeline.stage import Late, Record, Table
 from tmmcalc.stages.conversion import from_record, plain, to_record
 
 if TYPE_CHECKING:
@@ -55,4 +55,4 @@ def table(result: Unsteady) -> Table:
     """All columns, one row an instant."""
     columns = unsteady_columns(result)
     label = np.array(result.labels)
-    return Table(["i", *(c.header for c in columns)], [label, *(c.make() for c in columns)])
+    return Table(["i", *(c.header for c in columns)], Late([label, *(c.make for c in columns)]))

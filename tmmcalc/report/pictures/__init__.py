@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from tmmcalc.manipulators.results import Manipulator
     from tmmcalc.manipulators.task import ManipulatorTask
     from tmmcalc.stages.balance import Balances
+    from tmmcalc.stress.results import Stress
 
 FORMATS = ("svg", "png", "pdf")
 
@@ -237,6 +238,16 @@ def draw_accuracy(result: Accuracy, file: Path, heading: str) -> None:
     from tmmcalc.report.pictures.page import write
 
     write(file, form, lambda: accuracy_figure(result, heading))
+
+
+def draw_stress(result: Stress, file: Path, heading: str) -> None:
+    """Draw error over condition number for every ladder of a stress test."""
+    form = form_of(file)
+    check_matplotlib()
+    from tmmcalc.report.pictures.page import write
+    from tmmcalc.report.pictures.stress import stress_figure
+
+    write(file, form, lambda: stress_figure(result, heading))
 
 
 def form_of(file: Path) -> str:

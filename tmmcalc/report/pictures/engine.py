@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.figure import SubFigure
 
 from tmmcalc.machine.balancing.engines import EngineBalance
-from tmmcalc.machine.balancing.task import Engine
+from tmmcalc.machine.balancing.enginetask import Engine
 from tmmcalc.numerics.fourier import TURN, Magnitude, Series
 from tmmcalc.report.numbers import NOISE
 from tmmcalc.report.pictures.curves import Diagram, Line

@@ -1,8 +1,7 @@
 """Checks that reach across the tables of a spec.
 
 Each check is a function from the outline of the raw document to its findings; a new one joins by one line in the
-``CHECKS`` of its module, or here for the mechanism. They never raise: what is not of the right type is left to the
-tables' own types.
+``CHECKS`` of its module. They never raise: what is not of the right type is left to the tables' own types.
 """
 
 from __future__ import annotations
@@ -14,19 +13,7 @@ from typing import TYPE_CHECKING
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path
 
-from .assembly import check_sketch, check_variants
-from .drive import check_dimensions, check_grid, check_joint, check_prismatic_input, check_reach
-from .joints import check_friction, check_lines, check_links, check_names, check_pins
-from .links import (
-    check_ambiguous,
-    check_connected,
-    check_ids,
-    check_lengths,
-    check_masses,
-    check_reserved_names,
-)
 from .outline import Outline, Raw
-from .outputs import check_outputs
 from .subject import NEEDS_MECHANISM, check_criteria, check_needs, check_subject
 
 if TYPE_CHECKING:
@@ -35,30 +22,10 @@ if TYPE_CHECKING:
 Check = Callable[[Outline], Iterator[Finding]]
 
 ALWAYS: tuple[Check, ...] = (check_subject, check_needs, check_criteria)
-CHECKS: tuple[Check, ...] = (
-    check_ids,
-    check_reserved_names,
-    check_masses,
-    check_connected,
-    check_lengths,
-    check_ambiguous,
-    check_names,
-    check_links,
-    check_pins,
-    check_lines,
-    check_friction,
-    check_joint,
-    check_dimensions,
-    check_prismatic_input,
-    check_grid,
-    check_reach,
-    check_outputs,
-    check_sketch,
-    check_variants,
-)
 
 # Modules with the checks of a table, imported only when a spec has it.
 _OF_TABLE = {
+    "mechanism": ("mechanism",),
     "synthesis": ("linksynthesis", "dwell"),
     "torque": ("torque",),
     "loads": ("loads", "windows", "curves", "indicator"),
@@ -99,8 +66,7 @@ def check(data: Raw, line_of: Callable[[Path], int | None], rows: Mapping[Path, 
     ``line_of`` gives the line of a place, ``rows`` what was read from the CSV files of load tables.
     """
     outline = Outline(data, line_of, rows)
-    of_mechanism = CHECKS if "mechanism" in data else ()
-    return [finding for rule in (*ALWAYS, *of_mechanism, *_of_tables(data)) for finding in rule(outline)]
+    return [finding for rule in (*ALWAYS, *_of_tables(data)) for finding in rule(outline)]
 
 
 def _of_tables(data: Raw) -> Iterator[Check]:

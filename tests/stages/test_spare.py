@@ -1,0 +1,275 @@
+"""What a scene does not need is not imported, computed or written: every kind of scene in a process of its own.
+
+The sentences of ``plan --why`` and its tables of packages are held against what is observed there.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, get_args
+
+import pytest
+
+from tmmcalc.pipeline.plan import plan
+from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.pipeline.store import CSV_ROWS
+from tmmcalc.pipeline.why import explain, packages
+from tmmcalc.spec import Spec, load_spec, templates
+from tmmcalc.spec.checks import _OF_TABLE as CHECKS
+from tmmcalc.spec.late import LateTable
+from tmmcalc.stages import omitted
+
+CONFIGS = templates.folder()
+TESTS = Path(__file__).parents[1]
+ROOMS = ("linkage", "machine", "gears", "cams", "extras", "manipulators", "feasibility")
+OUTER = ("cli", "report", "batch", "accuracy", "stress")  # no room: a run needs none of them
+ON_MODELS = {"linkage.model", "linkage.plane", "linkage.results", "linkage.structure", "linkage.matching", "linkage"}
+
+KINDS = {  # a scene of every kind, the rooms that it needs
+    "four-bar": ("linkage",),  # kinematics alone
+    "hydraulic-lift": ("linkage", "machine"),  # forces and their reduction, no motor, no cycle
+    "scotch-yoke": ("linkage", "machine"),  # forces without friction
+    "class-three": ("linkage", "machine"),  # a group of class III
+    "press": ("linkage", "machine"),  # friction, a flywheel, no motor
+    "shaper": ("linkage", "machine"),  # friction, a motor
+    "elastic-drive": ("linkage", "machine"),  # a stiff drive
+    "extreme/massless": ("linkage", "machine"),
+    "rotor": ("machine",),
+    "in-line-engine": ("machine",),
+    "gears-kinematic": ("gears",),
+    "gears-circulating": ("gears",),
+    "pair-rack": ("gears",),
+    "cam-flat": ("cams",),
+    "cam-lantern": ("cams",),
+    "manipulator": ("manipulators",),
+    "manipulator-direct": ("manipulators",),
+    "extra-bearing": ("extras",),
+    "extra-ball": ("extras",),
+    "synth-slider-crank": ("linkage",),
+    "synth-dwell": ("linkage",),
+    "crane-luffing": ("linkage",),
+    "vibratory-device": ("machine",),
+    "pendulum-rotor": ("machine",),
+}
+
+SHORTER = {  # the same scenes, with less to integrate
+    "elastic-drive": ('transients=[{duration = "20 ms", from = "steady"}]',),
+    "vibratory-device": ('vibrator.drive.duration="0.2 s"', 'vibrator.start.duration="0.2 s"'),
+}
+
+# Sentences of what a stage leaves out, and the functions that are called if it does not; "path:" are all of a module.
+CALLED = {
+    ("kinematics", omitted.LOOPS): ("linkage/loops/",),
+    ("forces", omitted.FRICTION): ("linkage/forces/friction.py:", "linkage/forces/locking.py:"),
+    ("reduction", omitted.FRICTION): ("linkage/forces/friction.py:", "linkage/forces/locking.py:"),
+    ("forces", omitted.INERTIA): ("linkage/loads/sources.py:inertia",),
+    ("reduction", omitted.REDUCED): ("linkage/reduction/inertia.py:reduced_inertia",),
+    ("forces", omitted.SPRINGS): ("linkage/loads/sources.py:springs",),
+    ("reduction", omitted.SPRINGS): ("linkage/loads/sources.py:springs",),
+    ("forces", omitted.GEAR): ("linkage/forces/drive.py:mesh_force",),
+    ("reduction", omitted.RODS): ("linkage/reduction/inertia.py:lumped",),
+    ("reduction", omitted.DIAGRAM): ("linkage/reduction/reduce.py:solve_reduction",),
+    ("power", omitted.NO_MOTOR): ("machine/power.py:duty_of", "machine/power.py:chosen_motor"),
+    ("power", omitted.GIVEN_MOTOR): ("machine/power.py:chosen_motor",),
+    ("flywheel", omitted.NO_REGIME): ("machine/flywheel/required.py:",),
+    ("motion", omitted.NO_REGIME): ("machine/steady.py:driven",),
+    ("motion", omitted.NO_WHEEL): ("stages/shaft.py:shaft_ratio",),
+    ("transient", omitted.NO_SHAFTS): ("machine/transient/task.py:_rigid_moments",),
+    ("transient", omitted.NO_STEADY): ("machine/transient/task.py:_steady",),
+    ("balance", omitted.NO_LINKAGE): ("linkage/balance/",),
+    ("balance", omitted.NO_ENGINE): ("machine/balancing/engines.py:", "machine/balancing/enginetask.py:"),
+    ("balance", omitted.NO_ROTOR): ("machine/balancing/rotors.py:", "machine/balancing/rotortask.py:"),
+    ("train", omitted.NO_KEPT): ("gears/kept.py:kept_sets",),
+    ("criteria", omitted.NO_KEPT): ("gears/kept.py:kept_trains",),
+    ("synthesis", omitted.NO_SIFT): ("stages/sifted.py:",),
+    ("synthesis", omitted.CLOSED): ("stages/sifted.py:",),
+    ("synthesis", omitted.NO_SEARCH): ("linkage/synthesis/dwell/optimum.py:",),
+    ("manipulator", omitted.NO_OBSTACLES): ("manipulators/contacts.py:_path_contacts",),
+    ("vibrator", omitted.NO_EXCITATION): ("machine/vibration/vibrator/forced.py:steady",),
+    ("vibrator", omitted.NO_CURVE): ("machine/vibration/vibrator/forced.py:peaks",),
+    ("vibrator", omitted.NO_START): ("machine/vibration/vibrator/runup.py:run_up",),
+    ("vibrator", omitted.NO_DRIVE): ("machine/vibration/vibrator/rotor.py:driven",),
+}
+WIDER = {  # where one of these is said, or the scene is of another kind, the sentence itself says nothing more
+    omitted.GIVEN_MOTOR: omitted.NO_MOTOR,
+    omitted.CLOSED: omitted.NO_SIFT,
+    omitted.NO_SIFT: omitted.CLOSED,
+}
+ONCE = (  # however many stages read them
+    "linkage/kinematics.py:solve_kinematics",
+    "linkage/rounding.py:estimate",
+    "linkage/forces/forces.py:solve_forces",
+    "linkage/reduction/reduce.py:solve_reduction",
+    "linkage/forces/forces.py:_amplified",
+    "machine/power.py:solve_power",
+    "machine/motion.py:solve_motion",
+)
+
+
+def scene(name: str) -> tuple[str, ...]:
+    """The file of a spec, and overrides."""
+    return (str(CONFIGS / f"{name}.toml"), *SHORTER.get(name, ()))
+
+
+def observed(names: list[str]) -> dict[str, dict[str, Any]]:
+    """Functions, modules and files of the run of every spec."""
+    done = subprocess.run(
+        [sys.executable, "-m", "stages.observed", *(json.dumps(scene(name)) for name in names)],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join([str(TESTS), str(TESTS.parent)])},
+    )
+    assert done.returncode == 0, done.stderr
+    return dict(zip(names, map(json.loads, done.stdout.splitlines()), strict=True))
+
+
+def faults(name: str, seen: Mapping[str, Any]) -> list[str]:
+    """All that a scene did beyond its need, or that its plan tells wrongly."""
+    file, *overrides = scene(name)
+    spec = load_spec(file, overrides)
+    running = plan(spec).running
+    return [
+        f"{name}: {what}"
+        for what in (
+            *imports(spec, running, seen),
+            *sentences(spec, seen),
+            *repeated(name, seen),
+            *written(running, seen),
+            *[f"{key} is imported" for key in heavy(spec, seen)],
+        )
+    ]
+
+
+def imports(spec: Spec, running: tuple[str, ...], seen: Mapping[str, Any]) -> list[str]:
+    """Modules of stages that do not run, of tables that the spec has not, and of what stands outside the rooms."""
+    modules = {name.removeprefix("tmmcalc.") for name in seen["modules"]}
+    judged = "feasibility" in running  # designs are judged by the stages of their own specs
+    stages = {f"stages.{name}" for name in STAGES} - {f"stages.{name}" for name in running}
+    return [
+        *(() if judged else sorted(modules & stages)),
+        *(() if judged else sorted(modules & tables(spec))),
+        *(module for module in sorted(modules) if module.startswith(tuple(f"{room}." for room in OUTER))),
+    ]
+
+
+def tables(spec: Spec) -> set[str]:
+    """Modules of the tables, and of their checks, that this spec has no use for."""
+    given = spec.model_fields_set
+    models = {name: late(field.annotation, *field.metadata) for name, field in Spec.model_fields.items()}
+    checks = {name: {f"spec.checks.{each}" for each in modules} for name, modules in CHECKS.items()}
+    shared = {"spec.checks.loads", "spec.checks.windows", "spec.checks.curves"} if spec.cam else set()
+    shared |= {"spec.checks.train"} if spec.pair else set()
+    needed = shared.union(*(each.get(name, set()) for each in (models, checks) for name in given))
+    return set().union(*models.values(), *checks.values()) - needed
+
+
+def late(*annotations: Any) -> set[str]:
+    """Modules of the late tables within annotations."""
+    own = {f"spec.{each.module}" for each in annotations if isinstance(each, LateTable)}
+    return own.union(*(late(*get_args(each)) for each in annotations if get_args(each)))
+
+
+def sentences(spec: Spec, seen: Mapping[str, Any]) -> list[str]:
+    """Sentences that are said though the functions were called, or not said though they were not."""
+    found = []
+    for why in explain(spec, plan(spec)):
+        for (stage, sentence), functions in CALLED.items():
+            if stage != why.step.stage or not why.step.runs or (stage == "synthesis" and not concerns(spec, sentence)):
+                continue
+            called, said = any(map(seen_in(seen), functions)), sentence in why.omits
+            if said == called and WIDER.get(sentence) not in why.omits:
+                found.append(f"{stage}: {'said' if said else 'not said'}: {sentence}")
+    return found
+
+
+def concerns(spec: Spec, sentence: str) -> bool:
+    """Whether a sentence on a synthesis concerns its kind."""
+    return sentence != omitted.NO_SEARCH or (spec.synthesis is not None and spec.synthesis.dwell is not None)
+
+
+def seen_in(seen: Mapping[str, Any]) -> Any:
+    """Whether a function, or any of a module or folder that ends so, was called; an import is no call."""
+    calls = [name for name in seen["counts"] if not name.endswith(":<module>")]
+    bodies = [name for name in calls if name.partition(":")[2][:1].islower() or name.partition(":")[2][:1] == "_"]
+    return lambda function: (
+        any(name.startswith(function) for name in bodies) if function[-1] in ":/" else function in bodies
+    )
+
+
+def repeated(name: str, seen: Mapping[str, Any]) -> list[str]:
+    """Functions that a scene calls more than once; of a synthesis every solution is a scene of its own."""
+    further = name.startswith(("synth", "feasibility", "crane", "tipper"))  # these have several motions
+    return [] if further else [f"{each}: {n} calls" for each in ONCE if (n := seen["counts"].get(each, 0)) > 1]
+
+
+def written(running: tuple[str, ...], seen: Mapping[str, Any]) -> list[str]:
+    """Files that are not those of the stages of the plan, or lacking."""
+    expected = {"run.log", ".lock", *(f"{name}.toml" for name in running)}
+    expected |= {f"{name}.npz" for name in running if seen["arrays"][name]}
+    expected |= {f"{name}.csv" for name, rows in seen["rows"].items() if rows <= CSV_ROWS}
+    return sorted(expected ^ set(seen["files"]))
+
+
+def heavy(spec: Spec, seen: Mapping[str, Any]) -> set[str]:
+    """Parts of heavy packages that were imported and do not come with those that the plan names, or the reverse."""
+    named = packages(explain(spec, plan(spec)))
+    return parts(set(seen["modules"])) ^ parts(come_with(named))
+
+
+def parts(modules: set[str]) -> set[str]:
+    """Public parts of packages that are not the program's own: scipy.linalg of scipy.linalg._basic."""
+    names = {".".join(name.split(".")[:2]) for name in modules if not name.startswith("tmmcalc")}
+    return {name for name in names if "._" not in name}
+
+
+def come_with(named: tuple[str, ...]) -> set[str]:
+    """Modules in memory after the packages are imported."""
+    if not named:
+        return set()
+    code = f"import sys, {', '.join(named)}; print(*(name for name in sys.modules if name.startswith('scipy')))"
+    return set(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split())
+
+
+@pytest.mark.parametrize("part", range(4))
+def test_no_scene_does_what_it_does_not_need(part: int) -> None:
+    names = list(KINDS)[part::4]
+    found = observed(names)
+    assert not [fault for name in names for fault in faults(name, found[name])]
+    for name in names:
+        modules = {each.removeprefix("tmmcalc.") for each in found[name]["modules"]}
+        rooms = {room for room in ROOMS for each in modules - ON_MODELS if each.startswith(f"{room}.")}
+        assert rooms == set(KINDS[name]), name
+
+
+def test_what_is_beyond_the_need_is_seen() -> None:
+    seen = observed(["scotch-yoke"])["scotch-yoke"]
+    assert not faults("scotch-yoke", seen)
+    modules = ("tmmcalc.stages.train", "tmmcalc.spec.motor", "tmmcalc.report.forces", "scipy.linalg")
+    calls = {"linkage/forces/friction.py:solve": 1, "linkage/rounding.py:estimate": 2}
+    beyond = [
+        *({**seen, "modules": [*seen["modules"], name]} for name in modules),
+        {**seen, "files": [*seen["files"], "train.toml"]},
+        {**seen, "counts": {**seen["counts"], **calls}},
+    ]
+    said = [" ".join(faults("scotch-yoke", each)) for each in beyond]
+    words = ("stages.train", "spec.motor", "report.forces", "scipy.linalg", "train.toml", "said: no friction")
+    assert all(word in text for word, text in zip(words, said, strict=True))
+    assert "2 calls" in said[-1]
+
+
+@pytest.mark.slow
+def test_no_ready_spec_does_what_it_does_not_need() -> None:
+    names = [name for name in templates.names() if "/" not in name and name not in KINDS]
+    found = observed(names)
+    assert not [fault for name in names for fault in faults(name, found[name])]
+
+
+def test_every_sentence_is_held_against_what_happens() -> None:
+    told = {value for name, value in vars(omitted).items() if name.isupper() and isinstance(value, str)}
+    assert told - {sentence for _, sentence in CALLED} == {omitted.EXTRA, omitted.NO_CSV}  # see test_selection

@@ -1,0 +1,116 @@
+"""Why a plan is as it is: what every stage was decided by, what would bring it in, who reads it, what it leaves out.
+
+Everything is asked of the functions that decide: they are called on a spec that notes what they look at.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from tmmcalc.errors import TmmError
+from tmmcalc.pipeline.plan import Plan, Step
+from tmmcalc.pipeline.stage import Stage, of_scene, resolve
+from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.pipeline.watch import Seen, watched
+from tmmcalc.records import record
+
+
+@record
+class Why:
+    """A step of the plan with its reasons. Keys of the spec are dotted, those of all entries of a list under one."""
+
+    step: Step
+    decided: tuple[str, ...]  # keys that the decision looked at
+    brings: tuple[str, ...]  # of a stage that is left out: absent keys, any of which may bring it in
+    change: str | None  # of a stage that no absent key bars: the key whose value does
+    after: str | None  # the stage that has to come in first
+    tables: tuple[str, ...]  # tables of the spec that a stage that runs reads
+    reads: tuple[str, ...]  # stages whose results it reads
+    readers: tuple[str, ...]  # stages that read its result
+    omits: tuple[str, ...]  # what a stage that runs leaves out within itself
+    packages: tuple[str, ...]  # heavy packages that it imports
+
+
+def explain(spec: object, scene: Plan, stages: Mapping[str, Stage] = STAGES) -> tuple[Why, ...]:
+    """The reasons of every step of a plan, in its order; nothing is computed."""
+    own = of_scene(stages, spec)
+    running = set(scene.running)
+    return tuple(_why(spec, step, stages[step.stage], own, running) for step in scene.steps)
+
+
+def packages(reasons: tuple[Why, ...]) -> tuple[str, ...]:
+    """Heavy packages of all stages that run, each once."""
+    return tuple(sorted({name for why in reasons for name in why.packages}))
+
+
+def _why(spec: object, step: Step, declared: Stage, own: Mapping[str, Stage], running: set[str]) -> Why:
+    stage = own[step.stage]
+    reason, seen = watched(resolve(stage.wanted), spec) if stage.wanted else (None, ())
+    _, spared = watched(resolve(declared.spares), spec) if declared.spares and step.runs else (None, ())
+    barred = step.asked and not step.runs
+    absent = tuple(_missed(spec, stage, reason, seen)) if barred and reason else ()
+    return Why(
+        step=step,
+        decided=tuple(dict.fromkeys(key.key for key in (*seen, *spared))),
+        brings=absent,
+        change=seen[-1].key if barred and reason and not absent and seen else None,
+        after=None if not barred or reason else next((n for n in stage.needs if n not in running), None),
+        tables=_tables(spec, stage) if step.runs else (),
+        reads=tuple(name for name in stage.upstream(running) if name in running),
+        readers=tuple(name for name in own if name in running and step.stage in own[name].upstream(running)),
+        omits=(*_spared(declared, stage, running), *_told(stage.omits, spec)) if step.runs else (),
+        packages=_told(stage.packages, spec) if step.runs else (),
+    )
+
+
+def _missed(spec: object, stage: Stage, reason: str, seen: tuple[Seen, ...]) -> Iterator[str]:
+    """The absent keys that matter: supposed to be given, each changes what the decision says."""
+    for key in seen:
+        if not key.there and watched(resolve(stage.wanted), spec, key.key)[0] != reason:
+            yield key.key
+
+
+def _tables(spec: object, stage: Stage) -> tuple[str, ...]:
+    """Tables of the spec that the inputs of a stage come from; none if they are not fit to be read."""
+    try:
+        _, seen = watched(resolve(stage.inputs), spec)
+    except TmmError:
+        return ()
+    return tuple(dict.fromkeys(_table(key) for key in seen if key.there))
+
+
+def _table(seen: Seen) -> str:
+    """The table that a key stands in, to the second level."""
+    parts = seen.key.split(".")
+    return ".".join(parts[: min(len(parts) - 1, 2)]) or parts[0]
+
+
+def _spared(declared: Stage, stage: Stage, running: set[str]) -> tuple[str, ...]:
+    """The results that the scene has, and other scenes would read for this stage."""
+    spared = (name for name in declared.uses if name in running and name not in stage.uses)
+    return tuple(f"the result of {name} is not read: the spec gives it" for name in spared)
+
+
+def _told(reference: str, spec: object) -> tuple[str, ...]:
+    if not reference:
+        return ()
+    told: tuple[str, ...] = resolve(reference)(spec)
+    return told
+
+
+def keyed(key: str, spec: object) -> str:
+    """A key as it stands in TOML: ``[flywheel]``, ``[[transients]]``, ``delta in [flywheel]``.
+
+    >>> from tmmcalc.spec import Spec
+    >>> keyed("transients", Spec()), keyed("flywheel.delta", Spec())
+    ('[[transients]]', 'delta in [flywheel]')
+    """
+    table, _, name = key.rpartition(".")
+    if not table:
+        return f"[[{key}]]" if isinstance(getattr(spec, key, None), list) else f"[{key}]"
+    top = table.partition(".")[0]
+    several = isinstance(getattr(spec, top, None), list) or table in LISTS
+    return f"{name} in [[{table}]]" if several else f"{name} in [{table}]"
+
+
+LISTS = ("mechanism.links", "mechanism.joints", "mechanism.outputs", "pair.meshes")  # lists of tables in tables
