@@ -92,6 +92,7 @@ def test_random_variants_of_all_kinds_of_keys(tmp_path: Path) -> None:
     assert difference < SAME
 
 
+@pytest.mark.slow
 def test_variants_that_fail_end_with_the_same_reason(tmp_path: Path) -> None:
     """Cranks longer than the frame, rods too short, friction that locks, a force that stalls the motor, no spec."""
     keys = {

@@ -17,6 +17,8 @@ from tmmcalc.cams.wide import wide
 from tmmcalc.errors import NoSolutionError, SingularityError
 from tmmcalc.numerics.panels import Panels
 
+pytestmark = pytest.mark.slow
+
 NEEDS = Requirements(width=0.008, contact=4e8, rolling_arm=5e-5, roller_friction=0.1, pin_friction=0.1,
                      pin_pressure=5e6, span=0.1, bending=1e8, deflection=1e-5, guide_pressure=5e6)  # fmt: skip
 

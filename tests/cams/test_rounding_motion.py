@@ -16,6 +16,8 @@ from tmmcalc.cams.pressure import solve_pressure
 from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask
 
+pytestmark = pytest.mark.slow
+
 LIMITS = AngleLimits(radians(30), radians(40))
 ROWS = 24
 

@@ -22,6 +22,8 @@ from tmmcalc.gears.strength.rounding import strength_error
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.task import StageTask, StrengthTask
 
+pytestmark = pytest.mark.slow
+
 SCENES = 200
 ROWS = 5  # trains of a scene
 

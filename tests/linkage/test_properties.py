@@ -21,6 +21,8 @@ import tmmcalc
 from tmmcalc import Kinematics, Method, solve_kinematics
 from tmmcalc.linkage.model import Assembly, Mechanism
 
+pytestmark = pytest.mark.slow
+
 EXAMPLES = settings(derandomize=True, deadline=None, max_examples=100, database=None)
 FEWER = settings(EXAMPLES, max_examples=60)
 WORST = 25.0  # largest amplification of a scene whose numbers are compared to rounding

@@ -18,6 +18,8 @@ from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
 
+pytestmark = pytest.mark.slow
+
 SCENES = 220
 
 

@@ -16,7 +16,7 @@ from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.rounding import WIDER
 
-pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here")
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(not WIDER, reason="no wider float here")]
 SCENES = 240
 
 

@@ -219,6 +219,7 @@ def test_a_slider_that_turns_back_before_its_slotted_link() -> None:
         solved("slotted_link", SlottedTask(0.2, ratio, RAD(30), guide=0.1))
 
 
+@pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(st.integers(0, 10**6))
 def test_random_slotted_links_and_crank_rockers_meet_their_targets(seed: int) -> None:

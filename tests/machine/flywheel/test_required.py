@@ -275,6 +275,7 @@ class TestComparison:
         )
 
 
+@pytest.mark.slow
 def test_an_inertia_that_vanishes_at_a_dead_centre_bounds_no_speed() -> None:
     """J = 40 sin^2, but for rounding, and no more: no motion exists to be tried, so the search begins above."""
     base = upsetter_cycle()

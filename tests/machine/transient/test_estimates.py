@@ -17,6 +17,8 @@ from tmmcalc.machine.transient.model import Drive, Mass, Shaft
 from tmmcalc.machine.transient.results import Transient
 from tmmcalc.machine.transient.scenario import Scenario
 
+pytestmark = pytest.mark.slow
+
 TURN = 2 * math.pi
 LEAST = 2.0**-53
 TRUTH = 1e-11
