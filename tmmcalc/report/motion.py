@@ -240,7 +240,7 @@ def _method_facts(result: Motion) -> list[Fact]:
     why = "implicit over the whole cycle at once, so that stiffness costs nothing"
     text = f"collocation: {why}\n{result.regime.panels.count} panels, {counters['newton']} Newton steps"
     values = {"method": "collocation", "method_reason": why, "counters": counters}
-    return [Fact("found by", text, values), scales_fact(result.scales, "time scales")]
+    return [Fact("found by", text, values), scales_fact(result.scales, "stiffness of a cycle")]
 
 
 def _check_facts(regime: Regime) -> list[Fact]:
