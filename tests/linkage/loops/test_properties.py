@@ -17,6 +17,8 @@ from tmmcalc import Grid, Input, Kinematics, Mechanism
 from tmmcalc.linkage.plane import Plane
 from tmmcalc.linkage.structure import solve_structure
 
+pytestmark = pytest.mark.slow
+
 EXAMPLES = settings(derandomize=True, deadline=None, max_examples=5, database=None)
 SPAN = 0.05
 
