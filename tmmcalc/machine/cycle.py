@@ -42,4 +42,4 @@ def place(theta: float, sense: float) -> str:
     >>> place(math.pi / 2, -1.0)
     '-90 deg'
     """
-    return f"{math.degrees(sense * theta) + 0.0:.6g} deg"
+    return f"{round(math.degrees(sense * theta), 9) + 0.0:.6g} deg"  # a billionth of a degree is rounding

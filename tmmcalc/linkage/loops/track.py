@@ -30,6 +30,7 @@ LEAST = 1e-6  # of the longest step: below it the branch is at its end
 HERE = 1e-12  # of the longest step: that near to a goal it is reached
 SAME = 1e-7  # difference of the unknowns after whole turns that is rounding
 FAR = 1e3  # sliding coordinates, in parts of the group's size, that run to infinity
+SINGULAR = 1e-7  # regularity: Newton finds a singular assembly to the root of a rounding, where it is not quite zero
 TURNS = 12  # after which a branch that has not come back is taken as one without a period
 PASSES = 6
 
@@ -69,7 +70,7 @@ def follow(name: str, at: At, x: float, q: Real, interval: Interval, turn: float
     Raises `SingularityError` if the assembly is singular where it is chosen.
     """
     start = _place(at, x, q)
-    if start is None:
+    if start is None or at(np.array([x])).place(start.q[:, None]).regularity[0] < SINGULAR:
         raise SingularityError(
             "the assembly chosen there is a singular position, from which the motion can go on in two ways",
             where=f"kinematics, group {name}",
