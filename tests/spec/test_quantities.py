@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmmcalc.spec.quantities import Label, Number
+from tmmcalc.spec.identifiers import Label
+from tmmcalc.spec.quantities import Number
 from tmmcalc.spec.units import UnitError
 
 SHARE = Number("a share", "0.5", above=0, at_most=1)

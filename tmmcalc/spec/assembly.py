@@ -4,7 +4,8 @@ from typing import Annotated
 
 from pydantic import Field, WithJsonSchema
 
-from .quantities import InputCoordinate, Point, PointName
+from .identifiers import PointName
+from .quantities import InputCoordinate, Point
 from .table import Table
 
 LinkIds = Annotated[str, WithJsonSchema({"type": "string", "pattern": "^[0-9]+(-[0-9]+)+$"})]

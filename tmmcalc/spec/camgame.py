@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from .phrases import nearest, show
-from .quantities import Reader
+from .reader import Reader
 from .units import UnitError
 
 ROLLER_KINDS = {"needle": 1.15, "plain": 2.2, "rolling": 3.0}  # alpha0: least r2 over the radius of the pin

@@ -8,7 +8,8 @@ from pydantic_core import core_schema
 from .choices import Known
 from .dimensions import DIMENSIONS
 from .phrases import show
-from .quantities import Number, Quantity, Reader
+from .quantities import Number, Quantity
+from .reader import Reader
 from .table import Table
 from .units import UnitError, parse
 

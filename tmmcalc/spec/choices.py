@@ -10,7 +10,8 @@ from typing import Any
 
 from .dimensions import DIMENSIONS
 from .phrases import listing, nearest, show
-from .quantities import Quantity, Reader
+from .quantities import Quantity
+from .reader import Reader
 from .units import UnitError
 
 _DECIMAL = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{1,3})?"

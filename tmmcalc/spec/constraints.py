@@ -8,7 +8,8 @@ from pydantic import Field
 
 from .choices import Known, Whole
 from .phrases import show
-from .quantities import Number, Reader
+from .quantities import Number
+from .reader import Reader
 from .table import Table
 from .units import UnitError
 

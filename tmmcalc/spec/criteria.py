@@ -8,7 +8,8 @@ from tmmcalc.gears.criteria.choice import OBJECTIVES
 
 from .choices import Known, OneOrMore
 from .phrases import listing, nearest, show
-from .quantities import Number, Reader
+from .quantities import Number
+from .reader import Reader
 from .table import Table
 from .units import UnitError
 

@@ -9,7 +9,8 @@ from tmmcalc.gears.layouts import LAYOUTS
 
 from .choices import Known, Listed, OneOrMore
 from .phrases import show
-from .quantities import Number, Quantity, Reader
+from .quantities import Number, Quantity
+from .reader import Reader
 from .table import Table
 from .units import UnitError
 

@@ -2,7 +2,8 @@
 
 from pydantic import Field
 
-from .quantities import InputAcceleration, InputSpeed, InputStart, JointName
+from .identifiers import JointName
+from .quantities import InputAcceleration, InputSpeed, InputStart
 from .table import Table
 
 

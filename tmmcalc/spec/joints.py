@@ -4,7 +4,8 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from .quantities import Angle, Distance, Friction, JointName, LinkPair, NamePair, Point, PointName, Size
+from .identifiers import JointName, NamePair, PointName
+from .quantities import Angle, Distance, Friction, LinkPair, Point, Size
 from .table import Table
 
 # Angle brackets: no TOML key of a spec looks like these, so they are told apart in the places of faults.

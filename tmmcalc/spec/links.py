@@ -2,7 +2,8 @@
 
 from pydantic import Field
 
-from .quantities import Inertia, Mass, Point, PointName
+from .identifiers import PointName
+from .quantities import Inertia, Mass, Point
 from .table import Table
 
 

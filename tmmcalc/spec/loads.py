@@ -4,18 +4,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from .identifiers import Name, PositionLabel
 from .joints import Place
-from .quantities import (
-    Angle,
-    Force,
-    InputDistance,
-    Moment,
-    Name,
-    Number,
-    PositionLabel,
-    Quantity,
-    Size,
-)
+from .quantities import Angle, Force, InputDistance, Moment, Number, Quantity, Size
 from .table import Table
 
 LoadName = Annotated[str, Name("load")]

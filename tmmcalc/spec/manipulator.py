@@ -5,7 +5,8 @@ from typing import Annotated
 from pydantic import Field
 
 from .choices import Known, Whole
-from .quantities import Distance, Length, Quantity, Size, Words
+from .identifiers import Words
+from .quantities import Distance, Length, Quantity, Size
 from .table import Table
 
 _POSITIVE = {"at_least_zero": True, "nonzero": True}

@@ -6,11 +6,12 @@ from pydantic import Field
 
 from .assembly import AssemblyTable
 from .grid import GridTable
+from .identifiers import PointName
 from .input import InputTable
 from .joints import JointTable
 from .links import LinkTable
 from .outputs import OutputTable
-from .quantities import Angle, Gravity, Point, PointName
+from .quantities import Angle, Gravity, Point
 from .table import Table
 
 

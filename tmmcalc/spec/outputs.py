@@ -4,7 +4,8 @@ from typing import Literal
 
 from pydantic import Field
 
-from .quantities import Angle, JointName, PointName
+from .identifiers import JointName, PointName
+from .quantities import Angle
 from .table import Table
 
 

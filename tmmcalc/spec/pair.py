@@ -8,8 +8,10 @@ from pydantic import Field
 from tmmcalc.gears.involute.rack import RACKS
 
 from .choices import Known, Listed, Whole, Within
+from .identifiers import Words
 from .phrases import show
-from .quantities import Number, Reader, Words
+from .quantities import Number
+from .reader import Reader
 from .shifting import SPLITS, STRATEGIES
 from .table import Table
 from .units import UnitError

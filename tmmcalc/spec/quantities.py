@@ -1,4 +1,4 @@
-"""The field types of the tables: quantities in SI, names, points.
+"""The field types of quantities: numbers in SI, points, grades.
 
 Each is ``Annotated`` with a reader that pydantic calls on the raw TOML value and that also describes the
 value in JSON Schema: a number, or a string whose pattern lists the units of the dimension.
@@ -15,35 +15,14 @@ from pydantic_core import core_schema
 
 from .dimensions import DIMENSIONS, UNITS
 from .phrases import either, nearest, show
+from .reader import Reader
 from .units import LARGEST, UnitError, parse, unit_direction
 
 if TYPE_CHECKING:
     from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 
-NAME_PATTERN = "^[A-Za-z][A-Za-z0-9_']*$"
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_']*")
 _NUMBER_PATTERN = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?"
 _QUOTIENT = rf"\s*(?P<above>{_NUMBER_PATTERN})\s*/\s*(?P<below>{_NUMBER_PATTERN})\s*"
-
-
-class Reader:
-    """What pydantic asks of an annotation: a function for the value, a JSON Schema for the editor."""
-
-    def read(self, value: object) -> Any:
-        """Return the value; raise UnitError with the fault in plain words."""
-        raise NotImplementedError
-
-    def describe(self) -> dict[str, Any]:
-        """Return the JSON Schema of the value."""
-        raise NotImplementedError
-
-    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
-        return core_schema.no_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(
-        self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
-        return self.describe()
 
 
 class Quantity(Reader):
@@ -186,65 +165,6 @@ class PolarForm:
         return [place.real, place.imag]
 
 
-class Name(Reader):
-    """A name of a point or joint: a Latin letter, then letters, digits, ``_`` or ``'``."""
-
-    def __init__(self, noun: str) -> None:
-        self.noun = noun
-
-    def read(self, value: object) -> str:
-        """Return the name; raise UnitError with the character that does not belong there."""
-        if not isinstance(value, str):
-            raise UnitError(f"{show(value)} is not a name", f'write the name of a {self.noun} in quotes, such as "A"')
-        if NAME.fullmatch(value):
-            return value
-        raise UnitError(
-            f"{show(value)} cannot name a {self.noun}{_stranger(value)}",
-            "a name is a Latin letter, then letters, digits, _ or '",
-        )
-
-    def describe(self) -> dict[str, Any]:
-        """Return the JSON Schema of a name."""
-        return {"type": "string", "pattern": NAME_PATTERN, "description": f"Name of a {self.noun}."}
-
-
-class Words(Name):
-    """A name of something that is named in tables and messages alone: words of Latin letters and digits."""
-
-    PATTERN = "[A-Za-z][A-Za-z0-9_']*([ -][A-Za-z0-9_']+)*"
-
-    def read(self, value: object) -> str:
-        """Return the name; raise UnitError with the character that does not belong there."""
-        if isinstance(value, str) and re.fullmatch(self.PATTERN, value):
-            return value
-        if not isinstance(value, str):
-            return super().read(value)
-        remedy = "a name is words of Latin letters, digits, _ or ', with single spaces or hyphens between them"
-        raise UnitError(f"{show(value)} cannot name a {self.noun}{_stranger(value)}", remedy)
-
-    def describe(self) -> dict[str, Any]:
-        """Return the JSON Schema of a name."""
-        return {"type": "string", "pattern": f"^{self.PATTERN}$", "description": f"Name of a {self.noun}."}
-
-
-class Label(Reader):
-    """A position of the grid: its number, or its label, such as ``"6'"`` for the first one added after 6."""
-
-    PATTERN = "(0|[1-9][0-9]{0,6})'*"
-
-    def read(self, value: object) -> str:
-        """Return the label; raise UnitError if the value is none."""
-        written = str(value) if isinstance(value, int) and not isinstance(value, bool) else value
-        if not isinstance(written, str) or not re.fullmatch(self.PATTERN, written):
-            raise UnitError(f"{show(value)} is not a position", 'write its number, such as 6, or its label: "6\'"')
-        return written
-
-    def describe(self) -> dict[str, Any]:
-        """Return the JSON Schema: a whole number or a label."""
-        kinds = [{"type": "integer", "minimum": 0}, {"type": "string", "pattern": f"^{self.PATTERN}$"}]
-        return {"anyOf": kinds, "description": "Number or label of a position."}
-
-
 class QualityGrade(Reader):
     """A balance quality grade in mm/s: ``"G6.3"``, or its number."""
 
@@ -273,16 +193,6 @@ def _unit_pattern(unit: str) -> str:
     return gap + re.escape(unit).replace(r"\*", "[*·]").replace(r"\^2", "(\\^2|²)").replace(r"\^3", "(\\^3|³)")
 
 
-def _stranger(name: str) -> str:
-    """Name the first letter that only looks Latin: it cannot be told from the Latin one by eye."""
-    from unicodedata import name as name_of  # late: only faults need it
-
-    for character in name:
-        if character.isalpha() and not character.isascii():
-            return f": it holds {name_of(character, 'a letter').capitalize()}"
-    return ""
-
-
 Length = Annotated[float, Quantity("length")]
 Angle = Annotated[float, Quantity("angle")]
 Gravity = Annotated[float, Quantity("acceleration", at_least_zero=True)]
@@ -306,10 +216,6 @@ Moment = Annotated[float, Quantity("moment")]
 
 Grade = Annotated[float, QualityGrade()]
 
-PointName = Annotated[str, Name("point")]
-JointName = Annotated[str, Name("joint")]
 # Lists of fixed length, not tuples: tuples become prefixItems, which common TOML editors do not follow.
 Point = Annotated[list[Length], Field(min_length=2, max_length=2), PolarForm()]
-PositionLabel = Annotated[str, Label()]
 LinkPair = Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=2, max_length=2)]
-NamePair = Annotated[list[PointName], Field(min_length=2, max_length=2)]

@@ -4,7 +4,8 @@ from typing import Annotated
 
 from pydantic import Field
 
-from .quantities import Inertia, Quantity, Ratio, Words
+from .identifiers import Words
+from .quantities import Inertia, Quantity, Ratio
 from .table import Table
 
 ShaftName = Annotated[str, Words("shaft")]

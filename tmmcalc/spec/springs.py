@@ -4,8 +4,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from .identifiers import Name
 from .joints import Place
-from .quantities import Angle, Distance, LinkPair, Name, Quantity
+from .quantities import Angle, Distance, LinkPair, Quantity
 from .table import Table
 
 SpringName = Annotated[str, Name("spring")]

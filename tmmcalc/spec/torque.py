@@ -5,7 +5,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from .quantities import Angle, AngularSpeed, Inertia, Moment, Name, Number, Quantity
+from .identifiers import Name
+from .quantities import Angle, AngularSpeed, Inertia, Moment, Number, Quantity
 from .table import Table
 
 DiagramName = Annotated[str, Name("torque diagram")]

@@ -4,7 +4,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from .quantities import Number, Quantity, Words
+from .identifiers import Words
+from .quantities import Number, Quantity
 from .table import Table
 
 TransientName = Annotated[str, Words("transient motion")]

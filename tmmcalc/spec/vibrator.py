@@ -6,7 +6,8 @@ from typing import Annotated
 from pydantic import Field
 
 from .choices import Listed, Whole, Within
-from .quantities import AngularSpeed, Gravity, Number, PointName, Quantity
+from .identifiers import PointName
+from .quantities import AngularSpeed, Gravity, Number, Quantity
 from .table import Table
 
 _POSITIVE = {"at_least_zero": True, "nonzero": True}

@@ -12,8 +12,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeGuard
 
 from tmmcalc.records import record
+from tmmcalc.spec.identifiers import NAME
 from tmmcalc.spec.phrases import Path
-from tmmcalc.spec.quantities import NAME
 
 if TYPE_CHECKING:
     from tmmcalc.spec.files import Rows

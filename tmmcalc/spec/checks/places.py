@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator
 
 from tmmcalc.spec.findings import Finding
+from tmmcalc.spec.identifiers import NAME
 from tmmcalc.spec.phrases import Path, listing, show
-from tmmcalc.spec.quantities import NAME
 
 from .joints import known_links, point_remedy
 from .outline import FRAME, Outline, Raw, link_words

@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping
 from tmmcalc.errors import UsageError
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
+from tmmcalc.spec.identifiers import NAME
 from tmmcalc.spec.phrases import either, show
-from tmmcalc.spec.quantities import NAME
 from tmmcalc.spec.units import FULL_TURN, dimension_of
 
 from .curves import Curve
