@@ -5,12 +5,15 @@ Every number is measured here and now: times are those of the machine that runs 
 
 from __future__ import annotations
 
+import os
+import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 from tmmcalc import load_spec
 from tmmcalc.accuracy.measure import Clock
 from tmmcalc.accuracy.solve import solve_accuracy
-from tmmcalc.accuracy.study import Accuracy, Study, pareto
+from tmmcalc.accuracy.study import Accuracy, Ladder, Series, Study, pareto
 from tmmcalc.report.accuracy import called
 from tmmcalc.report.pictures import draw_accuracy
 
@@ -25,44 +28,58 @@ SCENES = {
     "cam-translating": "Cam with a translating roller follower",
 }
 TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
+MIDDLE = 1e-6  # tolerance for which the methods are named that never reach it
+ABOVE = 0.25  # part of the order by theory that the observed one may lack without a word
 HEAD = """# Accuracy
 
 Every method that the program has for a stage, with its error against a reference and its run time, on ready specs.
 Errors are the largest over all positions, relative to the largest magnitude of the quantity. The reference of each
-study is proved better than what it judges: it says how, and its own error. Times are medians on two shared cores;
+study is proved better than what it judges: it says how, and its own error. Times are medians on {cores} cores;
 their ratios are what matters. `make accuracy` writes this page afresh, `tmmcalc accuracy my.toml` does it for a spec.
 """
 
 
 def page() -> str:
     """The whole document; the diagrams are written on the way."""
-    return "\n".join((HEAD, *(_scene(name, heading) for name, heading in SCENES.items())))
+    head = HEAD.format(cores=os.cpu_count())
+    return "\n".join((head, *(_scene(name, heading) for name, heading in SCENES.items())))
 
 
 def _scene(name: str, heading: str) -> str:
-    result = solve_accuracy(load_spec(ROOT / "configs" / f"{name}.toml"), clock=Clock(repeats=9, budget=1.0))
+    spec = load_spec(ROOT / "configs" / f"{name}.toml")
+    result = solve_accuracy(spec, clock=Clock(repeats=9, budget=1.0), tell=_tell)
     picture = HOME / "accuracy" / f"{name}.svg"
     picture.parent.mkdir(exist_ok=True)
     draw_accuracy(result, picture, heading)
     told = [f"## {heading}\n", f"`configs/{name}.toml`\n", f"![error over run time](accuracy/{name}.svg)\n"]
-    return "\n".join((*told, _orders(result), *(_study(study) for study in result.studies)))
+    parts = [_study(study) for study in result.studies] + [_ladder(ladder) for ladder in result.ladders]
+    return "\n".join((*told, _orders(result), *parts))
+
+
+def _tell(words: str) -> None:
+    print(words, file=sys.stderr)
 
 
 def _orders(result: Accuracy) -> str:
-    """Orders of convergence that are known and were observed."""
-    known = [
-        f"| {study.stage} | {study.quantity} | {series.method} | {series.expected:.3g} | "
-        + ("" if series.order is None else f"{series.order:.2f}")
-        + " |"
-        for study in result.studies
-        for series in study.series
-        if series.expected is not None
-    ]
-    if not known:
+    """Orders of convergence that are known and were observed, and why one is lower than that of theory."""
+    rows = list(_rows(result))
+    if not rows:
         return ""
-    return "\n".join(
-        ("| stage | quantity | method | order by theory | observed |", "|---|---|---|---|---|", *known, "")
-    )
+    head = ("| stage | quantity | method | order by theory | observed | |", "|---|---|---|---|---|---|")
+    return "\n".join((*head, *rows, ""))
+
+
+def _rows(result: Accuracy) -> Iterator[str]:
+    for study in result.studies:
+        for series in study.series:
+            if series.expected is not None and series.order is not None:
+                why = series.note if _lacks(series) else ""
+                told = f"{series.expected:.3g} | {series.order:.2f} | {why} |"
+                yield f"| {study.stage} | {study.quantity} | {series.method} | {told}"
+
+
+def _lacks(series: Series) -> bool:
+    return (series.order or 0.0) < (1 - ABOVE) * (series.expected or 0.0)
 
 
 def _study(study: Study) -> str:
@@ -73,16 +90,44 @@ def _study(study: Study) -> str:
         f"| {called(best[id(point)], point)} | {point.error:.1e} | {(point.seconds or 0.0) * 1e3:.3g} |"
         for point in pareto(points)
     ]
-    reference = f"Reference: {study.reference.name}, error {study.reference.error:.1e}. {_cheapest(study)}"
+    reference = f"Reference: {study.reference.name}, error {study.reference.error:.1e}."
+    told = " ".join((reference, *_missed(study)))
     return "\n".join(
-        (f"### {study.stage}: {study.quantity}\n", reference, "", "| best of all | error | time, ms |", "|---|---|---|",
+        (f"### {study.stage}: {study.quantity}\n", told, "", "| best of all | error | time, ms |", "|---|---|---|",
          *rows, "")
     )  # fmt: skip
 
 
-def _cheapest(study: Study) -> str:
+def _missed(study: Study) -> Iterator[str]:
+    """Tolerances that no method reaches, and the methods that come to none of the middle one."""
     missed = [f"{tolerance:.0e}" for tolerance in TOLERANCES if study.cheapest(tolerance) is None]
-    return f"No method reaches {', '.join(missed)}." if missed else ""
+    if missed:
+        yield f"No method reaches {', '.join(missed)}."
+    never = [series.method for series in study.series if series.cheapest(MIDDLE) is None]
+    if never and len(never) < len(study.series):
+        yield f"At no setting below {MIDDLE:.0e}: {', '.join(never)}."
+
+
+def _ladder(ladder: Ladder) -> str:
+    """What the textbook's fixed step would take on every rung beside the program's choice."""
+    rows = [
+        f"| {rung.value:.0e} | {rung.limit:.1e} | {rung.textbook_evaluations} | {rung.method} | {rung.evaluations} | "
+        f"{rung.error:.1e} |"
+        for rung in ladder.rungs
+    ]
+    reference = f"Reference: {ladder.reference.name}, error {ladder.reference.error:.1e}."
+    head = f"| {ladder.unit} | limit of the step, s | evaluations at it | choice of the program | evaluations | error |"
+    return "\n".join(
+        (
+            f"### {ladder.stage}, ladder: {ladder.quantity}\n",
+            reference,
+            "",
+            head,
+            "|---|---|---|---|---|---|",
+            *rows,
+            "",
+        )
+    )
 
 
 if __name__ == "__main__":

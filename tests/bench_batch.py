@@ -16,11 +16,13 @@ import tmmcalc
 from tmmcalc.batch import executors, points, stacked
 from tmmcalc.batch.local import available, processes
 from tmmcalc.batch.reading import task_of
+from tmmcalc.batch.stacked_columns import BLOCK
 from tmmcalc.batch.task import Task
 
 SHAPER = Path(tmmcalc.__file__).parents[1] / "configs" / "shaper.toml"
 COUNT = 10_000
 ALONE = 8  # points that are solved one by one too
+FACTS = 256  # points of which all facts are asked for
 MOST = 1000.0  # microseconds a variant, together
 COLUMNS = ("kinematics.max(v_D0)", "forces.max(R_A)", "forces.size(M_drive)", "motion.max(omega)", "motion.min(omega)")
 
@@ -34,20 +36,37 @@ def task() -> Task:
 def batches() -> list[str]:
     """Ten thousand shapers: kinematics, forces and motion; bars are of processor time, which no neighbour takes."""
     asked = task()
-    blocks = [list(block) for _, block in groupby(range(COUNT), lambda point: point // stacked.BLOCK)]
+    blocks = [list(block) for _, block in groupby(range(COUNT), lambda point: point // BLOCK)]
     print(f"\n{COUNT} shapers, kinematics, forces and motion at 72 positions     a variant   processor")
     alone = _seconds(lambda: points.solve_points(asked, range(0, COUNT, COUNT // ALONE))) / ALONE
     _line("one by one", alone)
-    stacked.solve_points(asked, [0])
+    made = stacked.prepared(asked)
+    assert not isinstance(made, str)
+    made.rows(range(1))
     one = _seconds(lambda: [stacked.solve_points(asked, block) for block in blocks]) / COUNT
-    _line(f"together, {stacked.BLOCK} at a time", one, bar_text(one[1] * 1e6, MOST))
+    _line(f"together, {BLOCK} at a time", one, bar_text(one[1] * 1e6, MOST))
     print(f"    times as fast as one by one {alone[0] / one[0]:42.1f} {alone[1] / one[1]:11.1f}")
     if available():
-        of_blocks = replace(asked, solver=stacked.SOLVER, block=stacked.BLOCK)
+        of_blocks = replace(asked, solver=stacked.SOLVER, block=BLOCK)
         two = _two(of_blocks, blocks)
         print(f"  together, in two processes, from their first rows on {two * 1e6:17.0f} us")
         print(f"    times as fast as in one {one[0] / two:46.2f}")
+    _all_facts()
     return ["sweep of the shaper"] if one[1] * 1e6 > MOST else []
+
+
+def _all_facts() -> None:
+    """The same shapers, of which all facts up to the motion are asked for."""
+    asked = replace(task(), targets=("forces", "motion"), patterns=())
+    alone = _seconds(lambda: points.solve_points(asked, range(0, COUNT, COUNT // ALONE))) / ALONE
+    _line("all their facts, one by one", alone)
+    made = stacked.prepared(asked)
+    assert not isinstance(made, str)
+    assert len(made.rows(range(8))) == 8
+    parts = [range(at, at + made.block) for at in range(0, FACTS, made.block)]
+    both = _seconds(lambda: [made.rows(part) for part in parts]) / FACTS
+    _line("together", both)
+    print(f"    times as fast as one by one {alone[0] / both[0]:42.1f} {alone[1] / both[1]:11.1f}")
 
 
 def _two(task: Task, blocks: list[list[int]]) -> float:

@@ -64,6 +64,7 @@ _HOMES = {
         "solve_transients",
         "solve_vibrator",
     ),
+    "tmmcalc.batch.regions": ("map_feasibility",),
     "tmmcalc.batch.sheet": ("Sheet",),
     "tmmcalc.errors": (
         "AccuracyError",
@@ -193,7 +194,6 @@ _HOMES = {
         "parse_spec",
     ),
     "tmmcalc.stages.balance": ("Balances",),
-    "tmmcalc.stages.regions": ("map_feasibility",),
     "tmmcalc.timelaw": ("TimeLaw",),
 }
 _HOME = {name: home for home, names in _HOMES.items() for name in names}

@@ -38,6 +38,7 @@ from tmmcalc.api.machines import solve_pendulum as solve_pendulum
 from tmmcalc.api.machines import solve_power as solve_power
 from tmmcalc.api.machines import solve_transients as solve_transients
 from tmmcalc.api.machines import solve_vibrator as solve_vibrator
+from tmmcalc.batch.regions import map_feasibility as map_feasibility
 from tmmcalc.batch.sheet import Sheet as Sheet
 from tmmcalc.errors import AccuracyError as AccuracyError
 from tmmcalc.errors import AssemblyError as AssemblyError
@@ -135,7 +136,6 @@ from tmmcalc.spec import Spec as Spec
 from tmmcalc.spec import load_spec as load_spec
 from tmmcalc.spec import parse_spec as parse_spec
 from tmmcalc.stages.balance import Balances as Balances
-from tmmcalc.stages.regions import map_feasibility as map_feasibility
 from tmmcalc.timelaw import TimeLaw as TimeLaw
 
 __all__: list[str]

@@ -24,6 +24,7 @@ from tmmcalc.numerics.roots import Indices
 from tmmcalc.records import record
 
 SAME = 1e-12  # of the duration: instants nearer than this are one
+ENDS = 2e-15  # of T^2/t_2: some roundings of the ends of a short uniform phase
 WHERE = "time-optimal law"
 
 
@@ -91,7 +92,7 @@ def by_travel(travel: float, speed: float, acceleration: float) -> TimeLaw:
     """
     _check(speed=speed, acceleration=acceleration)
     _check_finite(travel=travel)
-    ramp, uniform, peak = (float(part) for part in phase_times(*map(np.asarray, (travel, speed, acceleration))))
+    ramp, uniform, peak = (part.item() for part in phase_times(*map(np.asarray, (travel, speed, acceleration))))
     return TimeLaw(travel, peak, acceleration, ramp, uniform)
 
 
@@ -132,7 +133,7 @@ def by_travel_and_duration(travel: float, duration: float, acceleration: float, 
             limit=least,
             remedy="allow a longer duration or a larger acceleration",
         )
-    uniform = math.sqrt(max(square, 0.0))
+    uniform = np.sqrt(max(square, 0.0)).item()
     peak = 2 * way / (duration + uniform)
     if speed is not None and peak > speed * (1 + SAME):
         raise NoSolutionError(
@@ -154,7 +155,8 @@ def motion(law: TimeLaw, t: Values, side: Indices | int = 0) -> Values:
     >>> motion(by_travel(1.3, 0.4, 0.8), np.array([0.0, 0.2, 1.0, 3.75])).round(12).tolist()
     [[0.0, 0.016, 0.3, 1.3], [0.0, 0.16, 0.4, 0.0], [0.8, 0.8, 0.0, -0.8]]
     """
-    t = np.asarray(t, float)
+    t = np.asarray(t)
+    t = t.astype(np.result_type(t, float), copy=False)
     phase = _phase(law, t, np.broadcast_to(np.asarray(side), t.shape))
     left = law.duration - t
     still = np.zeros_like(t)
@@ -196,6 +198,8 @@ def _phase(law: TimeLaw, t: Values, side: Indices) -> Indices:
     if not law.speed:
         return np.where(t < 0, 0, np.where(t > law.duration, 4, 2))
     near = min(SAME * law.duration, law.ramp / 8)
+    if law.uniform:  # a short uniform phase is the root of a difference: its ends are known the less, the shorter it is
+        near = max(near, min(ENDS * law.duration**2 / law.uniform, law.uniform / 8))
     ends = np.array([0.0, law.ramp, law.ramp + law.uniform, law.duration])[:, None]
     after = np.count_nonzero(t.ravel() >= ends - near, axis=0).reshape(t.shape)
     before = np.count_nonzero(t.ravel() > ends + near, axis=0).reshape(t.shape)

@@ -15,6 +15,7 @@ from tmmcalc.spec.loader import parse_spec
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 ONCE = Clock(repeats=1, budget=0.0)
+NEAR = 100.0  # times the tolerance of a step: what a method may leave in all
 
 
 def _studies(name: str, stage: str, *overrides: str) -> dict[str, Study]:
@@ -49,7 +50,7 @@ def test_splitting_beside_newton() -> None:
 
 def test_quadrature_of_smooth_moments_is_spectral() -> None:
     """Over a whole turn the trapezoid beats Simpson and reaches rounding with 24 steps."""
-    (study,) = _studies("class-three", "reduction").values()
+    study = _studies("class-three", "reduction")["work per cycle"]
     assert max(_errors(_series(study, "Gauss on panels"))) < 1e-12
     assert study.reference.error < 1e-12
     trapezoid, simpson = _series(study, "trapezoid"), _series(study, "Simpson")
@@ -58,16 +59,27 @@ def test_quadrature_of_smooth_moments_is_spectral() -> None:
 
 
 def test_quadrature_of_smooth_moments_over_a_part_of_a_turn_has_the_orders_of_the_rules() -> None:
-    (study,) = _studies("hydraulic-lift", "reduction").values()
+    study = _studies("hydraulic-lift", "reduction")["work per cycle"]
     assert _series(study, "trapezoid").order == pytest.approx(2.0, abs=0.1)
     assert _series(study, "Simpson").order == pytest.approx(4.0, abs=0.2)
 
 
 def test_quadrature_over_a_jump_of_the_load_is_of_first_order() -> None:
-    (study,) = _studies("shaper", "reduction").values()
+    study = _studies("shaper", "reduction")["work per cycle"]
     for rule in ("trapezoid", "Simpson"):
         assert _series(study, rule).order == pytest.approx(1.0, abs=0.15)
     assert study.cheapest(1e-6) is not None
+
+
+def test_reduced_inertia_and_its_derivative() -> None:
+    found = _studies("press", "reduction")
+    values, slopes = found["reduced inertia"], found["derivative of the reduced inertia"]
+    exact, pins = values.series
+    assert max(_errors(exact)) < 1e-14
+    assert 1e-6 < _errors(pins)[0] < 0.5, "the moment of inertia of the rods changes"
+    exact, table = slopes.series
+    assert max(_errors(exact)) < 1e-14
+    assert table.order == pytest.approx(2.0, abs=0.1)
 
 
 def test_steady_motion_by_every_method() -> None:
@@ -77,7 +89,7 @@ def test_steady_motion_by_every_method() -> None:
     for series in study.series:
         if series.method.startswith("shooting"):
             errors = _errors(series)
-            assert errors[-1] < 1e-9, series.method
+            assert errors[-1] < NEAR * series.points[-1].size, series.method
             assert errors[-1] < 1e-3 * errors[0], series.method
     assert _series(study, "recurrence (3.57)").order is not None
 
@@ -97,8 +109,9 @@ def test_a_start_by_every_method() -> None:
         fixed = _series(study, f"{name}, fixed steps")
         assert fixed.order == pytest.approx(4.0, abs=0.35), name
     for name in ("merson", "collocation", "DOP853", "LSODA", "Radau", "BDF"):
-        errors = _errors(_series(study, name))
-        assert errors[-1] < min(0.1 * errors[0], 1e-8), name
+        found = _series(study, name)
+        errors = _errors(found)
+        assert errors[-1] < min(0.1 * errors[0], NEAR * found.points[-1].size), name
 
 
 def test_a_stage_without_a_choice_is_refused() -> None:

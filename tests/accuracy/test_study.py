@@ -41,6 +41,17 @@ def test_rounding_at_the_fine_end_and_coarse_settings_do_not_spoil_the_order() -
     assert observed(SIZES[:2], [1e-2, 1e-4]) is None, "two settings are no line"
 
 
+def test_three_settings_that_are_straight_by_chance_have_no_order() -> None:
+    errors = [3e-3, 2.9e-3, 2.8e-3, 1.9e-3, 1.2e-3, 1.1e-3]
+    assert observed(SIZES[:6], errors) is None, "the error does not fall by a decade"
+
+
+def test_settings_that_are_no_steps_have_no_order() -> None:
+    ways = [Way("a", 1e-3, lambda: 1e-3), Way("b", 1e-5, lambda: 1e-5), Way("c", 1e-7, lambda: 1e-7)]
+    assert series("m", ways, lambda x: float(x), Clock(1)).order == pytest.approx(1.0)
+    assert series("m", ways, lambda x: float(x), Clock(1), stepwise=False).order is None
+
+
 def test_the_order_does_not_depend_on_the_order_of_settings() -> None:
     errors = [step**2 for step in SIZES]
     assert observed(SIZES[::-1], errors[::-1]) == observed(SIZES, errors) == pytest.approx(2.0)
@@ -64,8 +75,22 @@ def test_errors_are_relative_to_the_largest_and_never_zero() -> None:
 
 def test_the_median_leaves_the_first_run_out() -> None:
     waits = iter([0.05, 0.001, 0.002, 0.02])
-    _, seconds = Clock(repeats=3, budget=10.0).median(lambda: time.sleep(next(waits)))
+    _, seconds, runs = Clock(repeats=3, budget=10.0).median(lambda: time.sleep(next(waits)))
     assert 0.002 <= seconds < 0.02
+    assert runs == 3
+
+
+def test_a_long_run_is_made_once_but_for_the_first_of_a_method() -> None:
+    calls: list[int] = []
+
+    def long() -> None:
+        calls.append(1)
+        time.sleep(0.02)
+
+    ways = [Way("a", 1.0, long), Way("b", 0.5, long)]
+    found = series("m", ways, lambda _: 0.1, Clock(repeats=5, budget=0.01))
+    assert [point.runs for point in found.points] == [1, 1]
+    assert len(calls) == 3, "the first setting, which imports, is run once more"
 
 
 def test_cheapest_and_front() -> None:
@@ -74,6 +99,14 @@ def test_cheapest_and_front() -> None:
     study = Study("s", "q", Reference("r", 0.0), (Series("a", (slow, bad)), Series("b", (fast, coarse, broken))))
     assert [_point(study, t) for t in (1e-1, 1e-5, 1e-9, 1e-12)] == [coarse, fast, slow, None]
     assert pareto([slow, fast, coarse, bad, broken]) == (coarse, fast, slow)
+
+
+def test_a_method_and_its_best_setting() -> None:
+    coarse, fine, broken = Point("c", 1, 1e-2, 0.1), Point("f", 1, 1e-8, 1.0), Point("x", 1, None, None, failed="no")
+    assert Series("m", (coarse, fine, broken)).best == fine
+    assert Series("m", (coarse, fine)).cheapest(1e-1) == coarse
+    assert Series("m", (coarse, fine)).cheapest(1e-9) is None
+    assert Series("m", (broken,)).best is None
 
 
 def _point(study: Study, tolerance: float) -> Point | None:

@@ -11,7 +11,8 @@ import pytest
 from tmmcalc.batch import points, stacked
 from tmmcalc.batch.choice import chosen
 from tmmcalc.batch.reading import task_of
-from tmmcalc.batch.stacked import SOLVER, Together
+from tmmcalc.batch.stacked import SOLVER
+from tmmcalc.batch.stacked_columns import Columns
 from tmmcalc.batch.stacked_inputs import Inputs
 from tmmcalc.batch.task import Row, Task
 
@@ -56,7 +57,7 @@ def kind(name: str) -> tuple[str, str]:
 
 def solved_together(task: Task) -> dict[int, Row]:
     made = stacked.prepared(task)
-    assert isinstance(made, Together), made
+    assert isinstance(made, Columns), made
     return made.rows(range(task.count))
 
 
@@ -149,20 +150,16 @@ def test_other_mechanisms(name: str, keys: tuple[str, ...]) -> None:
 
 
 def test_a_point_has_the_same_digits_whatever_it_is_solved_with() -> None:
-    task = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:150"], None, (), ("kinematics.max(v_D0)", "forces.max(R_A)"))
-    rows = stacked.solve_points(task, range(150))
-    for point in (0, 127, 128, 149):
+    task = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:300"], None, (), ("kinematics.max(v_D0)", "forces.max(R_A)"))
+    rows = stacked.solve_points(task, range(300))
+    for point in (0, 255, 256, 299):
         assert stacked.solve_points(task, [point]) == [rows[point]]
 
 
 @pytest.mark.parametrize(
     ("sets", "columns", "reason"),
     [
-        ((f"{CRANK}=0.15:0.25:20",), ("kinematics.vS_D_max",), "nothing that blocks"),
-        ((f"{CRANK}=0.15:0.25:20",), ("reduction.max(J_red)",), "reduction is asked for"),
-        ((f"{CRANK}=0.15:0.25:20",), ("motion.max(omega_idle)",), "nothing that blocks"),
-        ((f"{CRANK}=0.15:0.25:20",), ("forces.max(equilibrium)",), "nothing that blocks"),
-        ((f"{CRANK}=0.15:0.25:20", 'motion.drive="positional"'), ("motion.max(omega)",), "no given motor"),
+        ((f"{CRANK}=0.15:0.25:20", 'reduction.rods="lumped"'), ("reduction.max(J_red)",), "rods are lumped"),
         ((f"{CRANK}=0.15:0.25:20", "mechanism.grid.extremes=true"), ("kinematics.max(v_D0)",), "strokes"),
         (("mechanism.joints[name=A3].guide.angle=-1 deg:1 deg:20",), ("kinematics.max(v_D0)",), "directions"),
     ],
@@ -194,8 +191,13 @@ def test_the_sweep_says_how_its_variants_were_solved() -> None:
     columns = ("kinematics.max(v_D0)",)
     many = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:20"], None, (), columns)
     assert stacked.way(many) == "variants solved together"
+    assert stacked.way(many, 3) == (
+        "variants solved together; 3 of 20 alone, near to a limit position or without a solution"
+    )
     facts = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:20"], None, (), ())
-    assert stacked.way(facts).startswith("variants solved one by one: all facts")
+    assert stacked.way(facts) == "variants solved together, balance of each by itself"
+    strict = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:20"], None, (), (), 1e-6)
+    assert stacked.way(strict) == "variants solved one by one: a tolerance is asked for"
 
 
 def test_variants_with_friction_where_the_first_has_none() -> None:

@@ -1,34 +1,29 @@
-"""Estimates of sizes found by synthesis and optimum, and of indexing drives, against 50 digits or denser nodes."""
+"""Estimates of the sizes found by synthesis, of their angles and radii, against 50 digits."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from functools import partial
 from itertools import combinations
-from math import radians
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from tests.cams.exact import SCENES, judge, law_at, missed, motion_at, random_program
-from tests.cams.optimum_scene import flat_task, roller_task
+from tests.cams.exact import motion_at, random_program
+from tests.cams.exact_peaks import extremes
+from tests.cams.exact_rims import bend_of
+from tests.cams.scenes import briefly, judged
+from tests.cams.test_rounding_pressure import of_theta
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.indexing import solve_indexing
-from tmmcalc.cams.indexing.laws import step_law
-from tmmcalc.cams.indexing.task import IndexingTask
-from tmmcalc.cams.optimum import flat
-from tmmcalc.cams.optimum.checks import choice_of
-from tmmcalc.cams.optimum.errors import optimum_errors
-from tmmcalc.cams.optimum.scene import scene_of
 from tmmcalc.cams.pressure import reached
 from tmmcalc.cams.synthesis import oscillating, roller
 from tmmcalc.cams.synthesis.errors import size_errors
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.synthesis.translating import lines_of, nearest
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask
-from tmmcalc.errors import NoSolutionError
 
+FEW = 1
 FREE = {"translating": {"offset": None}, "flat": {}, "oscillating": {"rocker": 0.1}}
 
 
@@ -158,25 +153,54 @@ def bare(task):
         sizes = {"centres": found.centres, "rocker": found.rocker, "roller": task.asked.roller}
         follower = Follower("oscillating", found.start, **sizes)
     rise, back = reached(task, follower)
-    error = size_errors(task, follower, (rise, back), roller.choose(task, follower), None)
-    return SimpleNamespace(follower=follower, rise=rise, back=back, error=error)
+    choice = roller.choose(task, follower)
+    error = size_errors(task, follower, (rise, back), choice, None)
+    return SimpleNamespace(follower=follower, rise=rise, back=back, choice=choice, error=error)
+
+
+def the_sizes(random, kind):
+    """The sizes, and the angles and radii that the follower reaches as it is found."""
+    stroke = random.uniform(0.1, 0.5) if kind == "oscillating" else 10 ** random.uniform(-2.5, -1.7)
+    limits = AngleLimits(*np.radians(random.uniform(25, 45, 2)).tolist())
+    asked = Asked(kind, roller=None if kind == "flat" else 1e-3, **FREE[kind])
+    task = CamTask(random_program(random, stroke, own=False), asked, limits, 12)
+    found = bare(task)
+    pairs = {"sizes": sizes_missed(task, found), "radii": float(max(_radii(task, found)))}
+    if kind != "flat":
+        pairs["angles"] = float(_angles(task, found))
+    return {name: (found.error[name], true) for name, true in pairs.items()}
+
+
+def _radii(task, found):
+    """Each relative to itself; the follower as it is found."""
+    (low, _), (high, _) = extremes(task.program, bend_of(found.follower))
+    if found.follower.kind == "flat":
+        yield abs(found.convexity.radius / low - 1)
+        return
+    yield abs(found.choice.convex.value * high - 1)
+    if found.choice.concave is not None:
+        yield abs(found.choice.concave.value * low + 1)
+
+
+def _angles(task, found):
+    """Of all extremes of the pressure angle, over the largest."""
+    theta = of_theta(found.follower)
+    both = [(on, extremes(task.program, theta, {kind})) for on, kind in ((found.rise, "rise"), (found.back, "return"))]
+    size = max(abs(value) for _, ends in both for value, _ in ends)
+    missed = [abs(each.value - value) for on, ends in both
+              for each, (value, _) in zip((on.least, on.largest), ends, strict=True)]  # fmt: skip
+    return max(missed) / size
+
+
+@pytest.mark.parametrize("kind", FREE)
+def test_estimates_in_a_few_scenes(kind):
+    briefly(partial(the_sizes, kind=kind), 21, FEW)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", FREE)
-def test_estimates_of_the_sizes(kind):
-    random, pairs = np.random.default_rng(21), {"sizes": []}
-    while len(pairs["sizes"]) < SCENES:
-        stroke = random.uniform(0.1, 0.5) if kind == "oscillating" else 10 ** random.uniform(-2.5, -1.7)
-        limits = AngleLimits(*np.radians(random.uniform(25, 45, 2)).tolist())
-        asked = Asked(kind, roller=None if kind == "flat" else 1e-3, **FREE[kind])
-        task = CamTask(random_program(random, stroke, own=False), asked, limits, 12)
-        try:
-            found = bare(task)
-        except NoSolutionError:
-            continue
-        pairs["sizes"].append((found.error["sizes"], sizes_missed(task, found)))
-    judge(pairs)
+def test_estimates(kind):
+    judged(partial(the_sizes, kind=kind), 121)
 
 
 @pytest.mark.parametrize("kind", FREE)
@@ -187,79 +211,3 @@ def test_the_synthesis_carries_the_estimate(kind):
     error = solve_synthesis(task).error
     assert error["sizes"] < 1e-12
     assert error["radii"] < 1e-10
-
-
-@pytest.mark.slow
-def test_estimates_of_a_flat_optimum():
-    """The least height by convexity and the length of the guide (fig. 5.37), on nodes eight times as dense."""
-    random, pairs = np.random.default_rng(22), {"height": []}
-    while len(pairs["height"]) < SCENES:
-        task = flat_task()
-        task = replace(task, program=random_program(random, 10 ** random.uniform(-2.5, -2.0), own=False))
-        follower = Follower("flat", 0.1)
-        try:
-            scene = scene_of(task, follower)
-        except NoSolutionError:
-            continue
-        least = flat.choice_of(scene, *flat.lowest(scene))
-        exact = flat.chart(scene_of(task, follower, "turn", 8)).least_height
-        if abs(least.height - exact) < 1e-9:
-            error = optimum_errors(task, follower, "turn", scene, least, least)
-            pairs["height"].append((error["height"], abs(least.height - exact) / exact))
-    judge(pairs)
-
-
-@pytest.mark.slow
-def test_estimates_of_the_optimum_of_a_roller():
-    random, pairs = np.random.default_rng(23), {"margins": []}
-    while len(pairs["margins"]) < SCENES:
-        task = replace(roller_task(), program=random_program(random, 10 ** random.uniform(-2.3, -1.7), own=False))
-        follower = Follower("translating", 0.06)
-        try:
-            scene = scene_of(task, follower)
-        except NoSolutionError:
-            continue
-        choice = choice_of(scene, random.uniform(0.04, 0.1), random.uniform(0.005, 0.02), random.uniform(0.15, 0.25))
-        error = optimum_errors(task, follower, "turn", scene, choice, choice)
-        finest = choice_of(scene_of(task, follower, "turn", 5), choice.start, choice.roller, choice.height)
-        pairs["margins"].append(
-            (error["margins"], max(abs(a.margin - b.margin) for a, b in both_judged(choice, finest)))
-        )
-    judge(pairs)
-
-
-def both_judged(choice, other):
-    return [(a, b) for a, b in zip(choice.checks, other.checks, strict=True) if a.number > 1 and a.margin > -1]
-
-
-@pytest.mark.slow
-def test_estimates_of_an_indexing_drive():
-    random, pairs = np.random.default_rng(24), {"points": [], "ends": []}
-    names = ("sine", "cosine", "linear", "shun", "modified_trapezoid", "modified_sine", "poly4567")
-    while len(pairs["points"]) < SCENES:
-        law = step_law(names[random.integers(len(names))])
-        task = IndexingTask(law, 6, radians(random.uniform(85, 120)), 10 ** random.uniform(-2, -0.7), None, None)
-        task = replace(task, rollers=int(random.choice([6, 8, 10])), rows=20)
-        try:
-            found = solve_indexing(task)
-        except NoSolutionError:
-            continue
-        if found.cam is None:
-            continue
-        wheel, half = mpf(found.wheel), mp.pi / found.rollers
-        centres = mpf(found.ratio * found.wheel)
-
-        def roller_at(k, side, law=law.law, half=half, centres=centres, wheel=wheel):
-            s = law_at(law, k, int(law.piece(np.array([float(k)]))[0]))[0]
-            return centres - wheel * mp.expj(-(side * half + 2 * half * s))
-
-        step, worst = mpf(task.step), 0.0
-        for side, table in ((1, found.cam.a), (-1, found.cam.b)):
-            exact = [roller_at(mpf(float(k)), side) * mp.expj(-step * mpf(float(k))) for k in found.k]
-            worst = max(worst, missed(table.pitch, exact))
-        pairs["points"].append((found.error["points"], worst))
-        part = mp.findroot(
-            lambda k, r=roller_at, step=step: mp.arg(r(k, 1)) - step * (k - mpf(1) / 2), mpf(found.cam.handover.part)
-        )
-        pairs["ends"].append((found.error["ends"], float(abs(part - mpf(found.cam.handover.part)))))
-    judge(pairs)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -42,12 +43,53 @@ def test_tidy_rows_for_programs(cli: Cli) -> None:
     assert all(float(r["seconds"]) > 0 for r in rows if not r["failed"])
 
 
+def test_methods_that_never_reach_a_tolerance_say_so(cli: Cli) -> None:
+    code, out, _ = cli("accuracy", "my.toml", "--stage", "kinematics", "--tolerance", "1e-9", *FAST)
+    assert code == 0
+    assert "never 1e-09" in out
+    words = " ".join(out.split())
+    assert "differences, 6 decimals: 5." in words or "differences, 6 decimals: 6." in words
+    code, out, _ = cli("accuracy", "my.toml", "--stage", "kinematics", "--tolerance", "1e-9", "-f", "json", *FAST)
+    never = json.loads(out)["kinematics: velocities"]["never_1e-09"]
+    assert 1e-6 < never["differences, 6 decimals"] < 1e-3
+
+
+def test_numbers_for_programs_keep_their_digits(cli: Cli) -> None:
+    code, out, _ = cli("accuracy", "my.toml", "--stage", "kinematics", "-f", "json", *FAST)
+    part = json.loads(out)["kinematics: velocities"]
+    by_name = {method["method"]: method for method in part["methods"]}
+    points = by_name["central differences"]["points"]
+    assert by_name["central differences"]["order"] == pytest.approx(2.0, abs=0.05)
+    assert all(isinstance(point["error"], float) and point["runs"] >= 1 for point in points)
+    assert code == 0
+
+
+@pytest.mark.parametrize("form", ["table", "json", "toml", "csv"])
+def test_a_file_in_place_of_the_output(cli: Cli, form: str) -> None:
+    code, out, err = cli("accuracy", "my.toml", "--stage", "kinematics", "-f", form, "-o", f"a.{form}", *FAST)
+    assert (code, out) == (0, "")
+    assert f"wrote a.{form}" in err
+    text = Path(f"a.{form}").read_text(encoding="utf-8")
+    assert "central differences" in text
+    if form == "toml":
+        assert tomllib.loads(text)["kinematics: velocities"]["methods"]
+
+
 @pytest.mark.parametrize("suffix", ["svg", "png", "pdf"])
 def test_a_diagram(cli: Cli, suffix: str) -> None:
-    code, _, err = cli("accuracy", "my.toml", "--plot", f"a.{suffix}", *FAST)
+    code, _, err = cli("accuracy", "my.toml", "--stage", "kinematics", "--plot", f"a.{suffix}", *FAST)
     assert code == 0
     assert Path(f"a.{suffix}").stat().st_size > 10_000
     assert f"wrote a.{suffix}" in err
+
+
+def test_a_scene_without_a_choice_of_methods(cli: Cli) -> None:
+    code, out, err = cli("accuracy", str(CONFIGS / "extra-bearing.toml"), "--plot", "a.svg", *FAST)
+    assert code == 0
+    assert "studied          nothing" in out
+    assert "one method only  bearing" in out
+    assert "there is nothing to draw" in err
+    assert not Path("a.svg").exists()
 
 
 @pytest.mark.parametrize(
@@ -60,6 +102,7 @@ def test_a_diagram(cli: Cli, suffix: str) -> None:
         (("--tolerance", "1.5"), "1.5 is no relative error"),
         (("--plot", "a.gif"), "no picture format"),
         (("--plot", "none/a.svg"), "no folder"),
+        (("-o", "none/a.txt"), "no folder"),
     ],
 )
 def test_what_is_refused(cli: Cli, flags: tuple[str, ...], said: str) -> None:

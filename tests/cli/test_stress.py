@@ -34,7 +34,7 @@ def test_json_and_csv_hold_every_stage_on_every_rung(cli: Cli) -> None:
     rows = list(csv.DictReader(io.StringIO(out)))
     assert {row["stage"] for row in rows} == {"structure", "kinematics"}
     moving = [row for row in rows if row["stage"] == "kinematics"]
-    assert len(moving) == 10
+    assert len(moving) == 11
     assert all(float(row["error"]) < 1e-13 for row in moving)
     assert {row["status"] for row in moving} == {"ok"}
 
@@ -91,3 +91,26 @@ def test_a_fault_ends_with_exit_code_1(cli: Cli, monkeypatch: pytest.MonkeyPatch
     code, out, _ = cli("stress", "my.toml")
     assert code == 1
     assert "warning: scale, x 1: forces: forces.error is no finite number" in " ".join(out.split())
+
+
+def test_every_stage_on_every_rung_in_a_file(cli: Cli) -> None:
+    code, out, err = cli("stress", "my.toml", "--ladder", "direction", "--stage", "kinematics", "-o", "stress.csv")
+    assert code == 0
+    assert "wrote stress.csv" in err
+    assert "direction of turning" in out
+    rows = list(csv.DictReader(io.StringIO(Path("stress.csv").read_text(encoding="utf-8"))))
+    assert {row["stage"] for row in rows} == {"structure", "kinematics"}
+    code, out, err = cli("stress", "my.toml", "-o", "nowhere/stress.csv")
+    assert (code, out) == (2, "")
+    assert "there is no folder nowhere" in err
+
+
+def test_the_table_on_top_has_what_is_lost_and_who_tells(cli: Cli) -> None:
+    code, out, _ = cli("stress", "my.toml", "--ladder", "dead-point", "--stage", "kinematics")
+    assert code == 0
+    top = out.split("dead-point: toward")[0]
+    assert "told by" in top
+    assert "estimate" in top
+    assert "of other scenes" not in top
+    _, out, _ = cli("stress", "my.toml", "--ladder", "direction", "--stage", "kinematics")
+    assert "all stages on all ladders keep twelve digits" in " ".join(out.split())

@@ -20,7 +20,7 @@ from .test_process import on_terminal
 CRANK = "mechanism.links[id=1].points.A[0]"
 FEW = ("--set", "mechanism.grid.positions=12")
 SWEEP = ("sweep", "my.toml", "--set", f"{CRANK}=0.15:0.25:5", *FEW)
-MANY = ("sweep", "my.toml", "--set", f"{CRANK}=*0.5:1.5:60", *FEW, "--to", "kinematics")
+MANY = ("sweep", "my.toml", "--set", f"{CRANK}=*0.5:1.5:60", *FEW, "--to", "kinematics", "--to", "balance")
 posix = pytest.mark.skipif(os.name != "posix", reason="sends signals")
 
 

@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 from bounding import assert_bounds
 
+from tmmcalc.errors import NoSolutionError
 from tmmcalc.extras.bearing import BearingTask, solve_bearing
 from tmmcalc.extras.contact import ContactTask, solve_contact
-from tmmcalc.extras.reliability import ReliabilityTask, solve_reliability
+from tmmcalc.extras.reliability import LifeTest, ReliabilityTask, solve_reliability
 from tmmcalc.extras.tie_down import Support, Thread, TieDownTask, solve_tie_down
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask, judge
 
@@ -114,6 +115,43 @@ def _lives() -> Iterator[Scene]:
         yield "mean", found.error.mean, _far(found.mean, mean)
 
 
+def _decays() -> Iterator[Scene]:
+    """From tests of items: the decay at which the mean life is that of the test, its shortest life the likeliest."""
+    rng, done = np.random.default_rng(6), 0
+    while done < SCENES:
+        low, high = float(rng.choice([0.0, rng.uniform(0.1, 0.8)])), float(rng.uniform(1.0, 2.0))
+        least = float(10 ** rng.uniform(-1, 1))
+        test = LifeTest(int(rng.integers(5, 60)), least, least * float(rng.uniform(1.2, 6)))
+        task = ReliabilityTask(low, high, float(rng.uniform(0.05, 3.0) / least), test=test, rows=4)
+        try:
+            found = solve_reliability(task)
+        except NoSolutionError:
+            continue
+        done += 1
+
+        def mean(beta: Any, task: ReliabilityTask = task, test: LifeTest = test) -> Any:
+            a, b, h = mp.mpf(task.low), mp.mpf(task.high), mp.mpf(task.rate)
+            half = beta * (b - a) / (2 * h * test.items)
+            r = mp.exp(beta * mp.mpf(test.least)) * (b + half - mp.sqrt(half * (2 * b + half)))
+            start = max(mp.log(r / b) / beta, mp.mpf(0))
+            floor = mp.log(r / a) / beta if a else mp.inf
+
+            def kept(t: Any) -> Any:
+                fallen = r * (mp.exp(-beta * start) - mp.exp(-beta * t)) / beta
+                return mp.exp(-h / (b - a) * (b * (t - start) - fallen))
+
+            marks = [start + part / mp.sqrt(h * beta) for part in (0, 1, 3, 8)] + [start + 100 / h + 8 / beta]
+            ends = [mark for mark in marks if mark < floor] + ([floor] if a else [mp.inf])
+            return start + mp.quad(kept, ends) + (kept(floor) / h if a else 0)
+
+        assert found.error is not None
+        told = mp.mpf(found.decay)
+        with mp.workdps(25):
+            wanted = mp.mpf(test.mean)
+            exact = mp.findroot(lambda beta: mean(beta) - wanted, (told, told * (1 + mp.mpf(10) ** -8)), tol=1e-30)  # noqa: B023
+        yield "decay", found.error.decay, float(abs(told / exact - 1))
+
+
 def _contacts() -> Iterator[Scene]:
     rng = np.random.default_rng(4)
     for _ in range(SCENES):
@@ -141,7 +179,7 @@ def _margins() -> Iterator[Scene]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("scenes", [_bearings, _ties, _lives, _contacts, _margins])
+@pytest.mark.parametrize("scenes", [_bearings, _ties, _lives, _decays, _contacts, _margins])
 def test_estimates_bound_their_errors(scenes: Any) -> None:
     pairs: dict[str, list[tuple[float, float]]] = defaultdict(list)
     with mp.workdps(50):

@@ -11,7 +11,8 @@ from tmmcalc.linkage.stacked.ragged import Ragged, first
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.motors.characteristics import kloss, parabolic, straight
 from tmmcalc.machine.motors.gearing import reduced
-from tmmcalc.machine.stacked import is_smooth, machines_of, regimes, spots
+from tmmcalc.machine.stacked.regimes import is_smooth, machines_of, regimes
+from tmmcalc.machine.stacked.spots import spots
 from tmmcalc.machine.steady import driven
 from tmmcalc.numerics.panels import Panels
 
@@ -54,7 +55,7 @@ def cycles() -> tuple[Given, list[Cycle]]:
 @pytest.mark.parametrize("constant", [5.0, 60.0])
 def test_regimes_are_those_of_each_machine(name: str, constant: float) -> None:
     given, alone = cycles()
-    found = regimes(machines_of(given, len(alone), constant, MOTORS[name]))
+    found = regimes(machines_of(*given, len(alone), constant, MOTORS[name]))
     theta = np.linspace(0.0, PERIOD, 41)
     at = spots(found.machines, theta)
     assert found.clear.all()
@@ -71,7 +72,7 @@ def test_regimes_are_those_of_each_machine(name: str, constant: float) -> None:
 def test_machines_that_are_overloaded_are_left_alone() -> None:
     given, alone = cycles()
     weak = parabolic(100.0, 10.0, 10.7)
-    found = regimes(machines_of(given, len(alone), 20.0, weak))
+    found = regimes(machines_of(*given, len(alone), 20.0, weak))
     mean = [float(cycle.panels.total(cycle.moment)) / PERIOD for cycle in alone]
     top = weak.a  # at standstill
     assert all(not clear for clear, load in zip(found.clear, mean, strict=True) if -load > top)
@@ -85,5 +86,5 @@ def test_losses_of_gears_bend_at_the_no_load_speed() -> None:
     """Machines that run through it on their way are left alone."""
     given, alone = cycles()
     swinging = Given(given.panels, given.values * np.array([10.0, 10.0, 0.1, 1.0])[:, None, None])
-    assert not regimes(machines_of(swinging, len(alone), 5.0, MOTORS["with losses"])).clear.any()
-    assert regimes(machines_of(swinging, len(alone), 5.0, MOTORS["parabolic"])).clear.all()
+    assert not regimes(machines_of(*swinging, len(alone), 5.0, MOTORS["with losses"])).clear.any()
+    assert regimes(machines_of(*swinging, len(alone), 5.0, MOTORS["parabolic"])).clear.all()

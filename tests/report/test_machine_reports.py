@@ -565,7 +565,7 @@ def test_a_run_says_everything_once(tmp_path: Path) -> None:
     """Facts of a run that share a label say the same: nothing of a later stage is lost."""
     file = tmp_path / "machine.toml"
     file.write_text(spec_text())
-    found = run(load_spec(file), target="motion")
+    found = run(load_spec(file))
     documents = {
         "power": power_summary(found.results["power"], "power"),
         "flywheel": flywheel_summary(found.results["flywheel"], "flywheel"),
@@ -582,8 +582,8 @@ def test_a_stored_run_reads_the_same(tmp_path: Path) -> None:
     file = tmp_path / "machine.toml"
     file.write_text(spec_text())
     out, events = tmp_path / "out", list[Event]()
-    first = run(load_spec(file), target="motion", out=out)
-    second = run(load_spec(file), target="motion", out=out, on_event=events.append)
+    first = run(load_spec(file), out=out)
+    second = run(load_spec(file), out=out, on_event=events.append)
     assert [event.kind for event in events if event.stage in ("power", "flywheel", "motion")] == ["loaded"] * 3
     made: dict[str, Callable[..., Document]] = {
         "power": power_document,

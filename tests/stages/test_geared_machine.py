@@ -98,7 +98,7 @@ def test_the_train_is_not_waited_for_where_both_are_given() -> None:
     text = spec_text(more=TRAIN).replace(*NO_INERTIA)
     both = text.replace("[transmission]\n", "[transmission]\nratio = 16\ninertia = 0.1\n")
     assert "criteria" in plan(tmmcalc.parse_spec(text), "motion").running
-    assert plan(tmmcalc.parse_spec(text), "motion").step("criteria").reason == "needed by power, flywheel, motion"
+    assert plan(tmmcalc.parse_spec(text), "motion").step("criteria").reason == "needed by power, motion"
     assert not {"train", "strength", "criteria"} & {*plan(tmmcalc.parse_spec(both), "motion").running}
 
 

@@ -156,13 +156,26 @@ def test_a_selected_run_takes_less_memory_of_the_machine(tmp_path: Path) -> None
 
 
 def test_a_skipped_stage_is_left_out_with_all_that_read_it(tmp_path: Path) -> None:
-    result = run(shaper(24), out=tmp_path, skip=["flywheel", "balance"])
+    result = run(shaper(24, "flywheel.inertia=0"), out=tmp_path, skip=["flywheel", "balance"])
     reasons = {step.stage: step.reason for step in result.plan.steps if not step.runs}
     assert reasons["flywheel"] == reasons["balance"] == "left out by --skip"
     assert reasons["motion"] == "reads flywheel, which --skip leaves out"  # without it the motion would be another one
     assert {path.stem for path in tmp_path.glob("*.toml")} == set(result.plan.running)
     assert "motion" not in result.plan.running
     assert "power" in result.plan.running
+
+
+def test_a_flywheel_that_is_there_need_not_be_sized_for_a_motion() -> None:
+    """The motion with the wheel of the spec is the same whether or not another one is looked for."""
+    spec = shaper(24)
+    assert "flywheel" not in plan(spec, "motion").running
+    alone, beside = run(spec, target="motion"), run(spec, skip=["balance"])
+    assert "flywheel" in beside.plan.running
+    assert alone.results["motion"].inertia.flywheel == 186
+    assert np.array_equal(alone.results["motion"].omega, beside.results["motion"].omega)
+    assert "flywheel" in plan(shaper(24, "flywheel.inertia=0"), "motion").running
+    (why,) = (why for why in explain(spec, plan(spec)) if why.step.stage == "motion")
+    assert "the result of flywheel is not read: the spec gives it" in why.omits
 
 
 def test_a_skipped_stage_is_known() -> None:

@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.accuracy.measure import Way, relative, series
+from tmmcalc.accuracy.measure import Way, by_quantity, relative
 from tmmcalc.accuracy.study import Reference, Series, Study
 from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.errors import NoSolutionError
@@ -33,6 +33,8 @@ GRIDS = (20, 40, 80, 160, 320)  # nodes along each side
 LINES = (16, 32, 64, 128, 256, 512)
 EDGES = (4, 6, 8, 12, 24)  # points of an edge; 24 are the stage's
 FINER, FINEST = 48, 64
+# of area and largest sum
+ORDERS: dict[str, tuple[float | None, float | None]] = {"raster": (1.0, None), "lines of constant sum": (None, 1.0)}
 
 
 @record
@@ -53,15 +55,12 @@ def studies(scene: Scene) -> Iterator[Study]:
     exact = _of(fine)
     finer = _of(contour(task, fine.strict, pieces=False, points=FINER))
     kind = "strict" if fine.strict else "tolerated"
-    ways = _ways(task, fine)
-    for quantity, name in ((f"area of the {kind} contour", "area"), ("largest x1 + x2", "total")):
-        truth = getattr(exact, name)
-        yield Study(
-            "blocking",
-            quantity,
-            Reference(f"edges between exact corners at {FINEST} Gauss points", relative(getattr(finer, name), truth)),
-            tuple(_series(scene, ways, name, truth)),
-        )
+    quantities = {f"area of the {kind} contour": "area", "largest x1 + x2": "total"}
+    every = zip(*_series(scene, _ways(task, fine), exact), strict=True)
+    for (quantity, name), found_series in zip(quantities.items(), every, strict=True):
+        missed = relative(getattr(finer, name), getattr(exact, name))
+        reference = Reference(f"edges between exact corners at {FINEST} Gauss points", missed)
+        yield Study("blocking", quantity, reference, found_series)
 
 
 def _first(scene: Scene) -> tuple[Task, Contour] | None:
@@ -77,14 +76,13 @@ def _first(scene: Scene) -> tuple[Task, Contour] | None:
     return None
 
 
-def _series(scene: Scene, ways: dict[str, list[Way]], name: str, truth: float) -> Iterator[Series]:
-    expected = {"raster": 1.0} if name == "area" else {"lines of constant sum": 1.0}
-
-    def error(found: _Found) -> float:
-        return relative(getattr(found, name), truth)
-
+def _series(scene: Scene, ways: dict[str, list[Way]], exact: _Found) -> Iterator[tuple[Series, ...]]:
+    errors = (
+        lambda found: relative(found.area, exact.area),
+        lambda found: relative(found.total, exact.total),
+    )
     for method, each in ways.items():
-        yield series(method, each, error, scene.clock, expected=expected.get(method))
+        yield by_quantity(method, each, errors, scene.clock, expected=ORDERS.get(method, (None, None)))
 
 
 def _ways(task: Task, fine: Contour) -> dict[str, list[Way]]:

@@ -14,6 +14,7 @@ from math import hypot, tan
 
 import numpy as np
 
+from tmmcalc.accuracy.cam_rocker import rocker
 from tmmcalc.accuracy.measure import Clock, Way, series
 from tmmcalc.accuracy.study import FLOOR, Reference, Study
 from tmmcalc.accuracy.subjects import Scene
@@ -36,16 +37,18 @@ Find = Callable[[], float]  # of the base circle [m]
 
 
 def studies(scene: Scene) -> Iterator[Study]:
-    """The least base circle of a stem with both sizes free, or S0 of a flat face; else there is one way only."""
+    """The least base circle of a stem with both sizes free or of a rocker, S0 of a flat face; else there is one way."""
     task: CamTask = scene.inputs
     found: Synthesis = scene.results["cam_synthesis"]
     asked = task.asked
-    if not WIDER or asked.start is not None or asked.base is not None:
+    if not WIDER or asked.start is not None or (asked.base is not None and asked.kind != "oscillating"):
         return
-    if task.asked.kind == "flat" and found.governs == "convexity":
+    if asked.kind == "flat" and found.governs == "convexity":
         yield _flat(task, found, scene.clock)
-    elif task.asked.kind == "translating" and asked.offset is None:
+    elif asked.kind == "translating" and asked.offset is None:
         yield _stem(task, found, scene.clock)
+    elif asked.kind == "oscillating" and asked.centres is None:
+        yield rocker(task, found, scene.clock)
 
 
 def _study(found: Synthesis, quantity: str, exact: np.longdouble, ways: list[tuple[str, list[Way], str]],

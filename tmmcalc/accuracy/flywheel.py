@@ -18,7 +18,7 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.measure import Way, series
+from tmmcalc.accuracy.measure import Way, by_quantity
 from tmmcalc.accuracy.study import FLOOR, Reference, Series, Study
 from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.errors import NoSolutionError
@@ -43,6 +43,8 @@ COUNTS = (6, 12, 24, 48, 96, 192, 384, 768)
 WIDE = 4.0  # times the root: where bisection begins
 LEFT = "what is left is the error of the method itself: it takes the motor's moment as constant"
 
+Missed = Callable[[float], float]  # error by the inertia found
+
 
 def studies(scene: Scene) -> Iterator[Study]:
     """The inertia and the unevenness reached; nothing for a machine that needs no flywheel."""
@@ -62,8 +64,9 @@ def studies(scene: Scene) -> Iterator[Study]:
     def missed_delta(inertia: float) -> float:
         return max(abs(problem.reached(inertia) / result.delta - 1), FLOOR)
 
-    for quantity, error in (("constant inertia needed", missed_inertia), ("unevenness reached", missed_delta)):
-        yield Study("flywheel", quantity, reference, tuple(_series(problem, error, scene)))
+    every = zip(*_series(problem, (missed_inertia, missed_delta), scene), strict=True)
+    for quantity, found in zip(("constant inertia needed", "unevenness reached"), every, strict=True):
+        yield Study("flywheel", quantity, reference, found)
 
 
 def _speed(result: Flywheel, given: float) -> float:
@@ -150,16 +153,18 @@ class _Problem:
         return on_nodes(work, inertia, 0.0, self.delta, self.speed, period=self.cycle.period)[BOOK].inertia
 
 
-def _series(problem: _Problem, error: Callable[[float], float], scene: Scene) -> Iterator[Series]:
+def _series(problem: _Problem, errors: tuple[Missed, Missed], scene: Scene) -> Iterator[tuple[Series, ...]]:
     clock, driven = scene.clock, problem.driver is not None
     if driven:
-        yield series("search", [Way("near rounding", 1.0, problem.search)], error, clock)
+        yield by_quantity("search", [Way("near rounding", 1.0, problem.search)], errors, clock)
         ways = [Way(f"{n} runs", 2.0**-n, partial(problem.bisected, n)) for n in HALVINGS]
-        yield series("bisection", ways, error, clock, expected=1.0)
+        yield by_quantity("bisection", ways, errors, clock, expected=(1.0, 1.0))
         ways = [Way(f"{n} runs", 1.0 / n, partial(problem.corrected, n)) for n in RUNS]
-        yield series("correction (3.60)", ways, error, clock, note="it approaches the inertia from below")
+        yield by_quantity("correction (3.60)", ways, errors, clock, note="it approaches the inertia from below")
     for rule in METHODS:
         ways = [Way("on panels", 1.0, partial(problem.tangent, rule))]
-        yield series(f"tangents, {rule.name}", ways, error, clock, note=LEFT if driven and rule is METHODS[0] else "")
+        yield by_quantity(
+            f"tangents, {rule.name}", ways, errors, clock, note=LEFT if driven and rule is METHODS[0] else ""
+        )
     ways = [Way(f"{n} steps", 1.0 / n, partial(problem.tabled, n)) for n in COUNTS]
-    yield series("table, book", ways, error, clock)
+    yield by_quantity("table, book", ways, errors, clock)

@@ -97,7 +97,7 @@ def _rung(drive: Drive, value: float, scenario: Scenario, clock: Clock) -> Rung:
     def run(method: Method) -> Transient:
         return simulate(drive, scenario, method, instants.tolist())
 
-    found, seconds = clock.median(lambda: run(Method(compared=False)))
+    found, seconds, _ = clock.median(lambda: run(Method(compared=False)))
     exact, own = _exact(run, found, instants)
     scales = found.scales
     steps = scales.steps if scales is not None else 1.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import gc
 import statistics
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from time import perf_counter
 from typing import Any, TypeVar
 
@@ -19,10 +19,10 @@ Found = TypeVar("Found")
 Numbers = Any  # array of numbers (..., n), real or complex
 
 
-LONG = 2.0  # times the budget: of a run as long as this, imports are a small part
-
-
+SEVERAL = 3  # runs at least that make a median, of what is not long
+LONG = 1.5  # times the budget: a run as long as this is not made again
 USELESS = 1.0  # an error as large as the quantity itself
+WRONG = "the error is as large as the quantity itself"
 
 
 @record
@@ -37,31 +37,37 @@ class Way:
 
 @record
 class Clock:
-    """How often a way is run: ``repeats`` times at most, no longer than ``budget`` [s] once it ran ``least`` times."""
+    """How often a way is run: ``repeats`` times at most, within ``budget`` [s] but for the first few of them."""
 
     repeats: int = 7
-    budget: float = 0.4
-    least: int = 1
+    budget: float = 0.2
 
-    def median(self, solve: Callable[[], Found]) -> tuple[Found, float]:
-        """The last result and the median time [s]; the first run, which imports and allocates, counts if it is long."""
+    def median(self, solve: Callable[[], Found], fresh: bool = True) -> tuple[Found, float, int]:
+        """The last result, the median time [s] and of how many runs.
+
+        The first run, which imports and allocates, counts only if it is long and the method not ``fresh``.
+        """
         began = perf_counter()
         found = solve()
         first = perf_counter() - began
-        if first > LONG * self.budget:
-            return found, first
+        if first > LONG * self.budget and not fresh:
+            return found, first, 1
         times: list[float] = []
         on = gc.isenabled()
         gc.disable()
         try:
-            while len(times) < self.repeats and (len(times) < self.least or sum(times) < self.budget):
+            while len(times) < self.repeats and (len(times) < self._least(first) or sum(times) < self.budget):
                 began = perf_counter()
                 found = solve()
                 times.append(perf_counter() - began)
         finally:
             if on:
                 gc.enable()
-        return found, statistics.median(times)
+        return found, statistics.median(times), len(times)
+
+    def _least(self, first: float) -> int:
+        """Runs that are made whatever they take."""
+        return SEVERAL if first < self.budget else 1
 
 
 def relative(found: Numbers, exact: Numbers) -> float:
@@ -80,21 +86,48 @@ def series(
     *,
     expected: float | None = None,
     note: str = "",
+    stepwise: bool = True,
 ) -> Series:
-    """Measure a method at all its settings; one that raises a `TmmError` is kept with its reason."""
-    points = tuple(_point(way, error, clock) for way in ways)
-    told = [(p.size, p.error) for p in points if p.error is not None]
-    order = observed([size for size, _ in told], [e for _, e in told]) if len(told) > 1 else None
-    return Series(method, points, order, expected, note)
+    """Measure a method at all its settings; one that raises a `TmmError` is kept with its reason.
+
+    Unless its settings are ``stepwise``, their sizes being steps, it has no order of convergence.
+    """
+    return by_quantity(method, ways, (error,), clock, expected=(expected,), note=note, stepwise=stepwise)[0]
 
 
-def _point(way: Way, error: Callable[[Any], float], clock: Clock) -> Point:
+def by_quantity(
+    method: str,
+    ways: Iterable[Way],
+    errors: Sequence[Callable[[Any], float]],
+    clock: Clock,
+    *,
+    expected: Sequence[float | None] = (),
+    note: str = "",
+    stepwise: bool = True,
+) -> tuple[Series, ...]:
+    """The same for several quantities that a method finds together: a series for each of their ``errors``."""
+    rows = [_points(way, errors, clock, fresh=k == 0) for k, way in enumerate(ways)]
+    columns = list(zip(*rows, strict=True)) or [()] * len(errors)
+    found = []
+    for points, theory in zip(columns, expected or [None] * len(errors), strict=True):
+        told = [(p.size, p.error) for p in points if p.error is not None and stepwise]
+        order = observed([size for size, _ in told], [e for _, e in told]) if len(told) > 1 else None
+        found.append(Series(method, points, order, theory, note))
+    return tuple(found)
+
+
+def _points(way: Way, errors: Sequence[Callable[[Any], float]], clock: Clock, fresh: bool) -> list[Point]:
+    """The setting as it is judged by each of the errors."""
     try:
-        found, seconds = clock.median(way.solve)
+        found, seconds, runs = clock.median(way.solve, fresh)
     except TmmError as fault:
-        return Point(way.setting, way.size, None, None, failed=fault.message.splitlines()[0])
+        failed = fault.message.splitlines()[0]
+        return [Point(way.setting, way.size, None, None, failed=failed) for _ in errors]
     count = way.evaluations(found) if way.evaluations else None
-    missed = error(found)
-    if not missed < USELESS:
-        return Point(way.setting, way.size, None, seconds, count, failed="the result is wrong altogether")
-    return Point(way.setting, way.size, missed, seconds, count)
+    points = []
+    for error in errors:
+        missed = error(found)
+        wrong = not missed < USELESS
+        told = None if wrong else missed
+        points.append(Point(way.setting, way.size, told, seconds, count, WRONG if wrong else "", runs))
+    return points

@@ -41,6 +41,7 @@ TOLERANCES = (1e-3, 1e-5, 1e-7, 1e-9, 1e-11)
 ASKED = (1e-3, 1e-6, 0.0)  # of the collocation; 0: near rounding
 COUNTS = (6, 12, 24, 48, 96, 192, 384, 768, 1536, 3072)
 SHOOTERS: tuple[MethodName, ...] = ("merson", "DOP853", "LSODA", "Radau", "BDF")
+IMPLICIT = ("Radau", "BDF")  # of low order: their finest tolerance would take longer than all else
 JUMPS = "of order 2 while the moments are smooth, of order 1 where a load jumps between or at its nodes"
 ROUNDS = 12  # of the secant
 SETTLED = 1e-12  # relative change of the speed over a cycle that is none
@@ -113,13 +114,16 @@ def _marks(regime: Regime) -> Values:
 
 
 def _series(problem: _Problem, error: Callable[[Values], float], scene: Scene, result: Motion) -> Iterator[Series]:
-    ways = [Way("near rounding" if not t else f"{t:.0e}", t or 1e-13, partial(problem.regime, t)) for t in ASKED]
-    yield series("collocation", ways, error, scene.clock)
+    ways = [
+        Way("near rounding" if not t else f"tolerance {t:.0e}", t or 1e-13, partial(problem.regime, t)) for t in ASKED
+    ]
+    yield series("collocation", ways, error, scene.clock, stepwise=False)
     if problem.driver.time_constant == 0:
         start = float(result.regime.omega_at(np.zeros(1))[0]) * 1.02
         for name in SHOOTERS:
-            ways = [Way(f"tolerance {t:.0e}", t, partial(problem.shot, name, t, start)) for t in TOLERANCES]
-            yield series(f"shooting, {name}", ways, error, scene.clock)
+            tolerances = TOLERANCES[:-1] if name in IMPLICIT else TOLERANCES
+            ways = [Way(f"tolerance {t:.0e}", t, partial(problem.shot, name, t, start)) for t in tolerances]
+            yield series(f"shooting, {name}", ways, error, scene.clock, stepwise=False)
     if result.textbook is not None:
         a, b = result.textbook.a, result.textbook.b
         ways = [Way(f"{n} steps", 1.0 / n, partial(problem.recurred, a, b, n)) for n in COUNTS]

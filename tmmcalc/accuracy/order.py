@@ -3,7 +3,7 @@
     error ~ C size^p,    p = d ln(error) / d ln(size)
 
 Settings at the coarse end have not reached the asymptotic range, at the fine end rounding takes over; so the order is
-that of the straightest run of at least three settings, by least squares.
+that of a straight run of at least three settings over which the error falls by a decade, by least squares.
 """
 
 from __future__ import annotations
@@ -14,11 +14,12 @@ from collections.abc import Sequence
 import numpy as np
 
 FEW = 3  # settings that make a slope
-STRAIGHT = 0.15  # largest departure of the slopes between neighbours from their mean, relative
+DECADE = 10.0  # that the error falls by over a run, so that chance makes none
+STRAIGHT = 0.1  # largest departure of the slopes between neighbours from their mean, relative
 
 
 def observed(sizes: Sequence[float], errors: Sequence[float], floor: float = 1e-14) -> float | None:
-    """Slope of ln(error) over ln(size), None where fewer than three settings in a row fall on a line.
+    """Slope of ln(error) over ln(size), None where no three settings in a row fall on a line over a decade.
 
     Errors at the ``floor`` are rounding and do not count. Of several straight runs the longest is taken, of these the
     finest.
@@ -33,7 +34,8 @@ def observed(sizes: Sequence[float], errors: Sequence[float], floor: float = 1e-
         for high in range(low + FEW, len(pairs) + 1):
             slopes = np.diff(y[low:high]) / np.diff(x[low:high])
             mean = float(np.mean(slopes))
-            straight = mean > 0 and float(np.max(np.abs(slopes - mean))) <= STRAIGHT * mean
+            falls = float(np.ptp(y[low:high])) >= np.log(DECADE)
+            straight = falls and mean > 0 and float(np.max(np.abs(slopes - mean))) <= STRAIGHT * mean
             if straight and (best is None or high - low > best[0]):
                 best = high - low, _slope(x[low:high], y[low:high])
     return None if best is None else best[1]

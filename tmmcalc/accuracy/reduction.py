@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from tmmcalc.accuracy import inertia
 from tmmcalc.accuracy.measure import Way, series
 from tmmcalc.accuracy.study import FLOOR, Reference, Study
 from tmmcalc.accuracy.subjects import Scene
@@ -26,14 +27,23 @@ from tmmcalc.numerics.simpson import simpson
 Rule = Callable[[Real, Real], float]  # nodes and values (n + 1,) -> integral
 
 SPECTRAL = "beyond every order where the moments are smooth and periodic; of order 2 at a kink, 1 at a jump"
+FOURTH = "of order 4 where the moments are smooth; of order 2 at a kink, 1 at a jump"
 COUNTS = (6, 12, 24, 48, 72, 96, 192, 384, 768, 1536)
 SIMPSON_ORDER = 4.0
 
 
 def studies(scene: Scene) -> Iterator[Study]:
-    """The work of every contribution over the cycle by every rule; nothing for a diagram that is given by points."""
+    """Work per cycle, reduced inertia and its derivative; nothing for a diagram that is given by points."""
     if isinstance(scene.inputs, TorqueTask):
         return
+    yield from _works(scene)
+    mechanism, loading, _ = scene.inputs
+    compiled = compile_scene(mechanism, loading, scene.results["kinematics"])
+    yield from inertia.studies(mechanism, loading, compiled, scene.clock)
+
+
+def _works(scene: Scene) -> Iterator[Study]:
+    """The work of every contribution over the cycle by every rule."""
     causes, powers = _causes(scene)
     result: Reduction = scene.results["reduction"]
     panels = result.cycle.panels
@@ -68,7 +78,7 @@ def studies(scene: Scene) -> Iterator[Study]:
         (
             series("Gauss on panels", [Way(f"{panels.count} panels", 1.0, lambda: on(panels))], error, scene.clock),
             series("trapezoid", _ways(equal, _trapezoid), error, scene.clock, note=SPECTRAL),
-            series("Simpson", _ways(equal, _simpson), error, scene.clock, expected=SIMPSON_ORDER),
+            series("Simpson", _ways(equal, _simpson), error, scene.clock, expected=SIMPSON_ORDER, note=FOURTH),
         ),
     )
 

@@ -22,12 +22,12 @@ def solve_accuracy(
     spec: Spec,
     stage: str | None = None,
     clock: Clock | None = None,
-    on_study: Callable[[str], None] | None = None,
+    tell: Callable[[str], None] | None = None,
 ) -> Accuracy:
     """Error against run time of every method of a stage, or of all stages that the scene has.
 
-    ``on_study`` is called with the name of a stage before its methods are run. Raises `UsageError` for a stage that has
-    no choice of methods or that the scene leaves out, and what a stage itself raises.
+    ``tell`` is called with a few words whenever a stage is begun and one of its studies is done. Raises `UsageError`
+    for a stage that has no choice of methods or that the scene leaves out, and what a stage itself raises.
     """
     clock = clock or Clock()
     if stage is not None and stage in STAGES and stage not in SUBJECTS:
@@ -37,14 +37,20 @@ def solve_accuracy(
     running = plan(spec, stage).running
     asked = [name for name in running if name in SUBJECTS and stage in (None, name)]
     results = run(spec, target=stage).results
-    found: list[Study | Ladder] = []
+    studies: list[Study] = []
+    ladders: list[Ladder] = []
     for name in asked:
-        if on_study is not None:
-            on_study(name)
         scene = Scene(resolve(STAGES[name].inputs)(spec), results, clock)
-        found.extend(resolve(SUBJECTS[name])(scene))
+        if tell is not None:
+            tell(f"{name}: methods are run")
+        for part in resolve(SUBJECTS[name])(scene):
+            (studies if isinstance(part, Study) else ladders).append(part)
+            if tell is not None:
+                tell(f"{name}: {part.quantity}: done")
+    studied = {study.stage for study in studies} | {ladder.stage for ladder in ladders}
     return Accuracy(
-        tuple(part for part in found if isinstance(part, Study)),
+        tuple(studies),
         tuple(name for name in running if name not in SUBJECTS and stage is None),
-        tuple(part for part in found if isinstance(part, Ladder)),
+        tuple(ladders),
+        tuple(name for name in asked if name not in studied),
     )

@@ -27,9 +27,9 @@ class Reference:
 
 @record
 class Point:
-    """One setting of a method: its size (a step, a tolerance, a count), largest relative error, median time [s].
+    """One setting of a method: its size (a step, a tolerance), largest relative error, median time [s] of its runs.
 
-    ``failed`` says why it gave no result; error and time are None then.
+    ``failed`` says why it gave no result; the error is None then.
     """
 
     setting: str
@@ -38,6 +38,7 @@ class Point:
     seconds: float | None
     evaluations: int | None = None  # of the functions that cost, where the method counts them
     failed: str = ""
+    runs: int = 0  # that the time is the median of
 
 
 @record
@@ -49,6 +50,17 @@ class Series:
     order: float | None = None  # observed: error ~ size^order
     expected: float | None = None  # what theory says of it
     note: str = ""
+
+    @property
+    def best(self) -> Point | None:
+        """The setting with the least error; None if none gave a result."""
+        told = [point for point in self.points if point.error is not None]
+        return min(told, key=lambda point: point.error or 0.0) if told else None
+
+    def cheapest(self, tolerance: float) -> Point | None:
+        """The setting with the least time among those whose error is within ``tolerance``, if any."""
+        within = [p for p in self.points if p.error is not None and p.seconds is not None and p.error <= tolerance]
+        return min(within, key=lambda point: point.seconds or 0.0) if within else None
 
 
 @record
@@ -62,13 +74,9 @@ class Study:
 
     def cheapest(self, tolerance: float) -> tuple[Series, Point] | None:
         """The method and setting with the least time among those whose error is within ``tolerance``, if any."""
-        within = [
-            (point.seconds, series, point)
-            for series in self.series
-            for point in series.points
-            if point.error is not None and point.seconds is not None and point.error <= tolerance
-        ]
-        return min(within, key=lambda item: item[0])[1:] if within else None
+        found = [(series, series.cheapest(tolerance)) for series in self.series]
+        within = [(series, point) for series, point in found if point is not None]
+        return min(within, key=lambda each: each[1].seconds or 0.0) if within else None
 
 
 @record
@@ -106,11 +114,12 @@ class Ladder:
 
 @record
 class Accuracy:
-    """The studies of a scene, the stages of it that have no choice of method, and ladders of stiffness."""
+    """The studies of a scene, ladders of stiffness, and the stages of it that have no choice of method."""
 
     studies: tuple[Study, ...]
-    without: tuple[str, ...]
+    without: tuple[str, ...]  # stages with one method only
     ladders: tuple[Ladder, ...] = ()
+    settled: tuple[str, ...] = ()  # stages whose choice this scene leaves no room for
 
 
 def pareto(points: Sequence[Point]) -> tuple[Point, ...]:

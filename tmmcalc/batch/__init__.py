@@ -5,6 +5,11 @@ table.py       a table of variants, a row each
 reading.py     the task from the flags of a user
 quantities.py  what a stage tells of a variant, chosen by name
 points.py      points solved one by one through the pipeline: works for every stage
+stacked.py     points solved together, and why they cannot be; stacked_columns.py values of columns at once,
+               stacked_results.py results of every variant, stacked_inputs.py what their stages read,
+               stacked_machine.py their steady motions
+outcomes.py    the result of one stage at every point
+regions.py     where constraints hold over one or two keys
 choice.py      by which solver, in what blocks, in how many processes
 executors.py   who solves the blocks: this process or others; a lost block is solved again
 local.py       local processes by joblib

@@ -8,7 +8,7 @@ from functools import partial
 
 from tmmcalc.batch.executors import Solve, solve_by, solve_here
 from tmmcalc.batch.local import available, cores, processes
-from tmmcalc.batch.stacked import BLOCK, SOLVER, together
+from tmmcalc.batch.stacked import SOLVER, together
 from tmmcalc.batch.task import Task
 from tmmcalc.errors import TmmError, UsageError
 from tmmcalc.pipeline.plan import plan
@@ -32,15 +32,21 @@ def running(task: Task) -> frozenset[str]:
     return frozenset()
 
 
+def heavy(task: Task) -> bool:
+    """Whether points of a task run stages that may be long."""
+    return not HEAVY.isdisjoint(running(task))
+
+
 def chosen(task: Task, jobs: int | None, cores: int) -> tuple[Task, int]:
     """The task with its solver and the size of its blocks, and the number of processes; ``jobs`` None: as it pays."""
-    heavy = bool(running(task) & HEAVY)
+    long = heavy(task)
     if jobs is None:
-        jobs = min(cores, task.count) if heavy and task.count > FEW else 1
-    if not heavy and together(task):
-        return replace(task, solver=SOLVER, block=BLOCK), jobs
+        jobs = min(cores, task.count) if long and task.count > FEW else 1
+    block = 0 if long else together(task)
+    if block:
+        return replace(task, solver=SOLVER, block=block), jobs
     shared = -(-task.count // (4 * jobs))  # so that all have work to the end
-    return replace(task, block=max(1, min(1 if heavy else task.block, shared))), jobs
+    return replace(task, block=max(1, min(1 if long else task.block, shared))), jobs
 
 
 def solver_of(task: Task, jobs: int | None, scheduler: str | None, tell: Callable[[str], None]) -> tuple[Task, Solve]:

@@ -2,10 +2,11 @@
 
     tmmcalc sweep <hash of the task>
     1c291ca3 [1, ["kinematics.stroke_D[m]"]]
-    5d3f9b1e [0, "ok", "", 1, [0.658]]
+    5d3f9b1e [0, "ok", "", 1, [0.658], false]
 
 A line is a checksum and JSON: names with their number; or a point, its status and reason, the number of its names
-(0: none) and its values. A line that is torn or changed is passed over, and its point solved again.
+(0: none), its values, and whether it was solved alone although the others were solved together. A line that is torn or
+changed is passed over, and its point solved again.
 """
 
 from __future__ import annotations
@@ -71,7 +72,7 @@ class Journal:
         if row.names not in self._numbers:
             self._numbers[row.names] = 1 + max(self._numbers.values())
             yield _line([self._numbers[row.names], row.names])
-        yield _line([row.point, row.status, row.reason, self._numbers[row.names], list(row.values)])
+        yield _line([row.point, row.status, row.reason, self._numbers[row.names], list(row.values), row.alone])
 
     def _read(self) -> tuple[dict[Names, int], list[Row]]:
         """What the file holds of this task; without its torn end, and emptied if it is of another."""
@@ -98,9 +99,9 @@ def _entries(file: BinaryIO, end: int) -> tuple[dict[int, Names], list[Row], int
             continue
         if len(entry) == 2:
             named[entry[0]] = tuple(entry[1])
-        elif entry[3] in named:
-            point, status, reason, number, values = entry
-            rows[point] = Row(point, status, reason, named[number], array("d", values))
+        elif len(entry) == 6 and entry[3] in named:
+            point, status, reason, number, values, alone = entry
+            rows[point] = Row(point, status, reason, named[number], array("d", values), alone)
     return named, list(rows.values()), end
 
 

@@ -53,10 +53,7 @@ def _row(task: Task, variants: Variants, point: int, shared: dict[Names, Names])
 
 
 def stages_to(spec: Spec, targets: Names) -> dict[str, Stage]:
-    """The stages that lead to the targets in this scene; without targets all.
-
-    A flywheel that is given is not sized for the sake of others.
-    """
+    """The stages that lead to the targets in this scene; without targets all."""
     if not targets:
         return STAGES
     running: set[str] = set()
@@ -65,6 +62,4 @@ def stages_to(spec: Spec, targets: Names) -> dict[str, Stage]:
         if target not in scene.running:
             raise UsageError(scene.step(target).reason, where=target)
         running.update(scene.running)
-    if "flywheel" not in targets and spec.flywheel is not None and spec.flywheel.inertia:
-        running.discard("flywheel")
     return {name: stage for name, stage in STAGES.items() if name in running}

@@ -9,22 +9,24 @@ that answers one of these otherwise than the first one is read as a whole, as ar
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import product
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.batch.task import Task
 from tmmcalc.errors import TmmError
-from tmmcalc.numerics.alike import alike, groups, numbers, paths, rebuilt, shape_of
+from tmmcalc.numerics.alike import MixedError, alike, groups, numbers, paths, rebuilt, shape_of
 
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
 
 Numbers = NDArray[np.complexfloating[Any, Any]]
 Flags = NDArray[np.bool_]
+Indices = NDArray[np.intp]
+T = TypeVar("T")
 
 AFFINE = 1e-14  # relative error of a number as an affine function
 SAME = 1e-9  # relative difference of two numbers that may be meant to be equal
@@ -50,9 +52,13 @@ def given(spec: Spec, loaded: bool, driven: bool) -> Any:
 
 
 class Inputs:
-    """The inputs of all variants of a task like the one of the valid point ``first``."""
+    """The inputs of all variants of a task like the one of the valid point ``first``.
 
-    def __init__(self, task: Task, first: int, loaded: bool, driven: bool) -> None:
+    ``loaded`` and ``driven``: what acts on the linkage, and the machine, are among them.
+    """
+
+    def __init__(self, task: Task, first: int, *, loaded: bool, driven: bool) -> None:
+        self.first = first
         self._task, self._variants = task, task.variants()
         self._asked = loaded, driven
         self._origin = np.array(task.values(first))
@@ -87,6 +93,30 @@ class Inputs:
             if read is not None:
                 found[row] = read
         return found, there
+
+    def parts(self, points: Sequence[int], solve: Callable[[Any, int], T]) -> Iterator[tuple[Indices, T]]:
+        """What ``solve`` makes of the stacked inputs of some points, in parts whose constants answer questions alike.
+
+        With the numbers of the points of each part among all. A part with a variant in which something has no solution
+        is halved; what then is left, and what asks for what one number alone can tell, is left out.
+        """
+        found, there = self.numbers(points)
+        waiting = [np.flatnonzero(there)]
+        while waiting:
+            which = waiting.pop()
+            if not which.size:
+                continue
+            try:
+                yield which, solve(self.stacked(found[which]), len(which))
+            except (TmmError, MixedError):
+                middle = len(which) // 2
+                waiting += [which[middle:], which[:middle]] if middle else []
+            except (TypeError, ValueError, LookupError):
+                continue
+
+    def spec(self, point: int) -> Spec:
+        """The spec of a point."""
+        return self._variants.spec(self._task.assignments(point))
 
     def stacked(self, found: Numbers) -> Any:
         """The inputs of variants with these numbers (v, L) as one tree."""

@@ -2,22 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.machine.driver import driver_of
+from tmmcalc.machine.driver import Driver, driver_of
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
-from tmmcalc.machine.stacked import FIGURES, Regimes, figures, is_smooth, machines_of, regimes, spots
+from tmmcalc.machine.motion import Motion, motion_of
+from tmmcalc.machine.onemass import onto
+from tmmcalc.machine.regime import Regime, regime_of
+from tmmcalc.machine.stacked.figures import FIGURES, figures
+from tmmcalc.machine.stacked.regimes import Machines, Regimes, is_smooth, machines_of, regimes
+from tmmcalc.machine.stacked.spots import spots
 from tmmcalc.numerics.alike import Rows
-from tmmcalc.numerics.panels import Values
+from tmmcalc.numerics.gauss import ORDER
+from tmmcalc.numerics.panels import Panels, Values
+from tmmcalc.stages import motion
 
 if TYPE_CHECKING:
+    from tmmcalc.linkage.reduction.results import Reduction
+    from tmmcalc.linkage.stacked.reduction import Cycles
     from tmmcalc.linkage.stacked.scene import Block
-    from tmmcalc.machine.motion import Motion
+    from tmmcalc.machine.cycle import Cycle
     from tmmcalc.machine.motors.characteristics import Characteristic
     from tmmcalc.machine.motors.model import Motor
     from tmmcalc.numerics.roots import Indices
@@ -26,13 +35,21 @@ if TYPE_CHECKING:
 Machine = tuple[MotorChoice | None, Gears, MotionTask, FlywheelTask | None]
 
 
+MACHINE = ("power", "flywheel", "motion")
+
+
+def given_of(stage: str, machine: Machine, key: str) -> Any:
+    """What a stage of the machine reads; ``key`` is where the spec gives the speed."""
+    motor, gears, task, wheel = machine
+    given = {"power": (motor, gears, key), "flywheel": (wheel, motor, gears, task)}
+    return given.get(stage, (motor, gears, task, wheel, key))
+
+
 def refusal(machine: Machine, base: RunResult) -> str | None:
     """Why steady motions of such machines cannot be found together; None if they can."""
-    motor, gears, task, wheel = machine
+    motor, gears, task, _ = machine
     if motor is None or motor.motor is None or task.positional or motor.motor.time_constant:
         return "a motion that no given motor without lag drives"
-    if wheel is not None and not wheel.inertia:
-        return "the flywheel has to be found"
     speed = base.results["kinematics"].speed
     return None if is_smooth(_characteristic(motor, gears, speed)) else "a characteristic with bends"
 
@@ -50,11 +67,82 @@ def motions_of(
     motor, speed = own[0], block.chain(variants).mechanism.input.speed
     assert motor is not None
     cycles = cycles_of(block, variants)
-    # constants of the characteristic stand against arrays (V, K, N)
-    driver = Rows(_characteristic(motor, own[1], speed))(np.arange(len(variants))[:, None, None])
-    found = regimes(machines_of(cycles, len(variants), _constant(own, speed), driver))
+    driver = _stacked_driver(own, speed, len(variants))
+    found = regimes(machines_of(cycles.panels, cycles.values, len(variants), _constant(own, speed), driver))
     told = figures(found) if any(name in FIGURES for name in wanted) else {}
     return _at_positions(found, base, wanted), told, cycles.clear & found.clear
+
+
+def motions_of_each(
+    block: Block,
+    variants: Indices,
+    machine: Machine,
+    cycles: Cycles,
+    results: Sequence[Mapping[str, Any] | None],
+    key: str,
+) -> list[Motion | None]:
+    """The motions of some variants (v,), each by itself; None where it is not clear, or there are no ``results``.
+
+    ``results`` by stage hold reduction and power; ``key`` is where the spec gives the speed.
+    """
+    rows = Rows(machine)
+    given = [given_of("motion", rows(int(v)), key) for v in variants]
+    asked = [None if found is None else motion.asked(each, found) for each, found in zip(given, results, strict=True)]
+    constant = np.array([1.0 if each is None else each.inertia.total for each in asked])
+    every = np.arange(len(variants))
+    loaded = regimes(machines_without(block, variants, machine, cycles).at(every, constant), halvings=0)
+    quiet = loaded
+    if any(kind == "load" for _, kind, _ in cycles.names):
+        quiet = regimes(machines_without(block, variants, machine, cycles, idle=True).at(every, constant), halvings=0)
+    clear = loaded.clear & quiet.clear
+    return [
+        _motion(k, found["reduction"], each, loaded, quiet, key) if clear[k] and found and each else None
+        for k, (found, each) in enumerate(zip(results, asked, strict=True))
+    ]
+
+
+def machines_without(
+    block: Block, variants: Indices, machine: Machine, cycles: Cycles, *, idle: bool = False
+) -> Machines:
+    """The machines of some variants (v,) without any constant inertia; ``idle``: without technological loads."""
+    own, speed = Rows(machine)(variants), block.chain(variants).mechanism.input.speed
+    values = cycles.idle if idle else cycles.values
+    return machines_of(cycles.panels, values, len(variants), 0.0, _stacked_driver(own, speed, len(variants)))
+
+
+def _motion(k: int, reduction: Reduction, asked: motion.Asked, loaded: Regimes, quiet: Regimes, key: str) -> Motion:
+    assert asked.driver is not None
+    total, driver = asked.inertia.total, asked.driver
+    regime = regime_of_one(k, reduction.cycle, total, driver, loaded)
+    idle = regime_of_one(k, reduction.idle, total, driver, quiet) if reduction.idle is not None else None
+    positions = reduction.labels, reduction.phi, np.abs(reduction.phi - reduction.phi[0])
+    return motion_of(reduction.cycle, regime, idle, asked.inertia, driver, positions, key)
+
+
+def regime_of_one(k: int, cycle: Cycle, constant: float, driver: Driver, found: Regimes) -> Regime:
+    """The regime of one of several machines, whose ``constant`` inertia and motor these are."""
+    on, motor = cycle.panels, driver.characteristic
+    count = np.count_nonzero(found.machines.width[k])
+    if count > on.count:  # all are halved
+        on = Panels(np.append(found.machines.low[k, :count], on.edges[-1]))
+    omega = found.omega[k, :count].copy()
+    return regime_of(
+        onto(cycle, on),
+        constant,
+        omega,
+        motor.moment(omega),
+        (complex(found.multiplier[k]),),
+        found.tail[k, :count] ** (ORDER / (ORDER - 1)),
+        {"newton": found.steps, "meshes": 1},
+        fall=motor.slope(omega),
+    )
+
+
+def _stacked_driver(own: Machine, speed: float, count: int) -> Characteristic:
+    """The characteristic at the input shaft; its constants stand against arrays (V, K, N)."""
+    motor = own[0]
+    assert motor is not None
+    return Rows(_characteristic(motor, own[1], speed))(np.arange(count)[:, None, None])
 
 
 def _ratio(motor: Motor, gears: Gears, speed: float) -> float:

@@ -31,6 +31,7 @@ class Swept:
     sheet: Sheet
     loaded: bool  # the table was there already
     resumed: int  # points that an earlier run had finished
+    alone: int = 0  # points that were solved alone although the others were solved together
 
 
 def sweep(
@@ -64,7 +65,7 @@ def sweep(
         if journal is not None and out is not None:
             sheets.save(sheet, key, out)
             journal.done = True
-    return Swept(sheet, False, resumed)
+    return Swept(sheet, False, resumed, sum(row.alone for row in done.rows.values()))
 
 
 def part(out: Path) -> Path:

@@ -2,7 +2,8 @@
 
 A few panels are integrated again in extended precision, each in halves, which has twice the order. By the largest miss
 of what a panel adds to q, and the rounding of each step, the steady q is off by about the square root of the number of
-panels that it remembers times that, over what a turn takes from a vibration.
+panels that it remembers times that, over what a turn takes from a vibration. The natural frequency itself is rounded:
+that turns the phase of what is remembered.
 """
 
 from __future__ import annotations
@@ -33,7 +34,8 @@ def vibration_errors(program: Program, speed: Speed, course: Course, frequency: 
     missed = max(abs(complex(found[k] - _again(program, speed, on, rate, k))) for k in few.tolist())
     steps = min(on.count, 1 / max(1 - float(np.max(np.abs(ratio))), 1 / on.count))
     total = np.exp(rate * float(course.time[-1]))
-    q = MARGIN * sqrt(steps) * (missed + SPAN * EPS * size) / abs(1 - total)
+    turned = EPS * abs(rate) * float(course.time[-1]) * steps / on.count * size
+    q = (MARGIN * sqrt(steps) * (missed + SPAN * EPS * size) + turned) / abs(1 - total)
     z, x = (float(np.max(np.abs(each))) for each in (course.stretch, course.mass))
     return {
         "stretch": _over(q / abs(rate.imag), z),

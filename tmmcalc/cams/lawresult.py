@@ -16,7 +16,7 @@ from tmmcalc.cams.laws.constants import LEVEL, LawConstants, constants
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.overshoot import overshoot_remarks
 from tmmcalc.cams.program import PhaseKind, Positions, Program
-from tmmcalc.cams.rounding import Errors
+from tmmcalc.cams.rounding import Errors, joints
 from tmmcalc.cams.task import CamTask
 from tmmcalc.columns import degrees as degrees_of
 from tmmcalc.records import record
@@ -115,9 +115,10 @@ def _errors(task: CamTask, phases: tuple[PhaseMotion, ...], extremes: tuple[Moti
         for phase, told in zip(program.wider.phases, phases, strict=True)
         if phase.law is not None and told.constants is not None
     ]
-    found = motion_errors(program, task.positions, task.motion)
+    missed = joints(program)
+    found = motion_errors(program, task.positions, task.motion, missed)
     found["extremes"] = extreme_errors(
-        program, *zip(*((each.order, each.value, each.phi) for each in extremes), strict=True)
+        program, missed, *zip(*((each.order, each.value, each.phi) for each in extremes), strict=True)
     )
     return found | {"constants": max(laws, default=0.0)}
 
@@ -146,7 +147,7 @@ def _extremes(program: Program) -> Iterator[MotionExtreme]:
             best = np.max(sign * found)
             level = np.flatnonzero(sign * found >= best - LEVEL * np.max(np.abs(found)))
             first = level[np.argmin(at[level])]
-            yield MotionExtreme(order, float(found[first]) + 0.0, float(at[first]))
+            yield MotionExtreme(order, float(sign * best) + 0.0, float(at[first]))
 
 
 def _shocks(program: Program) -> Iterator[Shock]:

@@ -28,7 +28,7 @@ class Backward:
 
 def backward(program: Program) -> tuple[Backward, ...]:
     """The parts of rise and return in which the follower turns back, by angle."""
-    at, y = program.panels.turning(program.sampled[0])
+    at, y = program.turned
     order = np.argsort(at, kind="stable")
     order = order[np.concatenate(([True], np.diff(at[order]) > SAME * program.starts[-1]))]
     at, y = at[order], y[order]

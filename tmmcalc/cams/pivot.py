@@ -59,7 +59,7 @@ def highest(program: Program) -> tuple[float, float]:
     (0.0, 0.0)
     """
     on = program.panels
-    at, value = on.turning(program.sampled[0])
+    at, value = program.turned
     largest = float(value.max())
     level = at[value >= largest - SAME * max(program.stroke, abs(largest))]
     ends = level[np.isin(level, on.edges)]  # where a law runs out flat its last stationary place is not exact

@@ -151,8 +151,8 @@ def solve_pressure(task: CamTask, follower: Follower) -> Pressure:
     return Pressure(follower, at.phi, theta, at.labels, rise, back, verdict, notes, error)
 
 
-def reached(task: CamTask, follower: Follower) -> tuple[Reached, Reached]:
-    """The pressure angle on the rise and on the return.
+def reached(task: CamTask, follower: Follower, intervals: bool = True) -> tuple[Reached, Reached]:
+    """The pressure angle on the rise and on the return; without the ``intervals`` that are beyond a limit, if so asked.
 
     Raises `SingularityError` for a follower that comes to the cam's axis.
     """
@@ -167,7 +167,7 @@ def reached(task: CamTask, follower: Follower) -> tuple[Reached, Reached]:
     for kind, limit in (("rise", task.limits.rise), ("return", task.limits.back)):
         part, own = on_phase(program, dense, values, kind)
         (least, least_at), (largest, largest_at) = part.extremes(own[0])
-        exceeded = () if limit is None else _exceeded(program, follower, part, own[0], limit)
+        exceeded = () if limit is None or not intervals else _exceeded(program, follower, part, own[0], limit)
         ends.append(Reached(limit, Extreme(least, least_at), Extreme(largest, largest_at), exceeded))
     return ends[0], ends[1]
 

@@ -10,7 +10,7 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import TURN, Program
-from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, again, chosen, nearer, relative, root_error, sides
+from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, again, chosen, nearer, relative, root_error, sides, steep
 from tmmcalc.cams.task import CamTask
 from tmmcalc.cams.wide import wide
 
@@ -25,7 +25,7 @@ def pressure_errors(task: CamTask, follower: Follower, theta: Values, ends: tupl
     from tmmcalc.cams.pressure import pressure
 
     program, rows = task.program, task.positions
-    which = chosen(len(theta), theta)
+    which = chosen(len(theta), theta, *steep(rows.phi, task.motion))
     phi, motion = again(program, rows, which)
     size = float(np.max(np.abs(theta)))
     exact = pressure(wide(follower), phi, motion)

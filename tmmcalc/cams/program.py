@@ -16,6 +16,7 @@ from typing import Literal
 import numpy as np
 
 from tmmcalc.cams.laws.law import ORDERS, Indices, Law, Values
+from tmmcalc.cams.steadying import steady
 from tmmcalc.numerics.panels import Extreme, Panels, panels
 from tmmcalc.records import record
 
@@ -59,7 +60,14 @@ class Program:
     @cached_property
     def span(self) -> tuple[Extreme, Extreme]:
         """Least and largest y of the turn, each with its angle: a law of one's own may leave 0 to h."""
-        return self.panels.extremes(self.sampled[0])
+        at, y = self.turned
+        low, high = int(np.argmin(y)), int(np.argmax(y))
+        return (float(y[low]), float(at[low])), (float(y[high]), float(at[high]))
+
+    @cached_property
+    def turned(self) -> tuple[Values, Values]:
+        """Angles and y (m,) of all places where the follower turns, and of both sides of all edges of the panels."""
+        return self.panels.turning(steady(self.sampled[0]))
 
     @property
     def lowest(self) -> float:

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.cams.laws.law import Indices, Values
+from tmmcalc.cams.laws.law import ORDERS, Indices, Law, Values
 from tmmcalc.cams.program import SAME, Positions, Program
 from tmmcalc.cams.wide import WIDER, wide
 
@@ -35,6 +35,12 @@ def chosen(count: int, *sizes: Any) -> Indices:
     spread = np.linspace(0, count - 1, min(count, CHOSEN)).astype(int)
     worst = [int(np.argmax(np.abs(size))) for size in sizes]
     return np.array(sorted({*spread.tolist(), *worst}), dtype=np.intp)
+
+
+def steep(phi: Values, motion: Values) -> Values:
+    """What a rounding of the angles (n,) moves acceleration and velocity by, (2, n): large in few rows of some laws."""
+    found: Values = motion[2:] * phi
+    return found
 
 
 def again(program: Program, rows: Positions, which: Indices) -> tuple[Values, Values]:
@@ -75,6 +81,18 @@ def slopes(f: Function, x: float, apart: float = APART) -> tuple[float, float, f
     return float(values[3]), float(FIRST @ values / step), float(SECOND @ values / step**2)
 
 
+def crest(f: Function, x: float, apart: float) -> tuple[Any, Any]:
+    """Value and place of the extreme of f near x in extended precision; how far x is from it is seen in the slope."""
+    step = np.longdouble(apart)
+    at = np.longdouble(x) + step * np.arange(-3, 4)
+    values = f(at)
+    slope, bend = FIRST @ values / step, SECOND @ values / step**2
+    shift = -slope / bend if bend else 0 * slope
+    if abs(shift) > step:
+        return values[3], at[3]
+    return values[3] + slope * shift / 2, at[3] + shift
+
+
 def root_error(f: Function, x: float, apart: float = APART) -> float:
     """How far x is from a root of f, by one step of Newton; 0 where f is level."""
     value, slope, _ = slopes(f, x, apart)
@@ -89,7 +107,21 @@ def joints(program: Program) -> Values:
     exact = program.wider
     every = np.arange(len(exact.edges) - 1)
     after, before = exact.at(exact.edges[:-1], every), exact.at(exact.edges[1:], every)
-    jump = np.abs(after - np.roll(before, 1, axis=1))
-    size = np.max(np.abs(program.sampled), axis=(1, 2))[:, None]
+    return _missing(after - np.roll(before, 1, axis=1), np.max(np.abs(program.sampled), axis=(1, 2)))
+
+
+def law_joints(law: Law) -> Values:
+    """The same (4,) of a law in extended precision at its breaks, and of s, s' at its ends."""
+    every = np.arange(law.count)
+    after, before = law.at(law.breaks[:-1], every), law.at(law.breaks[1:], every)
+    size = np.max(np.abs(np.concatenate((after, before), axis=1)), axis=1)
+    rest = np.zeros((ORDERS, 2), before.dtype)
+    rest[0], rest[1] = (after[0, 0], before[0, -1] - 1), (after[1, 0], before[1, -1])
+    return _missing(np.concatenate((after[:, 1:] - before[:, :-1], rest), axis=1), size)
+
+
+def _missing(jump: Values, size: Values) -> Values:
+    """The largest of the jumps (4, m) that are rounding, over the size (4,) of the quantity."""
+    jump, size = np.abs(jump), size[:, None]
     small = jump <= SAME * size
-    return np.max(np.where(small, jump, 0.0) / np.where(size > 0, size, 1.0), axis=1).astype(float)
+    return np.max(np.where(small, jump, 0.0) / np.where(size > 0, size, 1.0), axis=1, initial=0.0).astype(float)

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from tmmcalc.cli.messages import note_written, say
 from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
 from tmmcalc.cli.work import Job, check_place, check_tolerance, show, title
+
+if TYPE_CHECKING:
+    from tmmcalc.accuracy.study import Accuracy
+    from tmmcalc.report.document import Document
 
 
 def _subjects(incomplete: str) -> list[str]:
@@ -50,6 +54,12 @@ def command(
     repeats: Annotated[
         int, typer.Option("--repeats", metavar="N", min=1, max=1000, help="Runs that a median time is taken of.")
     ] = 7,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "-o", "--out", metavar="FILE", help="Write the tables to this file, print nothing.", show_default=False
+        ),
+    ] = None,
     form: Form = Format.table,
     quiet: Quiet = False,
     overrides: Set = None,
@@ -63,6 +73,8 @@ def command(
     """
     if tolerance is not None:
         check_tolerance(tolerance)
+    if out is not None:
+        check_place(out, "-o")
     if plot is not None:
         from tmmcalc.report.pictures import check_matplotlib, form_of
 
@@ -74,16 +86,37 @@ def command(
 
     scene = Job(spec, overrides=overrides or ()).spec()
     telling = not quiet and sys.stderr.isatty()
-    result = solve_accuracy(
-        scene, stage, Clock(repeats), (lambda name: say(f"{name}: methods are run", "dim")) if telling else None
-    )
-    from tmmcalc.report.accuracy import accuracy_document, tidy_document
-
+    result = solve_accuracy(scene, stage, Clock(repeats), (lambda words: say(words, "dim")) if telling else None)
     heading = title(scene, spec, "accuracy")
-    show(tidy_document(result, heading) if form is Format.csv else accuracy_document(result, heading, tolerance), form)
-    if plot is not None:
+    _write(_document(result, heading, form, tolerance), form, out)
+    drawn = plot if result.studies or result.ladders else None
+    if drawn is not None:
         from tmmcalc.report.pictures import draw_accuracy
 
-        draw_accuracy(result, plot, heading)
-        if not quiet:
-            note_written(plot)
+        draw_accuracy(result, drawn, heading, tolerance)
+    elif plot is not None:
+        say("no stage of this scene has a choice of methods: there is nothing to draw", "yellow")
+    for file in (out, drawn):
+        if file is not None and not quiet:
+            note_written(file)
+
+
+def _document(result: Accuracy, heading: str, form: Format, tolerance: float | None) -> Document:
+    from tmmcalc.report.accuracy import accuracy_document, tidy_document
+
+    return tidy_document(result, heading) if form is Format.csv else accuracy_document(result, heading, tolerance)
+
+
+def _write(document: Document, form: Format, out: Path | None) -> None:
+    """Print a document, or write it to a file in one step."""
+    if out is None:
+        show(document, form)
+        return
+    from io import StringIO
+
+    from tmmcalc.pipeline.atomic import replace_file
+    from tmmcalc.report.render import render
+
+    text = StringIO()
+    render(document, form.value, text)
+    replace_file(out, text.getvalue().encode())

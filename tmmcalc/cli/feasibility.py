@@ -98,7 +98,7 @@ def _check_flags(job: Job) -> None:
 
 
 def _solved(job: Job, over: list[str]) -> RegionMap:
-    from tmmcalc.stages.regions import map_feasibility
+    from tmmcalc.batch.regions import map_feasibility
 
     if job.quiet or not sys.stderr.isatty():
         return map_feasibility(job.file, over, job.overrides)

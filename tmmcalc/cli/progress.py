@@ -99,6 +99,32 @@ def counted(what: str, total: int) -> Iterator[Callable[[int, int], None]]:
         yield told
 
 
+@contextmanager
+def described() -> Iterator[Callable[[str], None]]:
+    """A spinner that is told what is being done, shown after a moment, with the time since the beginning."""
+    began = monotonic()
+    with ExitStack() as stack:
+        shown: list[tuple[Bar, Any]] = []
+
+        def told(words: str) -> None:
+            if not shown and monotonic() - began > PATIENCE:
+                shown.append(_spinner(stack, words))
+            for progress, task in shown:
+                progress.update(task, description=words)
+
+        yield told
+
+
+def _spinner(stack: ExitStack, words: str) -> tuple[Bar, Any]:
+    from rich.console import Console
+    from rich.progress import Progress as Bar
+    from rich.progress import SpinnerColumn, TextColumn, TimeElapsedColumn
+
+    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    bar = stack.enter_context(Bar(*columns, console=Console(stderr=True), transient=True))
+    return bar, bar.add_task(words)
+
+
 def _bar(stack: ExitStack, what: str, total: int) -> tuple[Bar, Any]:
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn

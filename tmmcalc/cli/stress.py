@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.messages import note_written, say
+from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Form, Format, Quiet, Set, stages
 from tmmcalc.cli.work import check_place, show
 from tmmcalc.errors import UsageError
 
 if TYPE_CHECKING:
+    from tmmcalc.report.document import Document
     from tmmcalc.stress.results import Stress
 
 
@@ -63,6 +65,16 @@ def command(
             show_default=False,
         ),
     ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "-o",
+            "--out",
+            metavar="FILE",
+            help="A CSV with a row for every stage on every rung (default: none).",
+            show_default=False,
+        ),
+    ] = None,
     form: Form = Format.table,
     quiet: Quiet = False,
     overrides: Set = None,
@@ -72,31 +84,64 @@ def command(
     Every rung of a ladder is run beside an equivalent scene: in other units, mirrored, begun elsewhere, on another
     grid. Their largest relative difference stands beside the condition number and the stage's own estimate.
     A ladder that the scene has not is left out with the reason. No stage files are read or written.
+    Of scenes with motions in time, a search or groups beyond dyads every fourth rung is climbed, all of named ladders.
 
     Exit code 1 if the program itself fails on a rung, or a shipped scene misses its known answer.
 
     Example: tmmcalc stress my.toml --ladder dead-point --plot stress.svg
     """
+    _check(plot, out)
+    with _progress(quiet) as telling:
+        result = _solved(spec, ladder or [], stage, overrides or [], telling)
+    from tmmcalc.report.stress import stress_document, tidy_stress
+
+    heading = f"{spec.stem if spec else 'extreme scenes'}: stress"
+    show(tidy_stress(result, heading) if form is Format.csv else stress_document(result, heading), form)
+    if out is not None:
+        _write(tidy_stress(result, heading), out)
+    if plot is not None:
+        from tmmcalc.report.pictures import draw_stress
+
+        draw_stress(result, plot, heading)
+    for file in (out, plot):
+        if file is not None and not quiet:
+            note_written(file)
+    if result.faults:
+        raise typer.Exit(1)
+
+
+def _check(plot: Path | None, out: Path | None) -> None:
+    """Refuse what would only come out after the computation."""
+    if out is not None:
+        check_place(out, "-o")
     if plot is not None:
         from tmmcalc.report.pictures import check_matplotlib, form_of
 
         check_place(plot, "--plot")
         form_of(plot)
         check_matplotlib()
-    telling = None if quiet or not sys.stderr.isatty() else _tell
-    result = _solved(spec, ladder or [], stage, overrides or [], telling)
-    from tmmcalc.report.stress import stress_document, tidy_stress
 
-    heading = f"{spec.stem if spec else 'extreme scenes'}: stress"
-    show(tidy_stress(result, heading) if form is Format.csv else stress_document(result, heading), form)
-    if plot is not None:
-        from tmmcalc.report.pictures import draw_stress
 
-        draw_stress(result, plot, heading)
-        if not quiet:
-            note_written(plot)
-    if result.faults:
-        raise typer.Exit(1)
+@contextmanager
+def _progress(quiet: bool) -> Iterator[Callable[[str, str], None] | None]:
+    if quiet or not sys.stderr.isatty():
+        yield None
+        return
+    from tmmcalc.cli.progress import described
+
+    with described() as told:
+        yield lambda ladder, rung: told(f"{ladder}: {rung}")
+
+
+def _write(table: Document, file: Path) -> None:
+    import io
+
+    from tmmcalc.pipeline.atomic import replace_file
+    from tmmcalc.report.render import render
+
+    text = io.StringIO()
+    render(table, "csv", text)
+    replace_file(file, text.getvalue().encode())
 
 
 def _solved(
@@ -118,7 +163,3 @@ def _solved(
     from tmmcalc.stress.run import solve_stress
 
     return solve_stress(Variants(read_text(spec), str(spec), spec.parent, overrides), ladders, stage, telling)
-
-
-def _tell(ladder: str, rung: str) -> None:
-    say(f"{ladder}: {rung}", "dim")

@@ -195,7 +195,7 @@ def _tell(swept: Swept, out: Path | None, quiet: bool, task: Task) -> None:
         from tmmcalc.batch.stacked import way
 
         again = f", {swept.resumed} of its points from the run before" if swept.resumed else ""
-        how = way(task)
+        how = way(task, swept.alone)
         say(f"wrote {out}{again}{'; ' if how else ''}{how}", "dim")
 
 

@@ -7,13 +7,16 @@ eta = 2 sqrt(alpha |a| xi/r0)/lambda: of modified ones where a drives the ball o
 from __future__ import annotations
 
 from math import expm1, log, log1p, pi, sqrt
+from typing import NamedTuple
 
 import numpy as np
 
 from tmmcalc.errors import AccuracyError
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
 
+ROUNDED = 8 * EPS  # of two Bessel functions, each with its factor
 LARGE = 1e7  # argument of Bessel functions
 NEAR, FAR = 0.05, 3.4  # steps of tau, and reach, within which a cylinder function of order 0 changes its sign
 
@@ -35,17 +38,36 @@ class Fall:
         return np.asarray(begun * np.exp(self.decay * t / 2))
 
 
+class _Quotient(NamedTuple):
+    """Numerator and denominator of the speed, and the sums of the sizes of their terms, (n,) each."""
+
+    above: Values
+    below: Values
+    above_terms: Values
+    below_terms: Values
+
+
 def falling_speed(fall: Fall, t: Values) -> Values:
     """v (n,) [m/s] at t (n,) [s]; of a braked ball up to its stop."""
     if fall.drive == 0:
         k = fall.drag * fall.initial / (fall.decay * fall.radius)
         return np.asarray(fall.initial / (1 + k * np.expm1(fall.decay * t)))
-    above, below = _quotient(fall, t)
-    return np.asarray(2 * abs(fall.drive) / fall.decay / fall.argument(t) * above / below)
+    found = _quotient(fall, t)
+    return np.asarray(2 * abs(fall.drive) / fall.decay / fall.argument(t) * found.above / found.below)
 
 
-def _quotient(fall: Fall, t: Values) -> tuple[Values, Values]:
-    """Numerator and denominator of the speed; scaled, so that neither overflows."""
+def speed_error(fall: Fall, t: Values) -> Values:
+    """What rounding leaves of the speed (n,) [m/s]: of the terms of both sums, of J and Y also of their argument."""
+    if fall.drive == 0:
+        return np.asarray(ROUNDED * falling_speed(fall, t))
+    found, eta = _quotient(fall, t), fall.argument(t)
+    size = 2 * abs(fall.drive) / fall.decay / eta / np.abs(found.below)
+    terms = found.above_terms + np.abs(found.above / found.below) * found.below_terms
+    return np.asarray(size * terms * (ROUNDED + (EPS * eta if fall.drive < 0 else 0.0)))
+
+
+def _quotient(fall: Fall, t: Values) -> _Quotient:
+    """The sums of the speed, scaled so that neither overflows."""
     from scipy.special import jv, yv
 
     first, second = (_rising, _fading) if fall.drive > 0 else (jv, yv)
@@ -54,10 +76,14 @@ def _quotient(fall: Fall, t: Values) -> tuple[Values, Values]:
     g, u = 2 * abs(fall.drive), fall.decay * fall.initial * begun
     if fall.drive < 0:
         c, d = u * second(m, begun) - g * second(n, begun), g * first(n, begun) - u * first(m, begun)
-        return c * first(n, eta) + d * second(n, eta), c * first(m, eta) + d * second(m, eta)
+        return _summed(c * first(n, eta), d * second(n, eta), c * first(m, eta), d * second(m, eta))
     c, d = g * second(n, begun) + u * second(m, begun), g * first(n, begun) - u * first(m, begun)
     faded = d * np.exp(-2 * (eta - begun))
-    return c * first(n, eta) - faded * second(n, eta), c * first(m, eta) + faded * second(m, eta)
+    return _summed(c * first(n, eta), -faded * second(n, eta), c * first(m, eta), faded * second(m, eta))
+
+
+def _summed(one: Values, two: Values, three: Values, four: Values) -> _Quotient:
+    return _Quotient(one + two, three + four, np.abs(one) + np.abs(two), np.abs(three) + np.abs(four))
 
 
 def _rising(order: int, x: Values) -> Values:
@@ -95,7 +121,7 @@ def stop_time(fall: Fall) -> float:
         )
 
     def above(tau: Values) -> Values:
-        return _quotient(fall, 2 / fall.decay * np.log(tau / begun))[0]
+        return _quotient(fall, 2 / fall.decay * np.log(tau / begun)).above
 
     tau = begun + np.arange(0.0, FAR, NEAR)
     values = above(tau)

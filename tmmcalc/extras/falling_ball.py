@@ -12,12 +12,14 @@ from math import exp
 
 import numpy as np
 
-from tmmcalc.extras.ballspeed import Fall, drag_way, falling_speed, stop_time
+from tmmcalc.extras.ballspeed import ROUNDED, Fall, drag_way, falling_speed, speed_error, stop_time
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.numerics.panels import Panels, Values, panels, resolved
 from tmmcalc.records import record
 
 BALANCED = 1e-13  # of gravity and reaction: a smaller difference is none
 LONG = 80.0  # lambda t after which nothing moves
+PANELS = 8  # of the time to begin with
 HALVED = 40  # times that the first panel of the time is halved
 SHOWN = 5.0  # lambda t of the table of a ball that does not stop
 RESOLVED = 1e-13
@@ -65,7 +67,7 @@ class Ball:
     v: Values  # (n,) [m/s]
     a: Values  # (n,) [m/s^2]
     way: Values  # (n,) [m]
-    error: float  # of the way, relative to its largest value
+    error: dict[str, float]  # of speed and way, relative to their largest values
     notes: tuple[str, ...] = ()
 
 
@@ -108,16 +110,41 @@ def solve_falling_ball(task: BallTask) -> Ball:
         v=v,
         a=drive - task.drag / radius * v * np.abs(v) + (3 * task.sign * task.decay * v if own else 0.0),
         way=s,
-        error=tail,
+        error=_errors(fall, stop, t, v, s, _left_out(on, values, tail)),
     )
+
+
+def _left_out(on: Panels, values: Values, tail: float) -> float:
+    """What the tail of the speed adds to the way [m]: an integral of a Legendre polynomial of the order of a panel."""
+    widest = float(on.edges[-1] - on.edges[0]) / PANELS
+    return tail * float(np.max(np.abs(values))) * widest / (2 * on.order + 1)
+
+
+def _errors(fall: Fall, stop: float | None, t: Values, v: Values, s: Values, left: float) -> dict[str, float]:
+    """By the roundings of the speed, which the way adds up; of the way also what its panels leave out."""
+    if stop is None:
+        missed = speed_error(fall, t)
+    else:
+        back = _back(fall, stop)
+        late = speed_error(fall, np.array([stop])) + ROUNDED * abs(fall.drive) / fall.decay
+        rising = late + speed_error(back, np.maximum(t - stop, 0.0))
+        missed = np.where(t < stop, speed_error(fall, np.minimum(t, stop)), rising)
+    fastest, farthest = float(np.max(np.abs(v))) or 1.0, float(np.max(np.abs(s))) or 1.0
+    added = float(np.sum((missed[1:] + missed[:-1]) / 2 * np.diff(t)))
+    return {"speed": float(np.max(missed)) / fastest + EPS, "way": (left + added) / farthest + EPS}
+
+
+def _back(fall: Fall, stop: float) -> Fall:
+    """The rise behind a stop, which is a fall of its own with a drive upwards."""
+    radius = fall.radius * exp(-fall.decay * stop)
+    return Fall(radius, fall.drag, fall.decay, -fall.drive, fall.orders, 0.0)
 
 
 def _course(fall: Fall, stop: float | None) -> Callable[[Values], Values]:
     """The speed at any time: behind the stop a ball that rises and is driven upwards."""
     if stop is None:
         return lambda t: falling_speed(fall, t)
-    radius = fall.radius * exp(-fall.decay * stop)
-    back = Fall(radius, fall.drag, fall.decay, -fall.drive, fall.orders, 0.0)
+    back = _back(fall, stop)
 
     def speed(t: Values) -> Values:
         down = falling_speed(fall, np.minimum(t, stop))
@@ -129,7 +156,7 @@ def _course(fall: Fall, stop: float | None) -> Callable[[Values], Values]:
 def _resolved(speed: Callable[[Values], Values], end: float, stop: float | None) -> tuple[Panels, Values, float]:
     """Panels of the time on which the speed is resolved, narrow at the beginning, with an edge at the stop."""
     edges = [end / 2**k for k in range(1, HALVED)] + ([stop] if stop else [])
-    return resolved(lambda t: speed(t)[None], panels(0.0, end, sorted(edges), end / 8), RESOLVED)
+    return resolved(lambda t: speed(t)[None], panels(0.0, end, sorted(edges), end / PANELS), RESOLVED)
 
 
 def _fastest(fall: Fall, speed: Callable[[Values], Values], own: float) -> float | None:

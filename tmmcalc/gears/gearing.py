@@ -18,11 +18,12 @@ from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.network.basic import BasicTrain, basic_train
 from tmmcalc.gears.network.builder import network_of
 from tmmcalc.gears.network.efficiency import efficiency
-from tmmcalc.gears.network.frequencies import MeshFrequencies, mesh_frequencies
+from tmmcalc.gears.network.frequencies import ROUNDED, MeshFrequencies, mesh_frequencies
 from tmmcalc.gears.network.model import FRAME, WHERE, Network
 from tmmcalc.gears.network.power import PowerFlow, power_in_motion
 from tmmcalc.gears.network.speeds import Motion, ratio, solve_speeds
 from tmmcalc.gears.network.types import efficiency as efficiency_of_type
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.records import record
 
 Amounts = dict[str, float]  # by member
@@ -58,6 +59,7 @@ class Way:
     self_locking: bool
     potential: float  # largest rolling power of a mesh to the power put in [-]
     formula: float | None  # efficiency by the closed formula (textbook, table 4.6), where the train is of its kind
+    error: float  # of the efficiency, relative to it or to 1, whichever is larger
 
 
 @record
@@ -76,6 +78,16 @@ class Gearing:
     locking: str  # why the load cannot be moved; empty if it can
     frequencies: MeshFrequencies
     assembly: Fraction | None  # of a layout with several planets: whole if they fit in equally spaced (4.25), (4.26)
+
+    @property
+    def error(self) -> dict[str, float]:
+        """Relative errors of speeds, frequencies, torques, powers and efficiencies; ratios are exact."""
+        found = {"speeds": EPS / 2, "frequencies": ROUNDED}
+        etas = [way.error for way in self.ways]
+        if self.flow is not None:
+            found |= {"torques": self.flow.error.torques, "powers": self.flow.error.powers}
+            etas.append(self.flow.error.efficiency)
+        return found | ({"efficiency": max(etas)} if etas else {})
 
     def ratio_to(self, member: str) -> Fraction | None:
         """Exact ratio w_input/w_member; None where it stands, or the input is not the only one that sets speeds."""
@@ -191,7 +203,18 @@ def _ways(task: GearingTask, motion: Motion, driver: str | None, outputs: tuple[
     for first, last in ((driver, outputs[0]), (outputs[0], driver)):
         found = efficiency(task.network, first, last, held, task.locked)
         exact = ratio(task.network, first, last, held, task.locked)
-        ways.append(Way(first, last, exact, found.efficiency, found.self_locking, found.potential, None))
+        ways.append(
+            Way(
+                first,
+                last,
+                exact,
+                found.efficiency,
+                found.self_locking,
+                found.potential,
+                None,
+                found.flow.error.efficiency,
+            )
+        )
     return tuple(ways)
 
 

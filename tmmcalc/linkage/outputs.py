@@ -28,8 +28,8 @@ EQUAL = 1e-9  # strokes that differ by less [rad] count as equal
 CONSTANT = 1e-13  # a rate that varies less, against its largest value, is constant
 CANDIDATES = 2  # local extrema refined in the search for the global one
 
-
 Coordinates = tuple[Real, Real, Real]
+Extremes = tuple[tuple[Extreme, Extreme], tuple[Extreme, Extreme]]  # of velocity and acceleration
 
 
 def coordinate_of(chain: Chain, output: Output, configuration: Configuration) -> Coordinates:
@@ -148,10 +148,10 @@ def working_start(chain: Chain, dense: Survey) -> float:
             remedy='give input.start as a number, e.g. start = "0 deg"',
         )
     values = values_at(chain, outputs[0], centres, dense)
-    return float(order_from_working(chain, outputs[0], centres, values, _gain(outputs[0], value))[0])
+    return float(order_from_working(chain, outputs[0], centres, values, gain_of(outputs[0], value))[0])
 
 
-def _gain(output: Output, track: Real) -> float:
+def gain_of(output: Output, track: Real) -> float:
     """What an output gains over the survey of a turn: nothing, but for the whole turns of a link."""
     return TURN * round(float(track[-1] - track[0]) / TURN) if output.link is not None else 0.0
 
@@ -161,45 +161,47 @@ def summarise(chain: Chain, output: Output, dense: Survey, start: float) -> Outp
     samples = sampled(chain, output, dense)
     centres = dead_centres(chain, output, dense, samples[1])
     values = values_at(chain, output, centres, dense)
-    stroke = _stroke(dense, _gain(output, samples[0]), values, samples[0])
+    gain, ends = gain_of(output, samples[0]), samples[0][[0, -1]]
+    stroke = stroke_of(values, gain) if dense.full else float(np.ptp(np.append(values, ends)))
     if dense.full and centres.size > 1:
-        ordered = order_from_working(chain, output, centres, values, _gain(output, samples[0]))
+        ordered = order_from_working(chain, output, centres, values, gain)
         centres = along_motion(chain, ordered, start)
         values = values_at(chain, output, centres, dense)
-    angles: tuple[float | None, float | None] = (None, None)
-    if dense.full and centres.size == 2:
-        angles = _stroke_angles(chain, centres)
-    return OutputSummary(
-        output.name,
-        output.link is not None,
-        tuple(DeadCentre(float(a), float(b)) for a, b in zip(centres, values, strict=True)),
-        stroke,
-        *angles,
-        angles[0] / angles[1] if angles[0] is not None and angles[1] else None,
-        *_extremes(chain, output, dense, samples, start),
+    return summary_of(
+        chain, output, (centres, values), stroke, dense.full, _extremes(chain, output, dense, samples, start)
     )
 
 
-def _stroke(dense: Survey, gain: float, values: Real, track: Real) -> float | None:
-    """Largest distance between the dead centres, the ends of an open range among them.
+def summary_of(
+    chain: Chain, output: Output, centres: tuple[Real, Real], stroke: float | None, full: bool, extremes: Extremes
+) -> OutputSummary:
+    """The summary of an output from its dead ``centres`` in order and its values there, each (m,)."""
+    angles: tuple[float | None, float | None] = (None, None)
+    if full and centres[0].size == 2:
+        working = float((centres[0][1] - centres[0][0]) * math.copysign(1.0, chain.mechanism.input.speed)) % TURN
+        angles = working, TURN - working
+    return OutputSummary(
+        output.name,
+        output.link is not None,
+        tuple(DeadCentre(float(a), float(b)) for a, b in zip(*centres, strict=True)),
+        stroke,
+        *angles,
+        angles[0] / angles[1] if angles[0] is not None and angles[1] else None,
+        *extremes,
+    )
 
-    A link that goes round and reverses has no largest distance: its longest single stroke is taken.
+
+def stroke_of(values: Real, gain: float) -> float | None:
+    """Largest distance between the dead centres of a full turn; None where the output does not reverse.
+
+    A link that goes round and reverses, so that it has a ``gain``, has none: its longest single stroke is taken.
     """
-    if not dense.full:
-        return float(np.ptp(np.append(values, track[[0, -1]])))
     if values.size < 2:
         return None
     return float(np.max(np.abs(np.diff(np.append(values, values[0] + gain))))) if gain else float(np.ptp(values))
 
 
-def _stroke_angles(chain: Chain, centres: Real) -> tuple[float, float]:
-    working = float((centres[1] - centres[0]) * math.copysign(1.0, chain.mechanism.input.speed)) % TURN
-    return working, TURN - working
-
-
-def _extremes(
-    chain: Chain, output: Output, dense: Survey, samples: Coordinates, start: float
-) -> tuple[tuple[Extreme, Extreme], tuple[Extreme, Extreme]]:
+def _extremes(chain: Chain, output: Output, dense: Survey, samples: Coordinates, start: float) -> Extremes:
     """Smallest and largest velocity and acceleration in time, at the exact input coordinates.
 
     What does not change over the range is said to stand at position 0.

@@ -30,7 +30,7 @@ MODEST = math.radians(30)  # a note below
 CONSTANT = 1e-14  # a squared sine that varies less has no minimum to refine
 
 
-class _Measure(NamedTuple):
+class Measure(NamedTuple):
     """One squared sine to minimise: of the transmission angle, or of the regularity, of group ``k``.
 
     The margin of a dyad is the squared sine of its transmission angle, smooth through the change points too. A higher
@@ -42,6 +42,7 @@ class _Measure(NamedTuple):
     reach: float  # largest distance of the pivots of an RPR dyad [m]
 
     def __call__(self, chain: Chain, configuration: Configuration, x: Real) -> Real:
+        """The squared sine (n,) of a configuration at the input coordinates x (n,)."""
         step, ports = chain.steps[self.k], configuration.ports[self.k]
         if not isinstance(step, Step):
             return np.broadcast_to(step.regularity(configuration.placed[self.k]) ** 2, x.shape)
@@ -51,26 +52,26 @@ class _Measure(NamedTuple):
         return np.broadcast_to(sine2, x.shape)
 
 
-def _measures(chain: Chain, configuration: Configuration) -> list[_Measure]:
+def measures_of(chain: Chain, configuration: Configuration) -> list[Measure]:
     """Transmission of every dyad; its regularity is the same number but for RPR."""
     measures = []
     for k, (step, placed) in enumerate(zip(chain.steps, configuration.placed, strict=True)):
-        measures.append(_Measure(k, not step.group.kind, 0.0))
+        measures.append(Measure(k, not step.group.kind, 0.0))
         if step.group.kind == "RPR":
-            measures.append(_Measure(k, True, float(np.max(np.abs(placed.q)))))
+            measures.append(Measure(k, True, float(np.max(np.abs(placed.q)))))
     return measures
 
 
 def assess(chain: Chain, dense: Survey, start: float) -> tuple[GroupQuality, ...]:
     """Transmission and regularity of every dyad over the surveyed range, which begins at ``start``."""
-    measures = _measures(chain, dense.configuration)
+    measures = measures_of(chain, dense.configuration)
     squares = np.array([measure(chain, dense.configuration, dense.x) for measure in measures])
     minima = _minima(chain, dense, measures, squares, start)
-    return tuple(_quality(chain, k, measures, squares, minima) for k in range(len(chain.steps)))
+    return tuple(quality_of(chain, k, measures, squares, minima) for k in range(len(chain.steps)))
 
 
 def _minima(
-    chain: Chain, dense: Survey, measures: list[_Measure], squares: Real, start: float
+    chain: Chain, dense: Survey, measures: list[Measure], squares: Real, start: float
 ) -> list[list[tuple[float, float]]]:
     """All local minima (squared sine, place) of every measure, the least first; the ends of a range among them."""
     guesses = [
@@ -96,13 +97,18 @@ def _minima(
         at = along_motion(chain, at, start)
     for m, place, value in zip(owner, at, sine2, strict=True):
         found[m].append((max(float(value), 0.0) + 0.0, float(place)))
-    # of minima that rounding alone tells apart the first counts as the least
-    return [sorted(minima, key=lambda minimum: (round(minimum[0], 12), minimum[1])) for minima in found]
+    return [least_first(minima) for minima in found]
 
 
-def _quality(
-    chain: Chain, k: int, measures: list[_Measure], squares: Real, minima: list[list[tuple[float, float]]]
+def least_first(minima: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Minima (squared sine, place), the least first; of those that rounding alone tells apart the first in place."""
+    return sorted(minima, key=lambda minimum: (round(minimum[0], 12), minimum[1]))
+
+
+def quality_of(
+    chain: Chain, k: int, measures: list[Measure], squares: Real, minima: list[list[tuple[float, float]]]
 ) -> GroupQuality:
+    """The quality of group ``k`` from the ``minima`` of all measures; of those without ``squares`` (M, m) tell it."""
     rows = [m for m, measure in enumerate(measures) if measure.k == k]
     angles = [Extreme(_angle(sine2), x) for sine2, x in minima[rows[0]]]
     sines = [Extreme(math.sqrt(sine2), x) for sine2, x in minima[rows[-1]]]

@@ -21,6 +21,7 @@ from tmmcalc.linkage.trace import TURN, trace
 
 CHOSEN = 24  # positions computed again
 MARGIN = 4.0  # factor for the positions left out
+SHARED = 2.0  # the constants of loops are rounded to double precision before either: as much again is not seen
 WIDER = np.finfo(np.longdouble).eps < np.finfo(float).eps / 100
 EPS = float(np.finfo(float).eps)
 
@@ -30,16 +31,21 @@ def estimate(chain: Chain, x: Real, evaluate: Callable[[Real], Trace], weakest: 
 
     ``weakest`` are input coordinates known to be the least regular ones, which a sample of ``x`` may miss.
     """
-    chosen = x[_choice(chain, x, weakest)]
+    chosen = x[choice(x, lambda coarse: regularity_of(chain, x[coarse]), weakest, turns=chain.turns)]
     if not WIDER:
-        k = float(np.max(1 / _regularity(chain, chosen)))
+        k = float(np.max(1 / regularity_of(chain, chosen)))
         rounding = 64 * EPS
         return ErrorEstimate(rounding * k, rounding * k**2, rounding * k**3, "amplification of the rounding unit")
-    found, exact = evaluate(chosen), trace(chain, chosen.astype(np.longdouble))
+    margin = MARGIN * (SHARED if chain.branches else 1.0)
+    return between(evaluate(chosen), trace(chain, chosen.astype(np.longdouble)), margin)
+
+
+def between(found: Trace, exact: Trace, margin: float = MARGIN) -> ErrorEstimate:
+    """The estimate from a trace and the same in extended precision."""
     return ErrorEstimate(
-        MARGIN * _relative(found.r, exact.r),
-        MARGIN * _relative(found.dr, exact.dr),
-        MARGIN * _relative(found.ddr, exact.ddr),
+        margin * _relative(found.r, exact.r),
+        margin * _relative(found.dr, exact.dr),
+        margin * _relative(found.ddr, exact.ddr),
         "extended precision (64-bit mantissa)",
     )
 
@@ -52,26 +58,32 @@ def _relative(found: Plane, exact: Plane) -> float:
     return max(float(np.max(np.abs(found - exact))) / scale, EPS)
 
 
-def _regularity(chain: Chain, x: Real) -> Real:
+def regularity_of(chain: Chain, x: Real) -> Real:
+    """Regularity of the least regular group at x (n,)."""
     placed = chain.evaluate(x, order=0).placed
     rows = [step.regularity(p) for step, p in zip(chain.steps, placed, strict=True)]
     return np.min([np.broadcast_to(row, x.shape) for row in rows], axis=0) if rows else np.ones_like(x)
 
 
-def _choice(chain: Chain, x: Real, weakest: Sequence[float]) -> NDArray[np.intp]:
-    """Indices of the least regular positions, of those next to the weakest places, and of an even spread."""
+def choice(
+    x: Real, regularity: Callable[[NDArray[np.intp]], Real], weakest: Sequence[float], *, turns: bool
+) -> NDArray[np.intp]:
+    """Indices of the least regular positions, of those next to the weakest places, and of an even spread.
+
+    ``regularity`` tells that of some positions by their indices.
+    """
     if len(x) <= CHOSEN:
         return np.arange(len(x))
     spread = np.linspace(0, len(x) - 1, CHOSEN // 2).astype(int)
     coarse = np.linspace(0, len(x) - 1, min(len(x), 720)).astype(int)
-    worst = coarse[np.argsort(_regularity(chain, x[coarse]))[: CHOSEN // 2]]
-    next_to = [i for at in weakest for i in _nearest(chain, x, at)]
+    worst = coarse[np.argsort(regularity(coarse))[: CHOSEN // 2]]
+    next_to = [i for at in weakest for i in _nearest(x, at, turns=turns)]
     return np.array(sorted({*spread.tolist(), *worst.tolist(), *next_to}))  # np.unique would import numpy.ma, 10 ms
 
 
-def _nearest(chain: Chain, x: Real, at: float) -> range:
+def _nearest(x: Real, at: float, *, turns: bool) -> range:
     """Indices of the position nearest to a coordinate and of its neighbours; of a crank in whichever turn."""
     middle = float(x[0] + x[-1]) / 2
-    here = at - TURN * round((at - middle) / TURN) if chain.turns else at
+    here = at - TURN * round((at - middle) / TURN) if turns else at
     i = int(np.argmin(np.abs(x - here)))
     return range(max(i - 1, 0), min(i + 2, len(x)))

@@ -70,8 +70,7 @@ def solve_motion(
     error asked of a motor's regime, 0 near rounding. Raises `NoSolutionError` where
     the machine stalls, runs away, its energy does not last for a cycle, or no speed balances its loads.
     """
-    labels, phi, theta = positions
-    sense = math.copysign(1.0, phi[-1])
+    sense = math.copysign(1.0, positions[1][-1])
     if undriven:
         from tmmcalc.machine.selfregulation import self_regulated
 
@@ -79,6 +78,23 @@ def solve_motion(
     else:
         regime = _regime(cycle, inertia, driver, speed, sense, tolerance)
         quiet = _idle(idle, inertia, driver, speed, tolerance)
+    return motion_of(cycle, regime, quiet, inertia, driver, positions, key, undriven=undriven)
+
+
+def motion_of(
+    cycle: Cycle,
+    regime: Regime,
+    quiet: Regime | None,
+    inertia: ConstantInertia,
+    driver: Driver | None,
+    positions: tuple[tuple[str, ...], Values, Values],
+    key: str = INPUT,
+    *,
+    undriven: bool = False,
+) -> Motion:
+    """The result from the regime and that without technological loads, ``quiet``."""
+    labels, phi, theta = positions
+    sense = math.copysign(1.0, phi[-1])
     at = np.clip(theta, 0.0, cycle.period)
     omega, eps, driving = regime.panels.at(np.stack((regime.omega, regime.acceleration, regime.driving)), at)
     load = cycle.panels.at(np.stack((cycle.moment, cycle.viscous, cycle.quadratic)), at)

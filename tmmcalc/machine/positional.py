@@ -13,6 +13,7 @@ from tmmcalc.errors import NoSolutionError, UsageError
 from tmmcalc.machine.cycle import Cycle, place
 from tmmcalc.machine.onemass import check_inertia, onto
 from tmmcalc.machine.regime import Regime, regime_of
+from tmmcalc.machine.regimeerrors import ROUNDED
 from tmmcalc.numerics.collocation import TOLERANCE
 from tmmcalc.numerics.panels import NARROWEST, PASSES, Panels, Values
 
@@ -22,7 +23,7 @@ CLOSED = 1e-14  # the same, as mere rounding of a diagram that closes by itself
 LEVEL = 1e-15  # relative change of the energy at which its level is found
 LEVELS = 60
 EPS = float(np.finfo(float).eps)
-ROUNDINGS = 4.0  # of the inertia that its interpolation adds up: finer panels would follow them and not the speed
+ROUNDINGS = 4.0  # that an interpolated inertia or a sum of works adds up: finer panels would follow them
 
 
 def positional(
@@ -104,7 +105,18 @@ def free(cycle: Cycle, constant: float, mean: float, driving: Values, sense: flo
             break
         on = onto(cycle, on.panels.split(rough))
         moment = cycle.panels.at(driving, on.panels.x.ravel()).reshape(on.moment.shape)
-    return regime_of(on, constant, omega, moment, (1 + 0j,), float(np.max(tail)), {"newton": 0, "meshes": meshes})
+    rounding = ROUNDINGS * EPS * float(np.ptp(work) / np.min(energy)) / 2
+    drive, turned = float(np.max(np.abs(moment))), float(on.panels.total(np.abs(on.moment))) / on.period
+    return regime_of(
+        on,
+        constant,
+        omega,
+        moment,
+        (1 + 0j,),
+        np.maximum(tail - ROUNDED, 0.0) + rounding,
+        {"newton": 0, "meshes": meshes},
+        own=(ROUNDINGS * EPS + cycle.error) * turned / drive if drive else 0.0,
+    )
 
 
 def _rounding(cycle: Cycle, panels: Panels) -> Values:

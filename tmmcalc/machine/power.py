@@ -10,6 +10,7 @@ which its loads put more work than a drive. Weights and springs give back over a
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 
 LOSSES = ("friction", "damper")
 STORES = ("weight", "spring")
+EPS = float(np.finfo(float).eps)
+READ = 4 * EPS  # rounding of a value that is read between the points of a panel
 NOTHING = 1e-12  # work below this part of the turnover is none
 
 
@@ -37,6 +40,7 @@ class WorkPart:
     kind: str  # "load", "weight", "spring", "damper", "friction", "balance"
     work: float  # [J]
     turnover: float = 0.0  # work of its magnitude, which tells work from rounding [J]; 0: not known
+    error: float = 0.0  # estimated, of the work [J]
 
 
 @record
@@ -54,6 +58,15 @@ class MotorDuty:
     contradictions: tuple[str, ...] = ()  # among the data of the motor
     ratio_of: str = ""  # the gear train whose ratio u is; empty: given, or of the speeds
     off_speed: str | None = None  # what is wrong with its speed against that of the spec
+
+
+@record
+class PowerError:
+    """Estimated relative errors."""
+
+    work: float  # of works, mean power and mean moment: against the sum of the turnovers of all causes
+    efficiency: float  # of the efficiency, and so of useful work and work put in
+    peak: float  # of moments and powers at single places: against the largest moment of a cause or of all
 
 
 @record
@@ -77,7 +90,7 @@ class Power:
     transmission: float  # efficiency of the gears to the motor [-]
     motor_power: float | None  # required of the motor, P/eta [W]; None where the loads leave power over
     duty: MotorDuty | None  # None without a motor
-    error: float  # estimated relative error of the work [-]
+    error: PowerError
     counters: dict[str, int]
     speed: float  # of the input, at which all of this holds [rad/s]
     sense: float = 1.0  # of the input's motion: -1 clockwise; places are sense theta
@@ -89,21 +102,37 @@ def moment_at(cycle: Cycle, speed: float) -> Values:
     return cycle.moment + cycle.viscous * speed + cycle.quadratic * speed**2
 
 
-def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float = 1.0, sense: float = 1.0) -> Power:
+def solve_power(
+    cycle: Cycle,
+    parts: tuple[WorkPart, ...],
+    transmission: float = 1.0,
+    sense: float = 1.0,
+    rounding: float = 0.0,
+) -> Power:
     """Work, efficiency and power of a cycle at its mean speed.
 
-    ``transmission`` is the efficiency of the gears, ``sense`` -1 where the input turns clockwise.
+    ``transmission`` is the efficiency of the gears, ``sense`` -1 where the input turns clockwise. ``rounding`` is
+    that of moments, against the largest of one cause.
     """
     scale = max((max(part.turnover, abs(part.work)) for part in parts), default=0.0)
     loads = [part.work for part in parts if part.kind == "load" and abs(part.work) > NOTHING * scale]
     driving, resisting = sum((w for w in loads if w > 0), 0.0), sum((w for w in loads if w < 0), 0.0)
     losses = sum((part.work for part in parts if part.kind in LOSSES), 0.0)
     moment = moment_at(cycle, cycle.speed) - cycle.balancing
-    (least, least_at), (largest, _) = cycle.panels.extremes(moment)
+    (least, least_at), (largest, largest_at) = cycle.panels.extremes(moment)
     time = cycle.period / cycle.speed
     total = driving + resisting + losses
     total = total if abs(total) > NOTHING * scale else 0.0
     mean_power = abs(total) / time
+    efficiency = _efficiency(driving, resisting, losses, total)
+    turnover = math.fsum(max(part.turnover, abs(part.work)) for part in parts) or 1.0
+    off, lost = (math.fsum(p.error for p in parts if p.kind in kinds) for kinds in (("load",), LOSSES))
+    of_ratio = _of_ratio(driving if total > 0 else -resisting, losses, total, (off, lost)) if efficiency else 0.0
+    error = PowerError(
+        math.fsum(part.error for part in parts) / turnover,
+        of_ratio,
+        _of_peak(cycle, moment, (least_at, largest_at, 0.0), rounding),
+    )
     return Power(
         machine=_kind(driving, total) if loads else "idle",
         parts=parts,
@@ -111,7 +140,7 @@ def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float =
         resisting=resisting,
         losses=losses,
         stored=sum((part.work for part in parts if part.kind in STORES), 0.0),
-        efficiency=_efficiency(driving, resisting, losses, total),
+        efficiency=efficiency,
         cycle_time=time,
         mean_power=mean_power,
         peak_power=(least * cycle.speed, largest * cycle.speed),
@@ -122,7 +151,7 @@ def solve_power(cycle: Cycle, parts: tuple[WorkPart, ...], transmission: float =
         transmission=transmission,
         motor_power=mean_power / transmission if total <= 0 and not cycle.balancing else None,
         duty=None,
-        error=cycle.error,
+        error=error,
         counters={"panels": len(cycle.panels.edges) - 1},
         speed=cycle.speed,
         sense=sense,
@@ -139,6 +168,22 @@ def _efficiency(driving: float, resisting: float, losses: float, total: float) -
     """Useful work over work put in: (3.37) where work is left over, (3.36) where it is lacking."""
     useful = -resisting + max(total, 0.0)
     return useful / (driving + max(-total, 0.0)) if useful > 0 else None
+
+
+def _of_ratio(own: float, losses: float, total: float, off: tuple[float, float]) -> float:
+    """Relative error of the efficiency A_c/(A_c + A_F), or (A_d + A_F)/A_d: as far as the losses take it from 1.
+
+    ``own`` is |A_c| or A_d; ``off`` are the errors of the works of the loads and of the losses [J].
+    """
+    other = own + losses if total > 0 else own - losses
+    return 2 * EPS + (off[0] * abs(losses) / own + off[1]) / other
+
+
+def _of_peak(cycle: Cycle, moment: Values, at: tuple[float, ...], rounding: float) -> float:
+    """Relative error of a moment (K, N) at some places of the cycle."""
+    k = np.clip(np.searchsorted(cycle.panels.edges, at, side="right") - 1, 0, cycle.panels.count - 1)
+    beside = np.clip((k - 1, k), 0, cycle.panels.count - 1)  # a place on an edge is the end of either panel
+    return READ + rounding + float(np.max(cycle.panels.left_out(moment)[beside]) / (np.max(np.abs(moment)) or 1.0))
 
 
 def duty_of(

@@ -8,6 +8,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.regimeerrors import (
+    Balance,
+    Excess,
+    RegimeErrors,
+    Solved,
+    accelerations,
+    regime_errors,
+)
 from tmmcalc.numerics.panels import Panels, Values
 from tmmcalc.records import record
 
@@ -15,7 +23,6 @@ if TYPE_CHECKING:
     from tmmcalc.numerics.collocation import Orbit
 
 LOST = 1e-300  # a multiplier below it counts as zero
-INTERPOLATION = 4e-15  # relative rounding of a function carried from one set of points to another
 
 
 @record
@@ -42,8 +49,13 @@ class Regime:
     stable: bool | None  # None: indifferent, for nothing depends on the speed
     constant_inertia: float  # J_c [kg*m^2]
     residual: float  # work of all moments over the cycle, against the work of their magnitudes [-]
-    error: float  # estimated relative error of omega [-]
+    errors: RegimeErrors
     counters: dict[str, int]  # Newton steps, meshes
+
+    @property
+    def error(self) -> float:
+        """Estimated relative error of omega [-]."""
+        return self.errors.speed
 
     def omega_at(self, theta: Values) -> Values:
         """Angular speed (m,) [rad/s] at angles (m,) [rad] within the cycle."""
@@ -60,15 +72,26 @@ def regime_of(
     omega: Values,
     driving: Values,
     multipliers: tuple[complex, ...],
-    error: float,
+    missing: Values,
     counters: dict[str, int],
+    *,
+    fall: Values | float = 0.0,
+    own: float = 0.0,
+    ringing: float = 1.0,
+    excess: Excess | None = None,
 ) -> Regime:
     """The regime with the speed ``omega`` and the moment ``driving``, both (K, N) on the panels of ``cycle``.
 
-    ``error`` is the relative error of omega but for that of the cycle's own data.
+    ``missing`` (K,) is what is left out of omega, or of the ``excess`` that it was solved for, relative, beside
+    rounding and errors of the cycle's own data; ``fall`` is the slope of the motor's moment over the speed (K, N),
+    ``own`` the relative error of a moment that does not follow from the speed, ``ringing`` how far such a moment swings
+    up what is rounded.
     """
     on = cycle.panels
-    (low, low_at), (high, high_at) = on.extremes(omega)
+    excess = excess or _excess(omega)
+    extremes = on.extremes(excess.w)
+    (low, low_at), (high, high_at) = extremes
+    spread, low, high = high - low, excess.reference + low, excess.reference + high
     time, edges = on.primitive(1 / omega)[1], on.edges
     inertia = cycle.inertia + constant
     load = cycle.moment + (cycle.viscous + cycle.quadratic * omega) * omega
@@ -79,15 +102,18 @@ def regime_of(
     kinetic = float(on.total(inertia * omega * omega)) / cycle.period
     # errors of the inertia count most where it is least; what is left of the work shifts the level of the speed,
     # less what the motor takes back
-    inexact = (cycle.error + INTERPOLATION) * float(np.max(cycle.inertia) / np.min(inertia)) / 2
+    share = float(np.max(cycle.inertia) / np.min(inertia)) / 2
     regulation = min(abs(np.log(max(abs(mu), LOST))) for mu in multipliers) or 1.0
     astray = abs(float(surplus)) + cycle.error * float(turnover)
+    solved = Solved(missing, excess, fall, own, astray / (regulation * kinetic), ringing, float(regulation))
+    at = Balance(driving, load, cycle.slope * omega * omega / 2, inertia)
+    acceleration, inaccurate = accelerations(cycle, omega, at, solved)
     mean, total_time, period = (high + low) / 2, float(time[-1]), cycle.period
     slowest = max(abs(mu) for mu in multipliers)
     return Regime(
         on,
         omega,
-        (net - cycle.slope * omega * omega / 2) / inertia,
+        acceleration,
         driving,
         time,
         low,
@@ -96,7 +122,7 @@ def regime_of(
         high_at % float(edges[-1]),
         mean,
         period / total_time,
-        (high - low) / mean,
+        spread / mean,
         total_time,
         float(work) / period,
         float(heat / total_time) ** 0.5,
@@ -105,9 +131,16 @@ def regime_of(
         None if slowest == 1 else slowest < 1,
         constant,
         float(surplus) / float(turnover) if turnover else 0.0,
-        float(error + inexact + astray / (regulation * kinetic)),
+        regime_errors(cycle, at, solved, share, extremes, inaccurate),
         counters,
     )
+
+
+def _excess(omega: Values) -> Excess:
+    """The speed above its least value, where that difference is exact: interpolated, it keeps the digits of delta."""
+    least, largest = float(np.min(omega)), float(np.max(omega))
+    reference = least if 2 * least >= largest else 0.0
+    return Excess(reference, omega - reference, largest)
 
 
 def multipliers(orbit: Orbit) -> tuple[complex, ...]:

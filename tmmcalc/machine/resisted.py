@@ -13,6 +13,7 @@ from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.onemass import onto
 from tmmcalc.machine.positional import LEVELS, WHERE, free
 from tmmcalc.machine.regime import Regime, regime_of
+from tmmcalc.machine.regimeerrors import ROUNDED
 from tmmcalc.numerics.collocation import TOLERANCE, Orbit, solve
 from tmmcalc.numerics.newton import Ends, Rates
 from tmmcalc.numerics.panels import Panels, Values
@@ -31,16 +32,20 @@ def resisted(cycle: Cycle, constant: float, mean: float, sense: float = 1.0) -> 
     still = Cycle(cycle.panels, cycle.inertia, cycle.slope, frozen, cycle.viscous, cycle.quadratic, mean, cycle.error)
     level = -float(cycle.panels.total(frozen)) / cycle.period
     start = free(still, constant, mean, np.full(frozen.shape, level), sense)
-    orbit = _at_mean(cycle, constant, mean, start)
+    orbit, off = _at_mean(cycle, constant, mean, start)
     on = onto(cycle, orbit.panels)
     omega = np.sqrt(2 * orbit.y[0] / (on.inertia + constant))
     counters = {"newton": orbit.iterations, "meshes": orbit.passes}
-    return regime_of(on, constant, omega, orbit.y[1], (complex(np.exp(orbit.trace)),), orbit.error, counters)
+    missing = orbit.missing[0] + off
+    multiplier = complex(np.exp(orbit.trace))
+    own = float(np.max(orbit.missing[1])) + off + ROUNDED
+    return regime_of(on, constant, omega, orbit.y[1], (multiplier,), missing, counters, own=own)
 
 
-def _at_mean(cycle: Cycle, constant: float, mean: float, start: Regime) -> Orbit:
-    """The periodic motion with the mean speed asked for, by the secant in the logarithms of T0 and the mean.
+def _at_mean(cycle: Cycle, constant: float, mean: float, start: Regime) -> tuple[Orbit, float]:
+    """The periodic motion with the mean speed asked for, and what that is off, relative.
 
+    By the secant in the logarithms of T0 and the mean.
     A level with which the energy does not last for the cycle is too low: the next one lies half-way back.
     """
     panels = start.panels
@@ -58,7 +63,7 @@ def _at_mean(cycle: Cycle, constant: float, mean: float, start: Regime) -> Orbit
         (slow, _), (fast, _) = orbit.panels.extremes(omega)
         off = float(np.log((slow + fast) / (2 * mean)))
         if abs(off) < MEAN:
-            return orbit
+            return orbit, abs(off)
         if known and off != known[-1][1]:
             power = (log_level - known[-1][0]) / (off - known[-1][1])
         known.append((log_level, off))

@@ -17,14 +17,17 @@ from tmmcalc.machine.onemass import SPEEDS, OneMass, balanced_speed, check_inert
 from tmmcalc.machine.regime import Regime, multipliers, regime_of
 from tmmcalc.machine.settling import Guess, Halt, settled
 from tmmcalc.machine.stall import check_mean_load, halted
-from tmmcalc.numerics.collocation import Orbit
+from tmmcalc.numerics.collocation import TOLERANCE, Orbit
+from tmmcalc.numerics.panels import Panels, Values
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
 
 WHERE = "steady motion"
 NOTHING = 1e-13  # moment of the load, against what the motor gives at standstill by its slope, that is none
-ROUNDED = 8 * float(np.finfo(float).eps)  # of a solution
+LOSS = (
+    1e3  # moment of the whole speed by the motor's slope, over that which accelerates: digits worth a second solution
+)
 INDIFFERENT = 1e-13  # change of the moment over the speed itself, against the moment
 
 
@@ -43,7 +46,7 @@ def driven(
     ``constant_inertia`` [kg*m^2] is added to that of the cycle. With a ``time_constant`` tau_e [s] the moment of the
     motor lags: tau_e dM/dt = M_static(omega) - M. ``guess``, the regime of a similar machine, saves a little time;
     ``sense`` is -1 where the input turns clockwise: messages tell places by its coordinate. ``tolerance`` is the
-    relative error that is asked for (0: near rounding).
+    relative error that is asked for (0: near rounding); where not all that is told keeps it so, that is sought.
     Raises `NoSolutionError` where the machine stalls (with the angle, and the inertia that would carry it over the
     peak), runs away, is overloaded on the average, or does not regulate itself; `UsageError` for impossible
     arguments; `AccuracyError` if the regime cannot be told.
@@ -65,7 +68,10 @@ def driven(
     found = settled(machine, None if guess is None else _guess(cycle, guess))
     if isinstance(found, Halt):
         raise halted(machine, found)
-    return _regime(machine, found)
+    regime = _regime(machine, found)
+    if 0 < tolerance < regime.errors.largest:
+        return driven(cycle, constant_inertia, characteristic, time_constant=time_constant, guess=regime, sense=sense)
+    return regime
 
 
 def _free(machine: OneMass) -> Regime | None:
@@ -85,7 +91,7 @@ def _free(machine: OneMass) -> Regime | None:
         rates = np.linalg.eigvals([[0.0, 1 / (inertia * w)], [-fall / (tau * w), -1 / (tau * w)]])
     multiplier = tuple(complex(v) for v in sorted(np.exp(rates * cycle.period), key=abs, reverse=True))
     counters = {"newton": 0, "meshes": 1}
-    return regime_of(cycle, machine.constant, still + w, still, multiplier, NOTHING, counters)
+    return regime_of(cycle, machine.constant, still + w, still, multiplier, still[:, 0] + NOTHING, counters)
 
 
 def _guess(cycle: Cycle, regime: Regime) -> Guess:
@@ -98,22 +104,47 @@ def _guess(cycle: Cycle, regime: Regime) -> Guess:
 
 
 def _regime(machine: OneMass, orbit: Orbit) -> Regime:
-    omega = machine.speed(orbit.panels, orbit.y[0])
+    motor, panels = machine.characteristic, orbit.panels
+    omega = machine.speed(panels, orbit.y[0])
+    driving, excess, last, noise = orbit.y[1] if machine.lag else motor.moment(omega), None, orbit, 0.0
+    counters = {"newton": orbit.iterations, "meshes": orbit.passes}
+    if _is_steep(machine, panels, omega, driving):
+        from tmmcalc.machine.steep import regained
+
+        again = regained(machine, panels, omega, driving)
+        if again is not None:
+            last, excess, driving, noise = again.orbit, again.excess, again.driving, again.noise
+            panels, omega = last.panels, excess.reference + excess.w
+            counters = {"newton": orbit.iterations + last.iterations, "meshes": orbit.passes + last.passes}
     return regime_of(
-        onto(machine.cycle, orbit.panels),
+        onto(machine.cycle, panels),
         machine.constant,
         omega,
-        orbit.y[1] if machine.lag else machine.characteristic.moment(omega),
+        driving,
         multipliers(orbit),
-        _left_out(orbit),
-        {"newton": orbit.iterations, "meshes": orbit.passes},
+        last.missing[0] + noise,
+        counters,
+        fall=motor.slope(omega),
+        own=float(np.max(last.missing[1])) if machine.lag else 0.0,
+        ringing=_ringing(machine, motor.slope(omega)),
+        excess=excess,
     )
 
 
-def _left_out(orbit: Orbit) -> float:
-    """Relative error of a solution: its last coefficients fall geometrically, so that the first missing one is told."""
-    order = orbit.panels.order
-    return float(orbit.error ** (order / (order - 1)) + ROUNDED)
+def _ringing(machine: OneMass, slope: Values) -> float:
+    """Amplitude at resonance of a motor with its lag as a spring, over that of slow changes; 1 without lag."""
+    least = machine.constant + float(np.min(machine.cycle.inertia))
+    return max(1.0, float(np.sqrt(np.max(np.abs(slope)) * machine.lag / least)))
+
+
+def _is_steep(machine: OneMass, panels: Panels, omega: Values, driving: Values) -> bool:
+    """Whether so many digits of the acceleration are lost, and digits are asked for."""
+    if machine.tolerance > TOLERANCE:
+        return False
+    cycle = onto(machine.cycle, panels)
+    load = cycle.moment + (cycle.viscous + cycle.quadratic * omega) * omega
+    left = float(np.max(np.abs(driving + load - cycle.slope * omega * omega / 2)))
+    return float(np.max(np.abs(machine.characteristic.slope(omega)) * omega)) > LOSS * left
 
 
 def _check_regulation(machine: OneMass) -> None:

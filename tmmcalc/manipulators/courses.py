@@ -58,7 +58,7 @@ def course_of_laws(task: LawTask, names: tuple[str, ...]) -> tuple[Course, tuple
         laws = [_stretched(law, duration) for law in laws]
 
     def at(t: Values, side: Indices | int) -> Values:
-        rows = np.empty((3, len(laws), len(t)))
+        rows = np.empty((3, len(laws), len(t)), t.dtype)
         for k, (law, move) in enumerate(zip(laws, moves, strict=True)):
             # what stops before the others rests from then on
             early = law.duration < duration * (1 - SAME)
@@ -97,3 +97,35 @@ def course_of_table(task: TableTask) -> Course:
 
     knots = tuple((task.t - task.t[0]).tolist())
     return Course(knots[-1], (), at, knots)
+
+
+def table_in(task: TableTask, course: Course) -> Callable[[Values, Indices | int], Values]:
+    """The course of a table in the numbers of ``task``, from its rates at the knots, which one correction mends.
+
+    The slopes s of a clamped spline keep h_i s_(i-1) + 2 (h_(i-1) + h_i) s_i + h_(i-1) s_(i+1) =
+    3 (h_i d_(i-1) + h_(i-1) d_i) with the steps h and the slopes d of the chords.
+    """
+    from scipy.linalg import solve_banded
+
+    h, rise = np.diff(task.t), np.diff(task.q, axis=1)
+    chord = rise / h
+    s = course.at(np.array(course.knots), 0)[1].astype(task.q.dtype)
+    s[:, [0, -1]] = 0.0
+    if len(h) > 1:
+        left, right = h[:-1], h[1:]
+        open_ = 3 * (right * chord[:, :-1] + left * chord[:, 1:])
+        open_ -= right * s[:, :-2] + 2 * (left + right) * s[:, 1:-1] + left * s[:, 2:]
+        bands = np.zeros((3, len(left)))
+        bands[0, 1:], bands[1], bands[2, :-1] = left[:-1], 2 * (left + right), right[1:]
+        s[:, 1:-1] += solve_banded((1, 1), bands, open_.T.astype(float)).T
+
+    def at(t: Values, side: Indices | int) -> Values:
+        at = t + task.t[0]
+        k = np.clip(np.searchsorted(task.t, at, side="right") - 1, 0, len(h) - 1)
+        x, size = (at - task.t[k]) / h[k], h[k]
+        begin, end, d = s[:, k], s[:, k + 1], chord[:, k]
+        bend, twist = 3 * d - 2 * begin - end, begin + end - 2 * d
+        place = task.q[:, k] + size * x * (begin + x * (bend + x * twist))
+        return np.stack((place, begin + x * (2 * bend + 3 * x * twist), (2 * bend + 6 * x * twist) / size))
+
+    return at

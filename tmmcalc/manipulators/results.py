@@ -102,4 +102,5 @@ class Manipulator:
     contacts: tuple[Contact, ...]
     grades: tuple[Grade, ...]
     residual: float | None  # of direct(inverse) against the gripper, relative; None at a singular place
+    error: dict[str, float]  # estimates, relative, of columns by their names (`rounding`)
     counters: dict[str, int]

@@ -10,17 +10,20 @@ between two legs the gripper stands still.
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.manipulators.task import ArcRoute, ArcThrough, Place, PolyRoute, Route
+from tmmcalc.numerics.extended import as_number
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
 
 WHERE = "manipulator, path"
 SAME = 1e-12  # of the route's size: nearer points are one, and turns by a smaller angle are none
+HALF = 2e-15  # of R^2: a smaller difference of the radius from half the distance is that of their decimals
 REVERSAL = 1e-9  # a turn so near to half a turn has no arc that rounds it [rad]
 
 
@@ -74,13 +77,13 @@ def chord(route: Route) -> Piece:
 
 def line(start: Values, end: Values) -> Piece:
     """The straight line between two points."""
-    length = float(np.linalg.norm(end - start))
+    length = np.linalg.norm(end - start).item()
     direction = (end - start) / length if length else np.eye(len(start))[0]
     return Piece(start, end, length, direction, np.zeros_like(start))
 
 
 def _vector(place: Place) -> Values:
-    return np.array(place, float)
+    return np.array(place) * 1.0
 
 
 def _axes(direction: Values, left: Values) -> tuple[Values, Values]:
@@ -92,8 +95,8 @@ def _arc(start: Values, end: Values, centre: Values, axes: tuple[Values, Values]
     """The arc about a centre by the signed angle ``turn`` [rad]."""
     e1, e2 = axes
     out = start - centre
-    radius = float(np.linalg.norm(out))
-    theta = math.atan2(float(out @ e2), float(out @ e1))
+    radius = np.linalg.norm(out).item()
+    theta = np.arctan2(out @ e2, out @ e1).item()
     sense = 1 if turn >= 0 else -1
     return Piece(start, end, radius * abs(turn), e1, e2, centre, radius, theta, sense)
 
@@ -102,7 +105,7 @@ def _arc_of_radius(route: ArcRoute) -> Piece:
     """The shorter arc with its centre on the side K ((2.90) to (2.95))."""
     start, end = _vector(route.start), _vector(route.end)
     between = end - start
-    d = float(np.linalg.norm(between))
+    d = np.linalg.norm(between).item()
     if d == 0:
         remedy = "write two points"
         raise NoSolutionError("the arc begins where it ends", where=WHERE, value=d, remedy=remedy)
@@ -116,18 +119,28 @@ def _arc_of_radius(route: ArcRoute) -> Piece:
         )
     direction = between / d
     left = _left(direction, route.normal)
-    away = math.sqrt(max(route.radius**2 - (d / 2) ** 2, 0.0))
+    away = np.sqrt(_beyond_half(route)).item()
     centre = (start + end) / 2 + route.side * away * left
-    turn = 2 * math.atan2(d / 2, away) * route.side
+    turn = 2 * np.arctan2(d / 2, away).item() * route.side
     return _arc(start, end, centre, _axes(direction, left), turn)
+
+
+def _beyond_half(route: ArcRoute) -> float:
+    """R^2 - (d/2)^2 without rounding; 0 where the radius is half the distance but for the rounding of decimals."""
+    start, end, radius = (
+        [Fraction(*number.as_integer_ratio()) for number in each] for each in (route.start, route.end, (route.radius,))
+    )
+    square = radius[0] ** 2 - sum(((b - a) ** 2 for a, b in zip(start, end, strict=True)), Fraction()) / 4
+    found: float = as_number(square, type(route.radius))
+    return found if found > HALF * route.radius**2 else 0.0
 
 
 def _left(direction: Values, normal: Place) -> Values:
     """The unit vector to the left of a direction, seen against the normal."""
     if len(direction) == 2:
         return np.array([-direction[1], direction[0]])
-    left = np.cross(np.array(normal, float), direction)
-    size = float(np.linalg.norm(left))
+    left = np.cross(_vector(normal), direction)
+    size = np.linalg.norm(left).item()
     if size <= 1e-9 * float(np.linalg.norm(normal)):
         raise NoSolutionError(
             "the normal of the arc's plane is parallel to the line from start to end",
@@ -141,11 +154,11 @@ def _left(direction: Values, normal: Place) -> Values:
 def _arc_through(route: ArcThrough) -> Piece:
     """The circle through three points, from the first by the second to the third."""
     start, via, end = (_vector(point) for point in (route.start, route.via, route.end))
-    d = float(np.linalg.norm(end - start))
+    d = np.linalg.norm(end - start).item()
     along = (end - start) / d if d else np.zeros_like(start)
-    a = float((via - start) @ along)
+    a = ((via - start) @ along).item()
     off = via - start - a * along
-    b = float(np.linalg.norm(off))
+    b = np.linalg.norm(off).item()
     if not d or b <= 1e-9 * d:
         raise NoSolutionError(
             "the three points of the arc lie on one line",
@@ -157,8 +170,8 @@ def _arc_through(route: ArcThrough) -> Piece:
     left = off / b
     height = (a * a - a * d + b * b) / (2 * b)
     centre = (start + end) / 2 + height * left
-    turn = -2 * math.atan2(d / 2, -height)  # clockwise, seen with via above the chord
-    if len(start) == 2 and float(along[0] * left[1] - along[1] * left[0]) < 0:
+    turn = -2 * np.arctan2(d / 2, -height).item()  # clockwise, seen with via above the chord
+    if len(start) == 2 and along[0] * left[1] - along[1] * left[0] < 0:
         turn = -turn
     return _arc(start, end, centre, _axes(along, left), turn)
 
@@ -175,7 +188,7 @@ def _polyline(route: PolyRoute) -> tuple[Leg, ...]:
     for (number, corner), (side, after) in zip(corners[1:-1], pairwise(sides), strict=True):
         turn = _turn(side.e1, after.e1)
         rounded = turn < math.pi - REVERSAL and route.corner > 0
-        cut = route.corner * math.tan(turn / 2) if rounded else 0.0
+        cut = (route.corner * np.tan(turn / 2)).item() if rounded else 0.0
         _check_corner(number, cut, side.length - used, after.length)
         legs[-1].append(line(begin, corner - cut * side.e1))
         if rounded:
@@ -203,7 +216,8 @@ def _corners(points: list[Values]) -> tuple[list[tuple[int, Values]], float]:
 
 def _turn(before: Values, after: Values) -> float:
     """Angle [rad] between two unit vectors."""
-    return 2 * math.atan2(float(np.linalg.norm(after - before)), float(np.linalg.norm(after + before)))
+    half: float = np.arctan2(np.linalg.norm(after - before), np.linalg.norm(after + before)).item()
+    return 2 * half
 
 
 def _check_corner(number: int, cut: float, before: float, after: float) -> None:
@@ -220,8 +234,8 @@ def _check_corner(number: int, cut: float, before: float, after: float) -> None:
 
 def _fillet(corner: Values, before: Values, after: Values, cut: float, turn: float) -> Piece:
     """The arc that touches both sides of a corner."""
-    radius = cut / math.tan(turn / 2)
-    inward = after - float(after @ before) * before
+    radius = cut / np.tan(turn / 2)
+    inward = after - (after @ before) * before
     inward = inward / np.linalg.norm(inward)
     start, end = corner - cut * before, corner + cut * after
     plane = len(corner) == 2

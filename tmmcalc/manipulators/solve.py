@@ -11,6 +11,7 @@ from tmmcalc.manipulators.contacts import contact_grades, find_contacts
 from tmmcalc.manipulators.motions import Motion, motion_of
 from tmmcalc.manipulators.ranges import excess_grades, find_excesses
 from tmmcalc.manipulators.results import LegFacts, Manipulator, PieceFacts
+from tmmcalc.manipulators.rounding import motion_errors
 from tmmcalc.manipulators.routes import Piece
 from tmmcalc.manipulators.singular import SINGULAR, find_singular, singular_grades
 from tmmcalc.manipulators.task import Drive, ManipulatorTask, PathTask
@@ -60,6 +61,7 @@ def solve_manipulator(task: ManipulatorTask) -> Manipulator:
             *contact_grades(contacts),
         ),
         residual=None if any(place.relative < SINGULAR for place in places) else _residual(moved, p),
+        error=motion_errors(task, moved, rows.t, rows.side, p, q),
         counters={"rows": len(rows.t)},
     )
 

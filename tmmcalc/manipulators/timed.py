@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -32,7 +31,7 @@ class Timed(NamedTuple):
     @property
     def length(self) -> float:
         """S [m]."""
-        return math.fsum(law.travel for law in self.laws)
+        return sum((law.travel for law in self.laws), 0.0)
 
     def leg_of(self, t: Values, side: Indices | int) -> Indices:
         """Numbers (n,) of the legs; between two of them ``side`` decides, 0 as +1."""
@@ -62,7 +61,7 @@ class Timed(NamedTuple):
     def _by_leg(self, t: Values, side: Indices | int, f: Callable[[int, Values, Indices], Values], rows: int) -> Values:
         which = self.leg_of(t, side)
         sides = np.broadcast_to(np.asarray(side), t.shape)
-        found = np.empty((rows, len(t)))
+        found = np.empty((rows, len(t)), t.dtype)
         for k, begin in enumerate(self.begins):
             own = np.flatnonzero(which == k)
             if own.size:
@@ -71,7 +70,7 @@ class Timed(NamedTuple):
 
     def _way(self, k: int, t: Values, side: Indices) -> Values:
         rows = motion(self.laws[k], t, side)
-        rows[0] += math.fsum(law.travel for law in self.laws[:k])
+        rows[0] += sum((law.travel for law in self.laws[:k]), 0.0)
         return rows
 
     def _states(self, k: int, t: Values, side: Indices) -> Values:
@@ -79,7 +78,7 @@ class Timed(NamedTuple):
         s, v, a = motion(self.laws[k], t, side)
         leg = self.legs[k]
         number, starts = self._piece(k, s, side)
-        found = np.empty((3, len(leg[0].start), len(t)))
+        found = np.empty((3, len(leg[0].start), len(t)), s.dtype)
         for j, piece in enumerate(leg):
             own = np.flatnonzero(number == j)
             place, along, bend = piece.at(s[own] - starts[j])
@@ -138,7 +137,7 @@ def timed(legs: tuple[Leg, ...], drive: Drive) -> Timed:
 
 
 def _law(leg: Leg, drive: Drive, count: int) -> TimeLaw:
-    length = math.fsum(piece.length for piece in leg)
+    length = sum((piece.length for piece in leg), 0.0)
     limits = [limit for limit in (drive.speed, speed_limit(leg, drive)) if limit is not None]
     speed = min(limits) if limits else None
     if drive.duration is not None:
@@ -172,8 +171,8 @@ def speed_limit(leg: Leg, drive: Drive) -> float | None:
             remedy="write a smaller acceleration",
         )
     if radii and drive.normal is not None:
-        found.append(math.sqrt(drive.normal * min(radii)))
+        found.append(np.sqrt(drive.normal * min(radii)).item())
     if radii and drive.total is not None:
-        normal = math.sqrt((drive.total - drive.acceleration) * (drive.total + drive.acceleration))
-        found.append(math.sqrt(normal * min(radii)))
+        normal = np.sqrt((drive.total - drive.acceleration) * (drive.total + drive.acceleration))
+        found.append(np.sqrt(normal * min(radii)).item())
     return min(found) if found else None

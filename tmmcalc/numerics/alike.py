@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 T = TypeVar("T")
 Indices = NDArray[np.intp]
-Maker = Callable[[Indices], Any]
+Maker = Callable[[Any], Any]
 
 
 class MixedError(Exception):
@@ -50,8 +50,8 @@ class Rows(Generic[T]):
         self.tree = tree
         self._make = _maker(tree)
 
-    def __call__(self, rows: Indices) -> T:
-        """The tree with the constants of the variants ``rows``, in their shape."""
+    def __call__(self, rows: Indices | int) -> T:
+        """The tree with the constants of the variants ``rows``, in their shape; of one number with plain numbers."""
         return self.tree if self._make is None else self._make(rows)
 
 
@@ -143,7 +143,7 @@ def _maker(tree: Any) -> Maker | None:
     if not makers:
         return None
 
-    def make(rows: Indices) -> Any:
+    def make(rows: Any) -> Any:
         parts = _parts(tree)
         for at, maker in makers.items():
             parts[at] = maker(rows)

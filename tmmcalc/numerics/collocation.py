@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.errors import AccuracyError
-from tmmcalc.numerics.newton import Ends, Measure, Rates, State, newton
+from tmmcalc.numerics.newton import TINY, Ends, Measure, Rates, State, newton
 from tmmcalc.numerics.panels import NARROWEST, Panels, Values
 from tmmcalc.numerics.radau import Radau, radau
 from tmmcalc.records import record
@@ -28,6 +28,7 @@ STIFF = 16.0  # decay over a panel above which its start may hide a layer
 ON_EDGE = NARROWEST / 16  # of the range: a bend this near to an edge counts as marked
 SNAP = 0.05  # of the panel: an edge so near to a bend moves there
 LAYER = 2.0  # decay over the first panel of a graded layer
+LAST, BEFORE = slice(-3, None), slice(-6, -3)  # coefficients whose fall tells what is left out
 EPS = float(np.finfo(float).eps)
 
 System = Callable[[Panels], Rates]
@@ -55,7 +56,8 @@ class Orbit:
     edges: Values  # (m, K + 1)
     monodromy: Values  # (m, m) dy(end)/dy(start)
     trace: float  # integral of the trace of df/dy: the logarithm of the determinant of the exact monodromy
-    error: float  # estimated largest relative error
+    error: float  # last coefficients, the largest: what the panels do not resolve
+    missing: Values  # (m, K) estimated relative error of the states within every panel
     iterations: int  # Newton steps on all meshes
     passes: int  # meshes
 
@@ -72,13 +74,14 @@ def solve(
     fixed: Values | None = None,
     tolerance: float = TOLERANCE,
     passes: int = PASSES,
+    noise: Values | None = None,
 ) -> Orbit:
     """Solution that meets ``ends`` (by default a periodic one), from a ``guess`` (m, K, N) at the Gauss points.
 
     States stay above their ``floor`` (m,); a state with a finite floor is resolved relative to its value, another to
     its largest, or to its ``typical`` size (m,) if that is larger. ``kinks`` tells where the equations bend as the
     solution stands: panels are cut there first, and of such cuts those that are not ``fixed`` edges (by default the
-    first ones) move along.
+    first ones) move along. ``noise`` (m,) are changes of the states that f cannot tell from none, beside rounding.
     Raises `AccuracyError` if Newton's method does not converge, or ``passes`` meshes do not resolve the solution.
     """
     scheme, m = radau(first.order), len(guess)
@@ -90,13 +93,14 @@ def solve(
         for target in (ROUGH, CLOSE):
             settled = newton(scheme, now.width, rates, closing, state, scale, target, step)
             state, step, steps = settled.state, settled.step, steps + settled.iterations
-            look = _look(scheme, now, state, rates, scale, kinks)
+            look = _look(scheme, now, state, rates, scale, kinks, np.zeros(m) if noise is None else noise)
             rough = look.rough(now, tolerance, target == CLOSE)
             if rough.any():
                 break
         else:
+            missing = look.missing + settled.next
             error = float(np.max(look.measure)) + settled.next + 4 * EPS
-            return _orbit(scheme, now, state, look.jacobian, settled.monodromy, error, steps, passed)
+            return _orbit(scheme, now, state, look.jacobian, settled.monodromy, error, missing, steps, passed)
         if now.count > PANELS:
             break
         finer = _refined(now, rough, look, first.edges if fixed is None else fixed)
@@ -113,7 +117,8 @@ class _Look(NamedTuple):
     """What a solution on a mesh looks like."""
 
     jacobian: Values  # (m, m, K, N)
-    measure: Values  # (K,) what every panel leaves unresolved, relative
+    measure: Values  # (K,) last coefficients on every panel, relative: what it leaves unresolved
+    missing: Values  # (m, K) estimated sum of those that it leaves out, of every state
     bends: Values  # places where the equations bend (any number,)
 
     def rough(self, mesh: Panels, tolerance: float, close: bool) -> NDArray[np.bool_]:
@@ -125,11 +130,13 @@ class _Look(NamedTuple):
         return rough & (mesh.width > NARROWEST * span)
 
 
-def _look(scheme: Radau, mesh: Panels, state: State, rates: Rates, scale: Measure, kinks: Kinks | None) -> _Look:
+def _look(
+    scheme: Radau, mesh: Panels, state: State, rates: Rates, scale: Measure, kinks: Kinks | None, noise: Values
+) -> _Look:
     f, jacobian, watched = rates(state.y)
     x = mesh.edges[:-1, None] + mesh.width[:, None] * scheme.points
     bends = kinks(x, watched) if kinks else np.empty(0)
-    return _Look(jacobian, _roughness(scheme, mesh, state, f, jacobian, watched, scale), bends)
+    return _Look(jacobian, *_roughness(scheme, mesh, state, f, jacobian, watched, scale, noise), bends)
 
 
 def _first(scheme: Radau, guess: Values) -> State:
@@ -139,21 +146,42 @@ def _first(scheme: Radau, guess: Values) -> State:
 
 
 def _roughness(
-    scheme: Radau, mesh: Panels, state: State, f: Values, jacobian: Values, watched: Values, scale: Measure
-) -> Values:
-    """What every panel leaves unresolved (K,), relative: last coefficients of states, rates and watched functions."""
+    scheme: Radau,
+    mesh: Panels,
+    state: State,
+    f: Values,
+    jacobian: Values,
+    watched: Values,
+    scale: Measure,
+    noise: Values,
+) -> tuple[Values, Values]:
+    """Last coefficients (K,) of states, rates and watched functions, relative, and what is missing of states (m, K).
+
+    The watched functions count with the first state.
+    """
     y = state.y
     size = np.max(scale.sizes(y), axis=2)
     # states carry the rounding of their largest, rates that times the stiffness: neither is a reason to refine
-    rounding = EPS * np.max(np.abs(y), axis=(1, 2))
-    last = scheme.coefficients[-3:].T
+    rounding = EPS * np.max(np.abs(y), axis=(1, 2)) + noise
+    last = scheme.coefficients[LAST].T
     missed = np.abs(_missed(scheme, state))
     states = (np.max(np.abs(state.rise @ last), axis=2) + missed - 8 * rounding[:, None]) / size
     sway = np.max(np.einsum("abkn,b->akn", np.abs(jacobian), rounding), axis=2)
     rates = (np.max(np.abs(f @ last), axis=2) / 4 - 2 * sway) * mesh.width / size
     largest = np.max(np.abs(watched), axis=(1, 2))
     others = np.max(np.abs(watched @ last), axis=2) / np.where(largest > 0, largest, 1.0)[:, None]
-    return np.max(np.concatenate((states, rates, others)), axis=0)
+    missing = np.maximum(np.maximum(states, rates), 0.0) * _beyond(scheme, state.rise)
+    missing[0] = np.max(np.concatenate((missing[:1], others * _beyond(scheme, watched))), axis=0)
+    return np.max(np.concatenate((states, rates, others)), axis=0), missing
+
+
+def _beyond(scheme: Radau, values: Values) -> Values:
+    """All coefficients that are left out over the last three (..., K), if they go on falling as they do; 1 at most."""
+    last, before = (
+        np.max(np.abs(values @ scheme.coefficients[part].T), axis=-1, initial=0.0) for part in (LAST, BEFORE)
+    )  # a rule of few points has none before the last
+    fall = np.minimum(last / np.maximum(before, TINY), 1.0)
+    return np.minimum(fall / np.maximum(1 - np.cbrt(fall), fall), 1.0)
 
 
 def _missed(scheme: Radau, state: State) -> Values:
@@ -207,6 +235,7 @@ def _orbit(
     jacobian: Values,
     monodromy: Values,
     error: float,
+    missing: Values,
     iterations: int,
     passes: int,
 ) -> Orbit:
@@ -214,4 +243,5 @@ def _orbit(
     rise = state.rise @ scheme.to_gauss.T + _missed(scheme, state)[..., None] * scheme.nodal
     edges = np.concatenate((state.before, state.rise[:, -1:, -1]), axis=1)
     trace = np.einsum("aakn,n,k->", jacobian, scheme.primitive[-1], mesh.width)
-    return Orbit(mesh, base + rise, state.start[:, None] + edges, monodromy, float(trace), error, iterations, passes)
+    y, ends = base + rise, state.start[:, None] + edges
+    return Orbit(mesh, y, ends, monodromy, float(trace), error, missing, iterations, passes)

@@ -8,6 +8,7 @@ nothing, and the estimate is that of a chain of operations, `CHAIN` units of rou
 from __future__ import annotations
 
 from dataclasses import fields, is_dataclass, replace
+from fractions import Fraction
 from typing import Any, TypeVar
 
 import numpy as np
@@ -52,6 +53,15 @@ def apart(found: Any, exact: Any) -> float:
     if not scale > 0:
         return least
     return max(MARGIN * float(np.max(np.abs(np.asarray(found) - exact)) / scale), least)
+
+
+def as_number(exact: Fraction, kind: type) -> Any:
+    """A fraction as a float or, of another kind, a longdouble.
+
+    >>> as_number(Fraction(1, 4), float)
+    0.25
+    """
+    return float(exact) if kind is float else np.longdouble(exact.numerator) / np.longdouble(exact.denominator)
 
 
 def spread(count: int, chosen: int) -> NDArray[np.intp]:

@@ -50,6 +50,18 @@ def rule(n: int = ORDER) -> Rule:
     return Rule(points, weights, upper.T @ coefficients / 2, 2 * slope, barycentric, coefficients, ends)
 
 
+@cache
+def wide_rule(n: int) -> tuple[Values, Values]:
+    """Points and weights (n,) of the rule in extended precision."""
+    t = 2 * rule(n).points.astype(np.longdouble) - 1
+    for _ in range(2):
+        p = legendre(t, n)
+        slope = n * (p[n - 1] - t * p[n]) / ((1 - t) * (1 + t))
+        t = t - p[n] / slope
+    p = legendre(t, n)
+    return (t + 1) / 2, (1 - t) * (1 + t) / (n * p[n - 1]) ** 2
+
+
 def _distances(n: int) -> Values:
     """1 - t of the roots t of P_n from 0 to 1, (n + 1) // 2 of them, rising."""
     angle = np.pi * (4 * np.arange(1, (n + 1) // 2 + 1) - 1) / (4 * n + 2)
@@ -83,7 +95,7 @@ def _gaps(u: Values, n: int) -> Values:
 
 def legendre(t: Values, n: int) -> Values:
     """Legendre polynomials of degree 0 to n at t, (n + 1, m)."""
-    p = np.empty((n + 1, len(t)))
+    p = np.empty((n + 1, len(t)), t.dtype)
     p[0], p[1] = 1.0, t
     for k in range(1, n):
         p[k + 1] = ((2 * k + 1) * t * p[k] - k * p[k - 1]) / (k + 1)

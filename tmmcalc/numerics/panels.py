@@ -29,6 +29,7 @@ WIDEST = np.pi / 6  # of a first panel, in the variable's unit
 NARROWEST = 2.0**-24  # of the whole range: a panel is not halved below it
 PASSES = 40
 NEWTON = 4  # steps to an extreme
+SLOWEST = 0.25  # fall of the coefficients of a kink, which go with the square of the degree
 
 
 @record
@@ -55,7 +56,7 @@ class Panels:
 
     def total(self, values: Values) -> Values:
         """Integral over the whole range, (...)."""
-        return np.einsum("...kn,n,k->...", values, rule(self.order).weights, self.width)
+        return np.asarray(values @ rule(self.order).weights @ self.width)
 
     def primitive(self, values: Values) -> tuple[Values, Values]:
         """Integral from the first edge to every point (..., K, N) and to every edge (..., K + 1)."""
@@ -164,6 +165,16 @@ class Panels:
         """Size (..., K) of the last coefficients: what the polynomial of a panel leaves out, with a margin."""
         last = np.abs(values @ rule(self.order).coefficients[-3:].T)
         return np.maximum(np.maximum(last[..., 0], last[..., 1]), last[..., 2])  # a reduction over three takes twice it
+
+    def left_out(self, values: Values) -> Values:
+        """What interpolation leaves out of functions (..., K): the coefficients go on to fall as in the second half.
+
+        The largest of the last ones is at least two degrees before the next of its kind.
+        """
+        c = np.abs(values @ rule(self.order).coefficients.T)
+        half, last = (np.max(c[..., at - 3 : at], axis=-1) for at in (self.order // 2, self.order))
+        fall = np.clip(last / np.where(half > 0, half, 1.0), 0.0, SLOWEST) ** (2 / self.order)
+        return np.asarray(2 * last * fall**2 / (1 - fall))
 
     def split(self, which: NDArray[np.bool_]) -> Panels:
         """The panels with those of ``which`` (K,) halved."""

@@ -3,37 +3,55 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import fields
 from itertools import groupby
+from typing import Any
 
 from tmmcalc.accuracy.study import Accuracy, Point, Series, Study
-from tmmcalc.report.accuracyladder import ladder_document
+from tmmcalc.report.accuracyladder import ladder_document, ladder_rows
 from tmmcalc.report.document import Document, Fact, View
 
 NUMBER = re.compile(r"[-+]?\d[\d.]*(?:e[-+]?\d+)?")  # in a reason: settings that fail alike differ in numbers alone
 TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
-TOLD = ("stage", "quantity", "method", "setting", "size", "error", "seconds", "evaluations", "order", "failed")
+ERROR = "error"
+TOLD = (
+    "stage", "quantity", "reference", "reference_error", "method", "setting", "size", "error", "seconds", "runs",
+    "evaluations", "order", "theory", "failed",
+)  # fmt: skip
 
 
 def accuracy_document(result: Accuracy, title: str, tolerance: float | None = None) -> Document:
     """One part a study: the reference, the cheapest method for ``tolerance`` (by default for four), all settings."""
     parts = tuple(_part(study, (tolerance,) if tolerance else TOLERANCES) for study in result.studies)
     parts += tuple(ladder_document(ladder) for ladder in result.ladders)
-    facts = [Fact("studied", ", ".join(dict.fromkeys(study.stage for study in result.studies)) or "nothing")]
-    if result.without:
-        facts.append(Fact("one method only", ", ".join(result.without), {"one_method_only": list(result.without)}))
+    stages = [study.stage for study in result.studies] + [ladder.stage for ladder in result.ladders]
+    facts = [_listed("studied", dict.fromkeys(stages))]
+    facts += [_listed(label, names) for label, names in _unstudied(result) if names]
     return Document(title, tuple(facts), parts=parts)
 
 
+def _unstudied(result: Accuracy) -> Iterator[tuple[str, Sequence[str]]]:
+    yield "one method only", result.without
+    yield "no choice in this scene", result.settled
+
+
+def _listed(label: str, names: Iterable[str]) -> Fact:
+    told = list(names)
+    return Fact(label, ", ".join(told) or "nothing", {label.replace(" ", "_"): told})
+
+
 def tidy_document(result: Accuracy, title: str) -> Document:
-    """One table of all settings of all studies, for programs; what does not apply is empty."""
-    rows = [
-        (study.stage, study.quantity, series.method, point.setting, point.size, point.error, point.seconds,
-         point.evaluations, series.order, point.failed)
+    """One table of all settings of all studies and ladders, for programs; what does not apply is empty."""
+    rows: list[tuple[Any, ...]] = [
+        (study.stage, study.quantity, study.reference.name, study.reference.error, series.method, point.setting,
+         point.size, point.error, point.seconds, point.runs, point.evaluations, series.order, series.expected,
+         point.failed)
         for study in result.studies
         for series in study.series
         for point in series.points
     ]  # fmt: skip
+    rows += [row for ladder in result.ladders for row in ladder_rows(ladder)]
     columns = [["" if cell is None else cell for cell in column] for column in zip(*rows, strict=True)]
     return Document(title, table=View(TOLD, columns or [[] for _ in TOLD]))
 
@@ -42,12 +60,23 @@ def _part(study: Study, tolerances: Sequence[float]) -> Document:
     reference = Fact(
         "reference",
         f"{study.reference.name}, error {study.reference.error:.1e}",
-        {"reference": study.reference.name, "reference_error": study.reference.error},
+        {
+            "reference": study.reference.name,
+            "reference_error": study.reference.error,
+            "methods": [plain(series) | {"points": list(map(plain, series.points))} for series in study.series],
+        },
     )
     notes = [f"{series.method}: {series.note}" for series in study.series if series.note]
     notes += [note for series in study.series for note in _failures(series)]
     title = f"{study.stage}: {study.quantity}"
-    return Document(title, (reference, *_cheapest(study, tolerances)), tuple(notes), _view(study.series))
+    facts = (reference, *_cheapest(study, tolerances), *_never(study, tolerances))
+    return Document(title, facts, tuple(notes), _view(study.series))
+
+
+def plain(row: Series | Point) -> dict[str, Any]:
+    """The fields of a record that say something, by name."""
+    values = {field.name: getattr(row, field.name) for field in fields(row)}
+    return {name: value for name, value in values.items() if value not in (None, "")}
 
 
 def _failures(series: Series) -> Iterator[str]:
@@ -59,7 +88,7 @@ def _failures(series: Series) -> Iterator[str]:
     reasons = {NUMBER.sub("#", p.failed): p.failed for p in series.points if p.failed}
     for key, told in settings.items():
         many = f" (at {told[-1]})" if len(told) > 1 and "#" in key else ""
-        yield f"{series.method}, {', '.join(told)}: {reasons[key]}{many}"
+        yield f"{', '.join(filter(None, (series.method, *told)))}: {reasons[key]}{many}"
 
 
 def _cheapest(study: Study, tolerances: Sequence[float]) -> Iterator[Fact]:
@@ -83,6 +112,27 @@ def _choice(found: tuple[Series, Point] | None) -> dict[str, object] | None:
     return {"method": series.method, "setting": point.setting, "error": point.error, "seconds": point.seconds}
 
 
+def _never(study: Study, tolerances: Sequence[float]) -> Iterator[Fact]:
+    """The methods that reach no tolerance so tight at any setting, each at the loosest that it misses."""
+    missing = {series.method: series for series in study.series}
+    for tolerance in sorted(tolerances, reverse=True):
+        missed = [series for series in missing.values() if series.cheapest(tolerance) is None]
+        if not missed:
+            continue
+        text = "\n".join(f"{series.method}: {_least(series)}" for series in missed)
+        least = {series.method: series.best.error if series.best else "no result" for series in missed}
+        values = {f"never_{tolerance:.0e}": least}
+        yield Fact(f"never {tolerance:.0e}", text, values)
+        for series in missed:
+            del missing[series.method]
+
+
+def _least(series: Series) -> str:
+    if series.best is None:
+        return "no result"
+    return f"{series.best.error:.1e} at best" + (f", {series.best.setting}" if series.best.setting else "")
+
+
 def called(series: Series, point: Point) -> str:
     """A method at a setting, in words."""
     return f"{series.method}, {point.setting}" if point.setting else series.method
@@ -94,23 +144,17 @@ def _time(seconds: float | None) -> str:
 
 def _view(all_series: Sequence[Series]) -> View:
     rows = [(series, point, k == 0) for series in all_series for k, point in enumerate(series.points)]
-    counted = any(point.evaluations is not None for _, point, _ in rows)
-    headers = ["method", "setting", "error", "time[ms]", *(["evaluations"] if counted else []), "order", "theory"]
-    columns: list[list[str]] = [
-        [series.method if first else "" for series, _, first in rows],
-        [point.setting for _, point, _ in rows],
-        ["failed" if point.error is None else f"{point.error:.1e}" for _, point, _ in rows],
-        ["" if point.seconds is None else f"{point.seconds * 1e3:.3g}" for _, point, _ in rows],
-        *([["" if p.evaluations is None else str(p.evaluations) for _, p, _ in rows]] if counted else []),
-        list(_orders(rows)),
-        [_order(series.expected) if first else "" for series, _, first in rows],
-    ]
-    return View(headers, columns)
-
-
-def _orders(rows: Sequence[tuple[Series, Point, bool]]) -> Iterator[str]:
-    for series, _, first in rows:
-        yield _order(series.order) if first else ""
+    columns: dict[str, list[float | int | str]] = {
+        "method": [series.method if first else "" for series, _, first in rows],
+        "setting": [point.setting for _, point, _ in rows],
+        ERROR: ["failed" if point.error is None else point.error for _, point, _ in rows],
+        "time[ms]": ["" if point.seconds is None else f"{point.seconds * 1e3:.3g}" for _, point, _ in rows],
+        "evaluations": ["" if point.evaluations is None else point.evaluations for _, point, _ in rows],
+        "order": [_order(series.order) if first else "" for series, _, first in rows],
+        "theory": [_order(series.expected) if first else "" for series, _, first in rows],
+    }
+    told = {name: cells for name, cells in columns.items() if any(cell != "" for cell in cells)}
+    return View(list(told), list(told.values()), scientific=[ERROR])
 
 
 def _order(value: float | None) -> str:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import fields
+from typing import Any
 
 from tmmcalc.accuracy.study import Ladder, Rung
 from tmmcalc.report.document import Document, Fact, View
@@ -11,7 +13,7 @@ from tmmcalc.report.numbers import number
 
 def ladder_document(ladder: Ladder) -> Document:
     """The limit of the textbook's step and how it falls, the cost of the choice, a table with a row a rung."""
-    rungs = [{field.name: getattr(rung, field.name) for field in fields(rung)} for rung in ladder.rungs]
+    rungs = [_plain(rung) for rung in ladder.rungs]
     facts = (
         Fact(
             "reference",
@@ -29,6 +31,24 @@ def ladder_document(ladder: Ladder) -> Document:
         notes if any(not rung.reference for rung in ladder.rungs) else (),
         _view(ladder),
     )
+
+
+def _plain(rung: Rung) -> dict[str, Any]:
+    values = {field.name: getattr(rung, field.name) for field in fields(rung)}
+    return {name: value for name, value in values.items() if value not in (None, "")}
+
+
+def ladder_rows(ladder: Ladder) -> Iterator[tuple[Any, ...]]:
+    """Rows for programs: the program's choice on every rung, then the textbook's step; columns of `TOLD`."""
+    head = (ladder.stage, f"ladder: {ladder.quantity}", ladder.reference.name, ladder.reference.error)
+    for rung in ladder.rungs:
+        setting = f"{rung.value:.0e} {ladder.unit}"
+        name = f"choice of the program, {rung.method}"
+        yield (*head, name, setting, rung.value, rung.error, rung.seconds, None, rung.evaluations, None, None, "")
+    for rung in ladder.rungs:
+        setting, name = f"{rung.value:.0e} {ladder.unit}", f"fixed step of {number(ladder.step)} s"
+        count, fails = rung.textbook_evaluations, rung.textbook_fails
+        yield (*head, name, setting, rung.value, rung.textbook_error, None, None, count, None, None, fails)
 
 
 def _textbook_fact(ladder: Ladder) -> Fact:

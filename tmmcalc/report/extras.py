@@ -154,7 +154,7 @@ def ball_summary(result: Ball, title: str) -> Document:
     if result.asked:
         text = "\n".join(_moment(each) for each in result.asked)
         facts.append(Fact("at", text, {"at": [_values(each) for each in result.asked]}))
-    facts.append(Fact("error of the way", f"{result.error:.0e}, relative", {"S_error": result.error}))
+    facts.append(Fact("error of the way", f"{result.error['way']:.0e}, relative", {"S_error": result.error["way"]}))
     return Document(title, tuple(facts), result.notes)
 
 

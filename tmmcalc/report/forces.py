@@ -160,7 +160,8 @@ def _friction_fact(result: Forces) -> Fact:
     rubbing = [pair for pair in result.pairs if pair.friction and (pair.kind == "prismatic" or pair.radius)]
     if not rubbing:
         return Fact("friction", "none", {"friction": False})
-    jumps = [label for label in result.labels if f"{label}-" in result.labels]
+    every = set(result.labels)
+    jumps = [label for label in result.labels if f"{label}-" in every]
     passes = result.counters["passes"]
     joints: dict[float, list[str]] = {}
     for pair in rubbing:

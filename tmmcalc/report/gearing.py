@@ -156,7 +156,8 @@ def _power_facts(result: Gearing) -> Iterator[Fact]:
         "power_lost[W]": lost,
         "efficiency": flow.efficiency,
         "torque_is_assumed": result.assumed,
-        "error": {"equilibrium": flow.error},
+        "residual": {"equilibrium": flow.residual},
+        "error": result.error,
     }
     yield Fact("power", text, values)
     yield _loops_fact(flow, {*result.motion.members})

@@ -66,7 +66,9 @@ PLATE = (  # a line each
 def power_summary(result: Power, title: str) -> Document:
     """Facts and notes; the work of every cause is left to the summary of the reduction."""
     facts = [*_work_facts(result), *_power_facts(result), *_motor_facts(result)]
-    facts.append(Fact("error of work (est.)", f"{result.error:.0e} (relative)", {"error": {"work": result.error}}))
+    facts.append(
+        Fact("error of work (est.)", f"{result.error.work:.0e} (relative)", {"error": {"work": result.error.work}})
+    )
     notes = tuple(_notes(result.duty)) if result.duty is not None else ()
     return Document(title, tuple(facts), notes)
 

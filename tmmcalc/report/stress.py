@@ -1,26 +1,37 @@
-"""The document of a stress test: every rung of every ladder, where accuracy degrades, and whether it was told."""
+"""The document of a stress test: where digits go, and every rung of every ladder.
+
+The table on top has a row for every stage that loses more than three digits on a ladder: what it loses on an ordinary
+rung and on its worst, with the condition number and the stage's own estimate there, and whether the program tells it.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
 from tmmcalc.report.document import Document, Fact, View
-from tmmcalc.stress.results import ERROR, FAULT, LIMITS, Ladder, Met, Rung, Stress
+from tmmcalc.stress.results import ERROR, FAULT, LIMITS, OK, WARNING, Ladder, Loss, Met, Rung, Stress
 
 TOLD = (
     "ladder", "setting", "size", "condition", "stage", "status", "code", "error", "quantity", "estimate", "told",
     "message",
 )  # fmt: skip
+KEPT = 1e-12  # observed errors up to that are no loss to speak of
+# how reasons begin that say no more than the name of a ladder
+LACKS = ("the scene has n", "the motor of the scene has no", "no linkage is sought")
+LOSSES = ("ladder", "stage", "error at first", "at worst", "condition", "estimate", "told by", "of", "on rung")
 
 
 def stress_document(result: Stress, title: str) -> Document:
-    """One part a ladder: its rungs with the worst stage of each, where stages lose digits, and the errors met."""
+    """What is lost where; then one part a ladder: its rungs with the worst stage of each, and the errors met."""
     facts = [Fact("ladders", ", ".join(ladder.name for ladder in result.ladders) or "none")]
-    facts += [Fact(f"no {name}", reason, {f"without_{name}": reason}) for name, reason in result.without]
+    facts += _without(result)
     count = len(result.faults)
     facts.append(Fact("faults of the program", str(count) if count else "none", {"faults": count}))
+    lost = [(ladder, loss) for ladder in result.ladders for loss in ladder.losses() if (loss.met.error or 0.0) > KEPT]
+    facts.append(_kept(result, {(ladder.name, loss.stage) for ladder, loss in lost}))
     notes = tuple(f"warning: {name}, {rung.setting}: {met.stage}: {met.message}" for name, rung, met in result.faults)
-    return Document(title, tuple(facts), notes, parts=tuple(_part(ladder) for ladder in result.ladders))
+    table = View(LOSSES, _transposed([_row(*each) for each in lost], LOSSES)) if lost else None
+    return Document(title, tuple(facts), notes, table, parts=tuple(_part(ladder) for ladder in result.ladders))
 
 
 def tidy_stress(result: Stress, title: str) -> Document:
@@ -34,6 +45,46 @@ def tidy_stress(result: Stress, title: str) -> Document:
     ]  # fmt: skip
     columns = [["" if cell is None else cell for cell in column] for column in zip(*rows, strict=True)]
     return Document(title, table=View(TOLD, columns or [[] for _ in TOLD]))
+
+
+def _without(result: Stress) -> Iterator[Fact]:
+    """The ladders that the scene has not: those of other kinds of scene by name, the rest with their reasons."""
+    plain = [(name, reason) for name, reason in result.without if reason.startswith(LACKS)]
+    if plain:
+        names = ", ".join(name for name, _ in plain)
+        yield Fact("of other scenes", names, {f"without_{name}": reason for name, reason in plain})
+    for name, reason in result.without:
+        if not reason.startswith(LACKS):
+            yield Fact(f"no {name}", reason, {f"without_{name}": reason})
+
+
+def _kept(result: Stress, lost: set[tuple[str, str]]) -> Fact:
+    """The worst of all stages that lose nothing to speak of."""
+    others = [loss for ladder in result.ladders for loss in ladder.losses() if (ladder.name, loss.stage) not in lost]
+    largest = max((loss.met.error or 0.0 for loss in others), default=0.0)
+    every = "all other stages on all ladders" if lost else "all stages on all ladders"
+    text = f"{every} keep twelve digits: errors up to {largest:.1e}" if others else "nothing could be compared"
+    return Fact("digits", text, {"largest_of_the_others": largest})
+
+
+def _row(ladder: Ladder, loss: Loss) -> tuple[str, ...]:
+    met = loss.met
+    condition = "" if loss.rung.condition is None else f"{loss.rung.condition:.1e}"
+    return (
+        ladder.name, loss.stage, _power(loss.ordinary), _power(met.error), condition, _power(met.estimate),
+        _teller(met), met.quantity, loss.rung.setting,
+    )  # fmt: skip
+
+
+def _teller(met: Met) -> str:
+    """What tells of the loss: the estimate that is as large, a warning, or nothing."""
+    if met.estimate is not None and met.error is not None and met.estimate >= met.error:
+        return "estimate"
+    return {OK: "nothing", WARNING: "warning"}.get(met.status, met.status)
+
+
+def _transposed(rows: list[tuple[str, ...]], headers: tuple[str, ...]) -> list[list[str]]:
+    return [[row[k] for row in rows] for k in range(len(headers))]
 
 
 def _part(ladder: Ladder) -> Document:
@@ -52,10 +103,10 @@ def _degraded(ladder: Ladder) -> Iterator[Fact]:
             ]
         }
         text = "; ".join(
-            f"{each.stage} from {each.rung.setting} on{'' if each.told else ' (the estimate did not tell)'}"
-            for each in beyond
+            f"{each.stage} from {each.rung.setting} on{'' if each.told else ' (not told)'}" for each in beyond
         )
-        yield Fact(f"error beyond {limit:.0e}", text or "nowhere", values)
+        if text or limit == LIMITS[0]:
+            yield Fact(f"error beyond {limit:.0e}", text or "nowhere", values)
 
 
 def _messages(ladder: Ladder) -> Iterator[str]:
@@ -69,8 +120,8 @@ def _messages(ladder: Ladder) -> Iterator[str]:
 
 
 def _view(ladder: Ladder) -> View:
-    stages = ladder.stages()
-    headers = ["rung", ladder.condition, "worst", "error", "estimate", *(["ends"] if stages else [])]
+    answers = [rung.answer for rung in ladder.rungs]
+    headers = ["rung", ladder.condition, "worst", "error", "estimate", "ends"]
     worst = [_worst(rung) for rung in ladder.rungs]
     columns: list[list[str]] = [
         [rung.setting for rung in ladder.rungs],
@@ -80,7 +131,7 @@ def _view(ladder: Ladder) -> View:
         [_power(None if met is None else met.estimate) for met in worst],
         [_ends(rung) for rung in ladder.rungs],
     ]
-    return View(headers, columns)
+    return View([*headers, "answer"], [*columns, answers]) if any(answers) else View(headers, columns)
 
 
 def _worst(rung: Rung) -> Met | None:
@@ -94,5 +145,5 @@ def _power(value: float | None) -> str:
 def _ends(rung: Rung) -> str:
     """How the stages of a rung end, those that are well left out."""
     words = [f"{met.stage}: exit {met.code}" for met in rung.met if met.status in (ERROR, FAULT)]
-    warned = sum(met.status == "warning" for met in rung.met)
+    warned = sum(met.status == WARNING for met in rung.met)
     return ", ".join([*words, *([f"{warned} warned"] if warned else [])]) or "ok"

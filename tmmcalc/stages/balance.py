@@ -84,7 +84,7 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
 
 def dump(result: Balances) -> Record:
     """Arrays by the names of the fields: ``linkage.shaking.force``, what each scheme leaves, ..."""
-    errors = {"linkage": result.linkage.shaking.error} if result.linkage is not None else {}
+    errors = result.linkage.errors if result.linkage is not None else {}
     if result.engine is not None:
         errors["engine"] = result.engine.balance.error
     if result.rotor is not None:

@@ -10,7 +10,7 @@ from typing import Literal
 
 import numpy as np
 
-from tmmcalc.linkage.reduction.results import Contribution, Reduction
+from tmmcalc.linkage.reduction.results import Contribution, Reduction, ReductionError
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.numerics.panels import Panels, Values
@@ -18,6 +18,7 @@ from tmmcalc.numerics.simpson import simpson
 
 POSITIONS = 24  # equal steps of a turn that are tabulated
 BALANCE = "balancing moment"
+EPS = float(np.finfo(float).eps)
 
 
 def reduced_diagram(name: str, cycle: Cycle) -> Reduction:
@@ -53,9 +54,18 @@ def reduced_diagram(name: str, cycle: Cycle) -> Reduction:
         rods="exact",
         rod_links=(),
         other=None,
+        error=_error(on, parts),
         grades=(),
         counters={"panels": on.count, "points": on.x.size},
     )
+
+
+def _error(on: Panels, parts: Values) -> ReductionError:
+    """Errors of moments (S, K, N) as the panels tell them: what polynomials leave out, and rounding."""
+    tail = on.tail(parts)
+    of_value = EPS + float(np.max(tail)) / float(np.max(np.abs(parts)) or 1.0)
+    of_work = EPS + float(np.max(tail @ on.width)) / float(np.max(on.total(np.abs(parts))) or 1.0)
+    return ReductionError(EPS, EPS, of_value, of_value, of_value, of_work)
 
 
 def _tabulated(on: Panels, part: Values, theta: Values) -> Values:
@@ -68,5 +78,6 @@ def _tabulated(on: Panels, part: Values, theta: Values) -> Values:
 def _contribution(
     name: str, kind: Literal["load", "balance"], on: Panels, part: Values, by_simpson: float | None
 ) -> Contribution:
-    least, largest = on.extremes(part)
-    return Contribution(name, kind, None, 0, float(on.total(part)), by_simpson, Extreme(*least), Extreme(*largest))
+    least, largest = (Extreme(*each) for each in on.extremes(part))
+    error = EPS * float(on.total(np.abs(part))) + float(on.tail(part) @ on.width)
+    return Contribution(name, kind, None, 0, float(on.total(part)), error, by_simpson, least, largest)

@@ -27,7 +27,7 @@ def solve(given: BallTask, upstream: Mapping[str, Any], settings: Mapping[str, A
 
 def dump(result: Ball) -> Record:
     """Arrays by the names of the fields."""
-    return to_record(result, {"way": result.error})
+    return to_record(result, result.error)
 
 
 def load(record: Record) -> Ball:

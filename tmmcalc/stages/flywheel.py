@@ -12,6 +12,8 @@ from tmmcalc.stages.conversion import from_record, to_record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.driver import ConstantInertia, Driver
+    from tmmcalc.machine.flywheel.comparison import Comparison
+    from tmmcalc.machine.flywheel.trials import Trial
     from tmmcalc.spec import Spec
 
 
@@ -51,6 +53,30 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
         machine.speed,
         shaft_ratio(task, power, gears),
         motor_ratio=motor_ratio(power, gears),
+        steps=equal_steps(reduction),
+        sense=sense(reduction),
+    )
+
+
+def of_searches(
+    given: Given, upstream: Mapping[str, Any], comparison: Comparison, history: tuple[Trial, ...]
+) -> Flywheel:
+    """The same from what all methods lead to, where that is known."""
+    from tmmcalc.machine.flywheel.task import flywheel_of
+    from tmmcalc.stages.shaft import equal_steps, geared, motor_ratio, sense, shaft_ratio
+
+    task, machine = given[0], asked(given, upstream)
+    gears = geared(upstream, given[2])
+    reduction, power = upstream["reduction"], upstream["power"]
+    return flywheel_of(
+        reduction.cycle,
+        machine.at_hand,
+        task,
+        machine.driver,
+        machine.speed,
+        (shaft_ratio(task, power, gears), motor_ratio(power, gears)),
+        comparison,
+        history,
         steps=equal_steps(reduction),
         sense=sense(reduction),
     )

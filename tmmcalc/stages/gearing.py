@@ -30,8 +30,7 @@ def solve(given: GearingTask, upstream: Mapping[str, Any], settings: Mapping[str
 
 def dump(result: Gearing) -> Record:
     """Arrays by the names of the fields: ``motion.speeds``, ``flow.torques``, ..."""
-    errors = {"equilibrium": result.flow.error} if result.flow is not None else {}
-    return to_record(result, errors)
+    return to_record(result, result.error)
 
 
 def load(record: Record) -> Gearing:

@@ -33,7 +33,7 @@ def solve(given: ManipulatorTask, upstream: Mapping[str, Any], settings: Mapping
 
 def dump(result: Manipulator) -> Record:
     """Arrays by the names of the fields."""
-    return to_record(result, {} if result.residual is None else {"round_trip": result.residual})
+    return to_record(result, result.error)
 
 
 def load(record: Record) -> Manipulator:

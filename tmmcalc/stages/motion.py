@@ -11,7 +11,7 @@ from tmmcalc.machine.columns import motion_columns
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
 from tmmcalc.machine.motion import Motion
 from tmmcalc.pipeline.stage import Late, Record, Table
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.stages.conversion import from_record, plain, to_record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.driver import ConstantInertia, Driver
@@ -68,7 +68,7 @@ def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
 
 def dump(result: Motion) -> Record:
     """Arrays by the names of the fields; the dense regimes under ``regime.`` and ``idle.``."""
-    return to_record(result, {"speed": result.regime.error})
+    return to_record(result, plain(result.regime.errors))
 
 
 def load(record: Record) -> Motion:

@@ -6,11 +6,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from tmmcalc.machine.power import Power
 from tmmcalc.pipeline.stage import Record
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.stages.conversion import from_record, plain, to_record
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.reduction.results import Reduction
@@ -31,18 +29,21 @@ def inputs(spec: Spec) -> Given:
 
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Power:
     """Work and power of the cycle, and how the motor stands to them."""
+    from tmmcalc.linkage.reduction.signs import turnover
+    from tmmcalc.linkage.rounding import MARGIN
     from tmmcalc.machine.power import WorkPart, chosen_motor, duty_of, solve_power
     from tmmcalc.stages.shaft import geared, sense
 
     wish, gears, key = given[0], geared(upstream, given[1]), given[2]
     reduction: Reduction = upstream["reduction"]
-    turnover = reduction.cycle.panels.total(np.abs(reduction.parts))
     parts = tuple(
-        WorkPart(c.name, c.kind, c.work, float(all_of_it))
-        for c, all_of_it in zip(reduction.contributions, turnover, strict=True)
+        WorkPart(c.name, c.kind, c.work, turnover(reduction.cycle.panels, part), c.error)
+        for c, part in zip(reduction.contributions, reduction.parts, strict=True)
     )
     turns = sense(reduction)
-    power = solve_power(reduction.cycle, parts, gears.efficiency, turns)
+    # the margin is for worse places that were not looked at; at one place those of all causes add up by their squares
+    rounding = reduction.error.moment / MARGIN * len(parts) ** 0.5
+    power = solve_power(reduction.cycle, parts, gears.efficiency, turns, rounding)
     if wish is None:
         return power
     speed = reduction.cycle.speed
@@ -69,7 +70,7 @@ def _told(duty: MotorDuty, gears: Gears, speed: float, turns: float, key: str) -
 
 def dump(result: Power) -> Record:
     """All of it is scalars."""
-    return to_record(result, {"work": result.error})
+    return to_record(result, plain(result.error))
 
 
 def load(record: Record) -> Power:

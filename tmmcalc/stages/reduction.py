@@ -12,7 +12,7 @@ from tmmcalc.linkage.reduction.columns import EFFICIENCY, cells, columns
 from tmmcalc.linkage.reduction.results import Reduction
 from tmmcalc.machine.model import TorqueTask
 from tmmcalc.pipeline.stage import Late, Record, Table
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.stages.conversion import from_record, plain, to_record
 
 if TYPE_CHECKING:
     from tmmcalc.columns import Column
@@ -53,7 +53,7 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
 
 def dump(result: Reduction) -> Record:
     """Arrays by the names of the fields; those of the dense cycle under ``cycle.``."""
-    return to_record(result, {"functions": result.cycle.error})
+    return to_record(result, plain(result.error))
 
 
 def load(record: Record) -> Reduction:

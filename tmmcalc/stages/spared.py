@@ -37,13 +37,14 @@ def flywheel(spec: Spec) -> tuple[str, ...]:
 
 
 def motion(spec: Spec) -> tuple[str, ...]:
-    """As of the flywheel."""
-    return flywheel(spec)
+    """As of the flywheel; and a flywheel that is there need not be sized."""
+    there = spec.flywheel is not None and bool(spec.flywheel.inertia)
+    return (*flywheel(spec), *(("flywheel",) if there else ()))
 
 
 def transient(spec: Spec) -> tuple[str, ...]:
-    """As of the flywheel."""
-    return flywheel(spec)
+    """As of the motion."""
+    return motion(spec)
 
 
 def cam_forces(spec: Spec) -> tuple[str, ...]:

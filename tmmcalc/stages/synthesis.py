@@ -54,7 +54,8 @@ def solve(given: Request, upstream: Mapping[str, Any], settings: Mapping[str, An
 
 def dump(result: Synthesis) -> Record:
     """Arrays by the names of the fields."""
-    return to_record(result, {"residual": result.residual})
+    sizes = {} if result.error is None else {"sizes": result.error}
+    return to_record(result, {"residual": result.residual, **sizes})
 
 
 def load(record: Record) -> Synthesis:

@@ -30,7 +30,7 @@ def solve(given: VibratorTask, upstream: Mapping[str, Any], settings: Mapping[st
 
 def dump(result: VibratorResult) -> Record:
     """Arrays by the names of the fields."""
-    return to_record(result, {"frequencies": result.error})
+    return to_record(result, result.error)
 
 
 def load(record: Record) -> VibratorResult:

@@ -91,10 +91,12 @@ def _differences(one: Quantities, two: Quantities, alignment: Alignment) -> Iter
 
 
 def _apart(a: Values, b: Values, unit: str, mirrored: bool) -> Values:
-    """Differences; of a mirrored scene every quantity is the same but for its sign."""
+    """Differences; in a mirror a quantity is the same but for its sign, a direction of an axis also for half a turn."""
     gap = _gap(a, b, unit)
-    other = _gap(a, -b, unit) if mirrored else gap
-    return gap if np.max(gap, initial=0.0) <= np.max(other, initial=0.0) else other
+    if not mirrored:
+        return gap
+    others = [-b, TURN / 2 - b] if unit == "deg" else [-b]
+    return min((gap, *(_gap(a, other, unit) for other in others)), key=lambda each: np.max(each, initial=0.0))
 
 
 def _gap(a: Values, b: Values, unit: str) -> Values:
@@ -115,11 +117,18 @@ def _rows(one: Table, two: Table, alignment: Alignment) -> tuple[Values, Values]
         return (np.arange(one.rows), np.arange(two.rows)) if one.rows == two.rows else None
     if one.header[0] != "i":
         return None
-    here, there = _labels(one), _labels(two)
+    here = _labels(one)
     count = max(here)
-    pairs = [(row, there.get(alignment.label(label, count))) for label, row in here.items() if label < count]
+    labels = np.asarray(two.columns[0])
+    pairs = [(row, _row(labels, alignment.label(label, count))) for label, row in here.items() if label < count]
     met = [(row, other) for row, other in pairs if other is not None]
     return (np.array([row for row, _ in met]), np.array([other for _, other in met])) if met else None
+
+
+def _row(labels: Values, label: int) -> int | None:
+    """The row of a position, None if there is none."""
+    rows = np.flatnonzero(labels == (label if labels.dtype.kind in "iu" else str(label)))
+    return int(rows[0]) if rows.size else None
 
 
 def _labels(table: Table) -> dict[int, int]:

@@ -1,11 +1,12 @@
 """What an extreme spec is to give: a table in its comments, one line an answer.
 
     #= to | forces                              the stage to run to; without it all that the scene has
-    #= exit | 3 | dead point at angle_1 = 90    exit code and words of the error
+    #= exit | 3 | the crank turns 90 deg | closed form | degrees(pi/2)    exit code, words of the error, their proof
     #= value | kinematics.stroke_B[m] | 0.1 | 1e-14 | closed form, twice the crank | 2*r
 
 A value has its name as ``tmmcalc sweep`` tells it, the number, its tolerance (relative, or ``abs 1e-9``), how it was
 proved, and, where it is short, the formula of the proof for mpmath, in which ``mpf``, ``sqrt``, ``pi`` ... are known.
+Words of an error have one such formula for every number in them, in their order.
 """
 
 from __future__ import annotations
@@ -41,6 +42,7 @@ class Expected:
     code: int
     words: str
     values: tuple[Value, ...]
+    formulas: tuple[str, ...] = ()  # for mpmath, of the numbers in the words
 
 
 def expected(text: str) -> Expected:
@@ -50,6 +52,7 @@ def expected(text: str) -> Expected:
     3
     """
     target, code, words = None, 0, ""
+    formulas: list[str] = []
     values = []
     for line in text.splitlines():
         if not line.startswith(MARK):
@@ -59,9 +62,10 @@ def expected(text: str) -> Expected:
             target = cells[0]
         elif kind == "exit":
             code, words = int(cells[0]), cells[1] if len(cells) > 1 else ""
+            formulas = cells[3:]
         else:
             values.append(_value(cells))
-    return Expected(target, code, words, tuple(values))
+    return Expected(target, code, words, tuple(values), tuple(formulas))
 
 
 def _value(cells: list[str]) -> Value:

@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from math import sqrt
 
 from tmmcalc.spec.units import parse
-from tmmcalc.stress.linkage import OWN_TWIN
-from tmmcalc.stress.scene import Climb, Scene, Step, always, changed, decades, lacking
+from tmmcalc.stress.scene import OWN_TWIN, Climb, Scene, Step, always, changed, decades, lacking
 
 STIFFNESSES = decades(2, 10)  # [N*m/rad]
 LAGS = decades(0, -9, -1)  # [s]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from tmmcalc.stress.scene import Document, lacking
@@ -11,7 +11,6 @@ UNKNOWN = (
     "torque",
     "engine",
     "rotor",
-    "cam",
     "unsteady",
     "synthesis",
     "manipulator",
@@ -26,7 +25,11 @@ def mirrored(document: Mapping[str, Any]) -> Document:
     for table in UNKNOWN:
         if table in document:
             raise lacking(f"[{table}] is not mirrored")
-    found = {**document, "mechanism": _mechanism(document["mechanism"])}
+    found = dict(document)
+    if "mechanism" in document:
+        found["mechanism"] = _mechanism(document["mechanism"])
+    if "cam" in document:
+        found["cam"] = _cam(document["cam"])
     if "loads" in document:
         found["loads"] = [_load(load) for load in document["loads"]]
     if "springs" in document:
@@ -34,6 +37,12 @@ def mirrored(document: Mapping[str, Any]) -> Document:
     if "drive" in document and "pinion" in document["drive"]:
         found["drive"] = {**document["drive"], "pinion": _negative(document["drive"]["pinion"])}
     return found
+
+
+def _cam(cam: Mapping[str, Any]) -> Document:
+    """Sizes and laws are told by the sense in which the cam turns, the offset by left and right."""
+    turned = "counter-clockwise" if cam.get("rotation", "clockwise") == "clockwise" else "clockwise"
+    return {**_with(cam, offset=_negative), "rotation": turned}
 
 
 def _mechanism(mechanism: Mapping[str, Any]) -> Document:
@@ -49,7 +58,7 @@ def _mechanism(mechanism: Mapping[str, Any]) -> Document:
         found["input"] = _with(mechanism["input"], speed=_negative, acceleration=_negative, start=_start)
     if "assembly" in mechanism:
         at = {"at": _negative} if turns else {}
-        found["assembly"] = _with(mechanism["assembly"], sketch=_points, variants=_variants, **at)
+        found["assembly"] = _with(mechanism["assembly"], sketch=_points, variants=_Variants(mechanism["joints"]), **at)
     return found
 
 
@@ -85,11 +94,17 @@ def _spring(spring: Mapping[str, Any]) -> Document:
     return _with(spring, points=lambda ends: [_point(end) for end in ends], free_angle=_negative)
 
 
-def _variants(variants: Mapping[str, Any]) -> Document:
-    """Signs of dyads; the assemblies of a higher group are numbered, and their order in a mirror is not known."""
-    if any(name.count("-") > 1 for name in variants):
-        raise lacking("the assembly of a higher group is given by its number")
-    return {name: -sign for name, sign in variants.items()}
+class _Variants:
+    """Signs of dyads in a mirror: left of a line becomes right of it, ahead along a guide stays ahead."""
+
+    def __init__(self, joints: Sequence[Mapping[str, Any]]) -> None:
+        self.sliding = {str(link) for joint in joints if joint["kind"] == "prismatic" for link in joint["links"]}
+
+    def __call__(self, variants: Mapping[str, Any]) -> Document:
+        """Those of higher groups are numbered, and their order in a mirror is not known: raises UsageError."""
+        if any(name.count("-") > 1 for name in variants):
+            raise lacking("the assembly of a higher group is given by its number")
+        return {name: sign if self.sliding.intersection(name.split("-")) else -sign for name, sign in variants.items()}
 
 
 def _start(value: Any) -> Any:

@@ -43,6 +43,17 @@ class Rung:
     size: float  # of what is varied
     condition: float | None  # condition number; None: the scene could not be built so far
     met: tuple[Met, ...]  # by stage, in the order of the pipeline
+    answer: str = ""  # of a shipped scene: what was compared with its known answer
+
+
+@record
+class Loss:
+    """What a stage loses on a ladder: its first rung with a comparison beside its worst."""
+
+    stage: str
+    ordinary: float  # observed error on the first rung
+    rung: Rung  # the worst
+    met: Met  # there
 
 
 @record
@@ -72,6 +83,14 @@ class Ladder:
     def track(self, stage: str) -> tuple[tuple[Rung, Met], ...]:
         """What became of a stage, rung by rung."""
         return tuple((rung, met) for rung in self.rungs for met in rung.met if met.stage == stage)
+
+    def losses(self) -> Iterator[Loss]:
+        """The worst of every stage that has something to compare."""
+        for stage in self.stages():
+            compared = [(met.error, rung, met) for rung, met in self.track(stage) if met.error is not None]
+            if compared:
+                _, rung, met = max(compared, key=lambda each: each[0])
+                yield Loss(stage, compared[0][0], rung, met)
 
     def degraded(self) -> Iterator[Degraded]:
         """Where every stage passes every limit, if it does."""

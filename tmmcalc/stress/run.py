@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.errors import TmmError, UsageError
@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from tmmcalc.spec.loader import Variants
 
 Told = Callable[[str, str], None]  # ladder, rung
+LONG = ("transient", "pendulum", "cam_optimum")  # stages that take seconds
+STRIDE = 4  # of the rungs of a scene with such a stage, unless the ladder is named
 FLOOR = 2.0**-53  # nearer than that two numbers cannot be told apart
 
 
@@ -30,6 +32,9 @@ def solve_stress(
     variants: Variants, ladders: Sequence[str] = (), stage: str | None = None, on_rung: Told | None = None
 ) -> Stress:
     """Climb the named ladders of a scene (all that it has), up to ``stage``; ``on_rung`` is called before every rung.
+
+    A scene with a motion in time, a search or a group beyond dyads takes seconds a rung: of its ladders every fourth
+    rung is climbed, unless they are named.
 
     Raises UsageError for a ladder or stage that there is not, and for one named that the scene has not; and what the
     scene itself raises as it stands.
@@ -39,15 +44,17 @@ def solve_stress(
             raise UsageError(f"no ladder is called {name!r}", where="--ladder", remedy=f"ladders: {', '.join(LADDERS)}")
     if stage is not None:
         known_stage(stage, STAGES)
-    spec = variants.spec()
-    base = run(spec, target=stage, keep_going=True)
+    base = run(variants.spec(), target=stage, keep_going=True)
     scene = Scene(variants.data, variants.of, base, stage)
+    stride = STRIDE if not ladders and _long(base) else 1
     found: list[Ladder] = []
     without: list[tuple[str, str]] = []
     for name in ladders or LADDERS:
         try:
+            if on_rung is not None:
+                on_rung(name, "the way to its edge is sought")
             climb: Climb = resolve(LADDERS[name])(scene)
-            found.append(_climbed(name, climb, scene, on_rung))
+            found.append(_climbed(name, climb, scene, stride, on_rung))
         except UsageError as error:
             if ladders:
                 raise
@@ -55,13 +62,26 @@ def solve_stress(
     return Stress(tuple(found), tuple(without))
 
 
-def _climbed(name: str, climb: Climb, scene: Scene, on_rung: Told | None) -> Ladder:
+def _long(base: RunResult) -> bool:
+    """Whether a scene takes seconds a run, near its edges if not elsewhere."""
+    groups = "structure" in base.outcomes and not base.results["structure"].dyads_only
+    return groups or any(stage in base.outcomes for stage in LONG)
+
+
+def _climbed(name: str, climb: Climb, scene: Scene, stride: int, on_rung: Told | None) -> Ladder:
     rungs = []
-    for step in climb.steps:
+    for step in _every(stride, climb.steps):
         if on_rung is not None:
             on_rung(name, step.setting)
         rungs.append(climbed_rung(scene, step))
     return Ladder(name, climb.title, climb.condition, climb.against, tuple(rungs))
+
+
+def _every(stride: int, steps: Iterable[Step]) -> list[Step]:
+    """The first of every ``stride`` steps, and the last, where the edge is."""
+    every = list(steps)
+    chosen = every[::stride]
+    return chosen if chosen[-1:] == every[-1:] else [*chosen, every[-1]]
 
 
 def climbed_rung(scene: Scene, step: Step, known: RunResult | None = None) -> Rung:

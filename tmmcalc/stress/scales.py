@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -10,7 +11,8 @@ from tmmcalc.stress.scene import Climb, Document, Scene, Step, always
 from tmmcalc.stress.similarity import in_units
 from tmmcalc.stress.units import Factors
 
-SIZES = (1.0, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 10.0, 100.0, 1e3)
+NUDGED = ("x1", "x2", "helix_angle", "pressure_angle", "time_ratio")
+SIZES = (1.0, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 10.0, 100.0, 1e3, 1e4)
 TWIN = Factors(1 / 3, 1 / 7, 1 / 1.7)
 
 
@@ -51,5 +53,22 @@ def with_sizes(scene: Scene, document: Mapping[str, Any]) -> Document:
 
 
 def twin(document: Mapping[str, Any]) -> Document:
-    """The document in units that share no digits with those of the spec."""
-    return in_units(document, TWIN)
+    """The document in units that share no digits with those of the spec; what has no unit a rounding away."""
+    found = in_units(document, TWIN)
+    return {key: _away(value) if key in ("pair", "synthesis") else value for key, value in found.items()}
+
+
+def _away(table: Mapping[str, Any]) -> Document:
+    """A table with its pure numbers and angles the next to what they are."""
+    return {
+        key: _nudged(value) if key in NUDGED else _away(value) if isinstance(value, dict) else value
+        for key, value in table.items()
+    }
+
+
+def _nudged(value: Any) -> Any:
+    """The next number away from zero, of text with its unit."""
+    if isinstance(value, str):
+        number, _, unit = value.strip().partition(" ")
+        return f"{_nudged(float(number))!r} {unit}"
+    return math.nextafter(value, math.copysign(math.inf, value)) if value else value

@@ -11,10 +11,9 @@ from tmmcalc.pipeline.runner import run
 from tmmcalc.spec import templates
 from tmmcalc.spec.loader import Variants
 from tmmcalc.stress.expected import Expected, disagreements, expected
-from tmmcalc.stress.linkage import OWN_TWIN
 from tmmcalc.stress.results import ERROR, FAULT, Ladder, Met, Rung, Stress
 from tmmcalc.stress.run import climbed_rung
-from tmmcalc.stress.scene import Scene, Step, by_regularity
+from tmmcalc.stress.scene import OWN_TWIN, Scene, Step, by_regularity
 
 FOLDER = "extreme/"
 
@@ -51,10 +50,20 @@ def _rung(k: int, name: str) -> Rung:
     gaps = tuple(_gaps(end, wanted))
     if isinstance(end, TmmError):
         ended = Met(end.where or "spec", ERROR, end.exit_code, " ".join(str(end).split()))
-        return Rung(told, float(k), None, (*((ended,) if not gaps else ()), *gaps))
+        return Rung(told, float(k), None, (*((ended,) if not gaps else ()), *gaps), _answer(wanted, gaps))
     scene = Scene(variants.data, variants.of, end, wanted.target)
     rung = climbed_rung(scene, Step(told, float(k), variants.data, by_regularity), end)
-    return replace(rung, met=(*rung.met, *gaps))
+    return replace(rung, met=(*rung.met, *gaps), answer=_answer(wanted, gaps))
+
+
+def _answer(wanted: Expected, gaps: tuple[Met, ...]) -> str:
+    """What of the end was compared, in short."""
+    if gaps:
+        return "missed"
+    numbers = len(wanted.values)
+    parts = [f"exit {wanted.code}"] if wanted.code else []
+    parts += [f"{numbers} number{'s' if numbers > 1 else ''}"] if numbers else []
+    return " and ".join(parts) + " as known"
 
 
 def _gaps(end: RunResult | TmmError, wanted: Expected) -> Iterator[Met]:

@@ -19,7 +19,8 @@ from tmmcalc.spec.camspring import spring_method
 from tmmcalc.spec.choices import Listed, OneOrMore, OrFalse, Within
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.late import LateTable
-from tmmcalc.spec.quantities import PolarForm, QualityGrade, Quantity, Reader
+from tmmcalc.spec.quantities import PolarForm, QualityGrade, Quantity
+from tmmcalc.spec.reader import Reader
 from tmmcalc.spec.root import Spec
 from tmmcalc.spec.units import UnitError, parse
 from tmmcalc.stress.units import Factors
@@ -31,9 +32,6 @@ BOUND: dict[str, str] = {
     "train": "modules are standard, and strength is empirical",
     "strength": "modules are standard, and strength is empirical",
     "criteria": "modules are standard, and strength is empirical",
-    "pair": "modules are standard",
-    "synthesis": "its search is set in metres",
-    "manipulator": "its path and laws are formulas",
     "reliability": "it has no lengths",
     "falling_ball": "its laws are formulas in SI",
     "indexing": "its search is set in metres",
@@ -102,6 +100,8 @@ class _Scale:
             return self.leaf(reader.item, value, parent, root)
         if isinstance(reader, QualityGrade):
             return reader.read(value) * self.factors.of("m/s")
+        if not isinstance(value, str) and value == 0:  # in every unit
+            return value
         quantity = reader.quantity if isinstance(reader, Within) else reader
         if not isinstance(quantity, Quantity) or value == quantity.word or isinstance(value, bool):
             return value
@@ -128,6 +128,8 @@ class _Scale:
             return not self.rocker
         if root == "springs":
             return parent.get("kind") != "torsion"
+        if root == "manipulator":
+            return _slides(parent)
         if root == "loads" and "damping" in quantity.dimensions[0]:
             return "point" in parent
         return self.slides or parent.get("of") == "displacement"
@@ -167,6 +169,14 @@ def in_units(document: Document, factors: Factors) -> dict[str, Any]:
     if document.get("motor", {}).get("name"):
         raise UsageError("the motor is one of a catalogue", where="scale")
     return _Scale(document, factors).table(Spec, document)
+
+
+def _slides(joint: Document) -> bool:
+    """Whether a joint of a manipulator slides, by the unit of its speed or acceleration."""
+    told = next((joint[key] for key in ("speed", "acceleration") if isinstance(joint.get(key), str)), None)
+    if told is None:
+        raise UsageError("joints are given as bare numbers", where="scale", remedy="write them with their units")
+    return _is(told, "speed") or _is(told, "acceleration")
 
 
 def _arm(args: tuple[Any, ...], value: Any) -> Any:

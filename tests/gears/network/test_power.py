@@ -52,7 +52,7 @@ def check_flow(network: Network, flow: PowerFlow) -> None:
         assert (flow.losses >= 0).all()
         lost += loss
     assert (np.abs(left) <= 1e-11 * size.max()).all()
-    assert flow.error < 1e-12
+    assert flow.residual < 1e-12
     assert flow.powers.sum() == pytest.approx(lost, rel=1e-9, abs=1e-9 * np.abs(flow.powers).max())
 
 

@@ -52,7 +52,7 @@ def test_the_worked_cases_through_the_spec() -> None:
     assert forward == pytest.approx(expected["rigid_forward"], rel=2e-6)
     assert backward == pytest.approx(expected["rigid_backward"], rel=2e-6)
     for found in (chain, cantilever, gyro):
-        assert found.error < 1e-11
+        assert found.error["frequencies"] < 1e-11
 
 
 def test_heavy_chain() -> None:
@@ -150,7 +150,7 @@ def test_hermite_cubics_converge_with_the_fourth_order() -> None:
     errors = [first(replace(CANTILEVER, mesh=Mesh(many, 3)))[2] / exact - 1 for many in (4, 8, 16)]
     for coarse, fine in pairwise(errors):
         assert np.log2(coarse / fine) == pytest.approx(4.0, abs=0.35)
-    told = solve_pendulum(replace(CANTILEVER, mesh=Mesh(8, 3), modes=3)).error
+    told = solve_pendulum(replace(CANTILEVER, mesh=Mesh(8, 3), modes=3)).error["frequencies"]
     assert told == pytest.approx(errors[1], rel=0.15)
 
 
@@ -163,7 +163,7 @@ def test_soft_clamped_rods_with_their_layers(bending: float) -> None:
     steps = np.cumsum(np.minimum(layer / 8 * 1.12 ** np.arange(400), 1 / 80))
     edges = np.concatenate(([0.0], steps[steps < 0.995], [1.0]))
     assert found.modes[0].frequency == pytest.approx(reference_frequencies(task, edges)[:3], rel=3e-7)
-    assert found.error < 1e-9
+    assert found.error["frequencies"] < 1e-9
 
 
 def reference_frequencies(task: PendulumTask, edges: np.ndarray) -> np.ndarray:

@@ -43,7 +43,7 @@ def test_steady_against_the_direct_solution(speed: float, damping: Damping) -> N
     assert abs(steady.balance) < 1e-12
     taken = speed**2 / 2 * (x.conj() @ found.damping @ x).real
     assert steady.power == pytest.approx(taken, rel=1e-9)
-    assert steady.error < 1e-11
+    assert found.error["amplitudes"] < 1e-11
 
 
 def test_the_error_of_the_amplitudes_holds_for_stiffnesses_far_apart() -> None:
@@ -61,7 +61,7 @@ def test_the_error_of_the_amplitudes_holds_for_stiffnesses_far_apart() -> None:
             exact = np.array([complex(x) for x in mpmath.lu_solve(dynamic, mpmath.mpf(w) ** 2 * force)])
         arm = np.array([1.0, 1.0, *[task.rods.radius] * 3, 1.0, task.rods.radius])
         off = np.abs(result.steady.cosine - 1j * result.steady.sine - exact) * arm
-        found.append(float(np.max(off) / np.max(np.abs(exact) * arm)) / result.steady.error)
+        found.append(float(np.max(off) / np.max(np.abs(exact) * arm)) / result.error["amplitudes"])
     assert max(found) < 1, found
 
 
@@ -71,7 +71,7 @@ def test_undamped_resonance_is_refused() -> None:
     with pytest.raises(SingularityError, match="resonance without damping"):
         solve_vibrator(replace(still, speed=w))
     near = solve_vibrator(replace(still, speed=w * 1.0001))
-    assert near.steady.error > 1e-12
+    assert near.error["amplitudes"] > 1e-12
     assert near.steady.power == 0
 
 

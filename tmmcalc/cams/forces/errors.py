@@ -7,12 +7,14 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmmcalc.cams.forces.course import Course
-from tmmcalc.cams.forces.results import ForceExtreme, SpringFound
-from tmmcalc.cams.forces.spring import lifting_force
-from tmmcalc.cams.forces.state import State, pivot_force, state
+from tmmcalc.cams.forces.results import CamWork, ForceExtreme, SpringFound
+from tmmcalc.cams.forces.state import Carried, State, pivot_force, state
 from tmmcalc.cams.forces.turn import Points, acceleration, at_rows
+from tmmcalc.cams.forces.widespring import exact_carried, exact_spring, spring_error
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.rounding import APART, FLOOR, MARGIN, Errors, chosen, nearer, relative, sides, slopes
+from tmmcalc.cams.pressure import terms
+from tmmcalc.cams.program import TURN
+from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, chosen, nearer, relative, sides, steep
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.cams.wide import wide
 
@@ -39,25 +41,34 @@ def force_errors(
     points: Points,
     now: State,
     extremes: tuple[ForceExtreme, ...],
-    balance: float,
+    work: CamWork,
 ) -> Errors:
-    """Estimates for the state at the rows of the task, and over the turn; ``balance`` is what its energies miss."""
-    which = chosen(len(points.phi), now.load, now.contact, now.ratio)
+    """Estimates for the state at the rows of the task, and over the turn."""
+    near = np.hypot(
+        *terms(course.carried.follower, points.motion, course.carried.follower.start, course.carried.follower.offset)
+    )
+    which = chosen(len(points.phi), now.load, now.contact, now.ratio, 1 / near, *steep(points.phi, points.motion))
     again = wide_points(task, loads, points, task.positions.piece, which)
-    of = wide(course.carried)
+    follower, held = course.carried.follower, exact_spring(task, loads, spring)
+    of = exact_carried(task, follower, loads, held)
     exact = state(of, again)
     errors = {
         name: relative(found[which], true, float(np.max(np.abs(found))))
         for name, found, true in _rows(course, now, exact)
     }
     if of.follower.kind == "oscillating":
-        found = pivot_force(
-            course.carried.follower, points.motion[:, which], now.contact[which], now.sine[which], now.cosine[which]
-        )
+        found = pivot_force(follower, points.motion[:, which], now.contact[which], now.sine[which], now.cosine[which])
         true = pivot_force(of.follower, again.motion, exact.contact, exact.sine, exact.cosine)
         errors["pivot"] = relative(found, true, float(np.max(np.abs(now.contact))))
-    errors["extremes"] = _extremes(task, loads, course, extremes)
-    return errors | {"spring": _spring(task, loads, spring), "work": max(MARGIN * balance, FLOOR)}
+    errors["extremes"] = _extremes(task, loads, of, extremes)
+    missed = float(np.mean(np.abs(now.driving[which] - exact.driving)))
+    return errors | {"spring": spring_error(task, loads, spring, held), "work": _work(work, missed)}
+
+
+def _work(work: CamWork, missed: float) -> float:
+    """Of the energies, by what the balance misses, and by the mean miss of the driving torque over the turn."""
+    turned = work.given + abs(work.returned)
+    return max(MARGIN * work.error, MARGIN * TURN * missed / turned if turned else 0.0, FLOOR)
 
 
 def _rows(course: Course, now: State, exact: State) -> Iterator[tuple[str, Values, Values]]:
@@ -73,9 +84,9 @@ def _rows(course: Course, now: State, exact: State) -> Iterator[tuple[str, Value
     yield "driving", now.driving, exact.driving
 
 
-def _extremes(task: CamTask, loads: Loads, course: Course, extremes: tuple[ForceExtreme, ...]) -> float:
+def _extremes(task: CamTask, loads: Loads, of: Carried, extremes: tuple[ForceExtreme, ...]) -> float:
     """The largest of the estimates of all extremes, each relative to the largest of its quantity."""
-    of, turned = wide(course.carried), course.carried.follower.sense
+    turned = of.follower.sense
     phi = np.array([[each.least_phi, each.largest_phi] for each in extremes])
     exact = state(of, at_sides(task, loads, phi.ravel()))
     values = {
@@ -87,34 +98,3 @@ def _extremes(task: CamTask, loads: Loads, course: Course, extremes: tuple[Force
         true = values[each.name].reshape(2, -1)[:, 2 * k : 2 * k + 2]
         worst = max(worst, nearer([each.least, each.largest], true, each.size))
     return worst
-
-
-def _spring(task: CamTask, loads: Loads, spring: SpringFound) -> float:
-    """Of stiffness and preload: P_M and dS_M where the spring is found from them; 0 where it is given."""
-    if spring.method in ("none", "given") or spring.phi is None or not spring.lifting or not spring.stiffness:
-        return 0.0
-    worst = 0.0
-    places = [(spring.phi, spring.lifting, spring.lift or 0.0)]
-    if spring.governing is not None:
-        places.append((spring.governing.phi, spring.governing.force, spring.governing.lift))
-    for phi, force, lift in places:
-        at = at_sides(task, loads, np.array([phi]))
-        missed = nearer([force], lifting_force(task, wide(loads), at.acceleration))
-        gone = _astray(task, loads, phi) * float(np.max(np.abs(at.motion[1])))
-        found = nearer([lift], at.motion[0]) + MARGIN * gone / abs(lift) if lift else FLOOR
-        worst = max(worst, missed + found)
-    return worst
-
-
-def _astray(task: CamTask, loads: Loads, phi: float) -> float:
-    """How far a place is from that of the largest P near it [rad]; one on an edge stays there."""
-    if np.min(np.abs(task.program.edges - phi)) < 4 * APART:
-        return 0.0
-    piece = task.program.piece(np.full(7, phi))
-
-    def force(x: Values) -> Values:
-        motion = task.program.wider.at(x, piece)
-        return lifting_force(task, wide(loads), acceleration(task, wide(loads), x, motion))
-
-    _, slope, bend = slopes(force, phi)
-    return abs(slope / bend) if bend else 0.0

@@ -46,6 +46,7 @@ class SpringFound:
     phase: str  # "rise" or "return"; "" if nothing lifts off
     governing: Governing | None  # of the method safety, where a smaller P_M asks for the stiffer spring
     exact: float | None  # least stiffness that keeps K1 all over the turn with this preload; None: there is none
+    exact_phi: float | None  # [rad] where it is needed
     reached: float | None  # least |Q_spring|/P where P > 0
     reached_phi: float | None  # [rad]
     wire: Wire | None

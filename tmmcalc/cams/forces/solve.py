@@ -64,7 +64,7 @@ def solve_forces(task: CamTask, follower: Follower) -> CamForces:
         work=work,
         verdict="loss_of_contact" if lost else "ok",
         notes=tuple(force_notes(task, spring, lost, reversals, reserve)),
-        error=force_errors(task, loads, course, spring, points, found, extremes, work.error),
+        error=force_errors(task, loads, course, spring, points, found, extremes, work),
     )
 
 

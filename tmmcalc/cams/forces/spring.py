@@ -21,9 +21,11 @@ from math import pi
 import numpy as np
 
 from tmmcalc.cams.forces.results import Governing, SpringFound, Wire
-from tmmcalc.cams.forces.turn import at_angles, smooth_panels, steady, weight
+from tmmcalc.cams.forces.turn import at_angles, smooth_panels, weight
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure import on_phase
+from tmmcalc.cams.program import SAME, TURN, Program
+from tmmcalc.cams.steadying import steady
 from tmmcalc.cams.task import CamTask, Loads, Spring
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.numerics.panels import Panels
@@ -32,6 +34,7 @@ from tmmcalc.records import record
 DEFLECTION = 0.4  # f1 of the method preload, part of the stroke
 STEPS = 30
 LEVEL = 1e-12  # of the largest: values that count as equal
+LAST = 1e-8  # of the result: after so small a step of Newton the next would be below rounding
 
 
 @record
@@ -98,6 +101,7 @@ def solve_spring(task: CamTask, loads: Loads) -> SpringFound:
         phase=place.phase if place else "",
         governing=governing,
         exact=exact[0] if exact else None,
+        exact_phi=exact[1] if exact else None,
         reached=reached[0] if reached else None,
         reached_phi=reached[1] if reached else None,
         wire=_wire(task, asked, stiffness, preload, highest),
@@ -110,6 +114,7 @@ def peaks_of(task: CamTask, lifted: Lifting) -> list[Peak]:
     for kind in ("rise", "return"):
         part, force = on_phase(task.program, lifted.on, lifted.force, kind)
         at, values = part.turning(steady(force))
+        at = _on_edges(task.program, at)
         lift = task.program.at(at)[0]
         highest = np.max(values)
         level = np.flatnonzero(values >= highest - LEVEL * abs(highest))
@@ -117,6 +122,12 @@ def peaks_of(task: CamTask, lifted: Lifting) -> list[Peak]:
         if values[first] > 0:
             found.append(Peak(kind, float(values[first]), float(lift[first]), float(at[first])))
     return found
+
+
+def _on_edges(program: Program, at: Values) -> Values:
+    """Places (n,), those within rounding of an edge on it: a smooth peak that stands there is found beside it."""
+    near = program.edges[np.argmin(np.abs(at[:, None] - program.edges), axis=1)]
+    return np.where(np.abs(at - near) <= SAME * TURN, near, at)
 
 
 def _by_safety(asked: Spring, lifted: Lifting, tops: list[Peak]) -> tuple[float, float, Governing | None]:
@@ -163,15 +174,15 @@ def _least(lifted: Lifting, needed: Values, deflection: float) -> tuple[float, f
     c, place = 0.0, 0.0
     for _ in range(STEPS):
         _, (excess, at) = on.extremes(steady(needed - c * arm))
-        if excess <= level:
-            return c, place
         length = float(on.at(arm, np.array([at]))[0])
         if length <= LEVEL * float(np.max(arm)) or not np.isfinite(excess / length):
-            return None
+            return None if excess > level else (c, place)
+        if c == 0 and excess <= level:
+            break
         step, place = excess / length, at
-        if step <= LEVEL * c:
-            return c + step, place
         c += step
+        if step <= LAST * c:
+            break
     return c, place
 
 
@@ -201,13 +212,13 @@ def _reached(lifted: Lifting, stiffness: float, preload: float) -> tuple[float, 
     ratio = float(on.at(spring, np.array([at]))[0]) / top
     for _ in range(STEPS):
         (short, place), _ = on.extremes(steady(spring - ratio * lifted.force))
-        if short >= -LEVEL * max(float(np.max(spring)), top * ratio):
+        lifts = _before_and_after(on, lifted.force, place)
+        if short >= 0 or lifts <= LEVEL * top:
             break
-        at = place
-        better = ratio + short / _before_and_after(on, lifted.force, at)
-        if not better < ratio * (1 - LEVEL):
+        at, step = place, short / lifts
+        ratio += step
+        if step > -LAST * ratio:
             break
-        ratio = better
     return max(ratio, 0.0), at
 
 

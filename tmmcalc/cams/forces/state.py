@@ -14,7 +14,6 @@ from tmmcalc.cams.forces.kernels import (
     driving_torque,
     friction_ratio,
     guide_forces,
-    guide_length,
     inclination,
     protrusion,
     resultant,
@@ -73,7 +72,7 @@ def guide_of(task: CamTask, follower: Follower, friction: float) -> GuideFound |
     guide, roller = task.guide, 0.0 if follower.kind == "flat" else follower.roller
     lower = follower.start + task.program.highest + roller + guide.gap
     if guide.top is not None:
-        length = float(guide_length(guide.top, follower.start, task.program.highest, roller, guide.gap))
+        length = guide.top - lower
         if length <= 0:
             raise NoSolutionError(
                 f"the guide has no length: its upper edge H2 = {1e3 * guide.top:.6g} mm is not above the lower one, "

@@ -11,9 +11,9 @@ import numpy as np
 from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.program import TURN, Positions
+from tmmcalc.cams.steadying import FLAT, steady
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.errors import UsageError
-from tmmcalc.numerics.gauss import rule
 from tmmcalc.numerics.panels import Panels, panels
 from tmmcalc.numerics.roots import bracketed
 from tmmcalc.records import record
@@ -21,7 +21,6 @@ from tmmcalc.records import record
 SENSES = {"rise": 1.0, "high dwell": 0.0, "return": -1.0, "low dwell": 0.0}
 LIFTED = ("rise", "high dwell")  # phases of the first constant force
 NEAR = 0.25  # of what a function varies by in a panel: it may pass zero between its points
-FLAT = 1e-13  # of the largest: what varies less is constant
 WIDEST = np.pi / 12  # of a first panel: a whole period of a harmonic is then good to rounding
 
 
@@ -94,19 +93,6 @@ def smooth_panels(task: CamTask, loads: Loads) -> Panels:
 def divided(on: Panels, roots: Values) -> Panels:
     """The panels with more edges."""
     return panels(float(on.edges[0]), float(on.edges[-1]), np.concatenate((on.edges, roots)), TURN)
-
-
-def steady(values: Values) -> Values:
-    """Values (K, N) with a slope of rounding on panels where they are constant.
-
-    Rounding would make such a panel full of turning points, which all would be looked for.
-    """
-    peak = np.max(np.abs(values))
-    flat = np.max(values, axis=1) - np.min(values, axis=1) <= FLAT * peak
-    if not flat.any():
-        return values
-    ramp = FLAT * peak * rule(values.shape[1]).points
-    return np.where(flat[:, None], values[:, :1] + ramp, values)
 
 
 def crossings(on: Panels, values: Values) -> Values:

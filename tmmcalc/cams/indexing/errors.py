@@ -11,9 +11,11 @@ from tmmcalc.cams.indexing.efficiency import against_terms, aiding_terms, cut
 from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName
 from tmmcalc.cams.indexing.results import Cam, FlankTable, PressureReached
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.rounding import APART, FLOOR, MARGIN, Errors, chosen, nearer, relative, root_error
+from tmmcalc.cams.profile.offsets import frame
+from tmmcalc.cams.rounding import APART, EPS, FLOOR, MARGIN, Errors, chosen, crest, nearer, relative, root_error, slopes
 from tmmcalc.cams.wide import wide
 
+SAMPLES = 33  # of a law, for its size
 NEAR = 1e-12  # of the step: an angle between two pieces of the law
 
 
@@ -23,8 +25,9 @@ def indexing_errors(drive: Drive, k: Values, cam: Cam, roller: float, frictions:
     a, b = (_table(Flank(exact, _name(each.name)), k, each, roller) for each in (cam.a, cam.b))
     errors = {name: max(a[name], b[name]) for name in a}
     errors["efficiency"] = _efficiency(exact, k, cam, frictions)
-    errors["limits"] = max([_reached(exact, cam.run_up), _reached(exact, cam.run_out), *_convex(exact, cam)])
-    return errors | {"ends": max(MARGIN * max(_ends(exact, cam, roller)), FLOOR)}
+    astray = list(_ends(exact, cam, roller))
+    angles = [_reached(exact, each, cam.handover.part, astray[0]) for each in (cam.run_up, cam.run_out)]
+    return errors | {"limits": max([*angles, *_convex(exact, cam)]), "ends": max(MARGIN * max(astray), FLOOR)}
 
 
 def _table(flank: Flank, k: Values, found: FlankTable, roller: float) -> Errors:
@@ -60,16 +63,37 @@ def _both(drive: Drive, k: float) -> tuple[Values, Indices]:
     return at, drive.law.piece(at + NEAR * np.array([-1.0, 1.0]))
 
 
-def _reached(drive: Drive, found: PressureReached) -> float:
-    at, _ = _both(drive, found.part)
-    return nearer([found.largest], np.abs(Flank(drive, _name(found.flank)).pressure(at)))
+def _reached(drive: Drive, found: PressureReached, end: float, astray: float) -> float:
+    """Of an angle that stands at k_m as well by what that is astray."""
+    flank, (at, _) = Flank(drive, _name(found.flank)), _both(drive, found.part)
+    missed = nearer([found.largest], np.abs(flank.pressure(at)))
+    if found.part != end:
+        return missed
+    _, slope, _ = slopes(flank.pressure, end, _apart(end))
+    return missed + MARGIN * abs(slope) * astray / found.largest
 
 
 def _convex(drive: Drive, cam: Cam) -> Iterator[float]:
     """Of the least convex radii of both flanks."""
-    for name, limit in zip(("A", "B"), cam.roller_limits, strict=False):
+    names: tuple[FlankName, FlankName] = ("A", "B")
+    for name, limit in zip(names, cam.roller_limits, strict=False):
         if limit.radius is not None and limit.part is not None:
-            yield nearer([limit.radius], 1 / Flank(drive, _name(name)).curvature(*_both(drive, limit.part)))
+            flank, gap = Flank(drive, name), float(np.min(np.abs(drive.law.breaks - limit.part)))
+            if gap < NEAR or limit.part == cam.handover.part:
+                missed = nearer([limit.radius], 1 / flank.curvature(*_both(drive, limit.part)))
+            else:
+                missed = relative([limit.radius], [1 / crest(flank.curvature, limit.part, min(APART, gap / 4))[0]])
+            yield missed + _of_law(flank, limit.part) * limit.radius
+
+
+def _of_law(flank: Flank, part: float) -> float:
+    """By how much a rounding of the law moves the curvature [1/m]: its coefficients are off, in wide as well."""
+    here, sizes = flank.motion(np.array([part])), np.max(np.abs(flank.motion(np.linspace(0, 1, SAMPLES))), axis=1)
+    moved = here + EPS * np.diag(sizes)[:, :3] * np.array(
+        [0.0, 1.0, 1.0]
+    )  # beta itself ends at beta_m whatever the law
+    phi = np.full(3, flank.drive.step * part)
+    return float(np.sum(np.abs(frame(flank.follower, phi, moved).bend - flank.curvature(np.array([part])))))
 
 
 def _ends(drive: Drive, cam: Cam, roller: float) -> Iterator[float]:

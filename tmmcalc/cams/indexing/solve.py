@@ -133,9 +133,13 @@ def _table(flank: Flank, k: Values, roller: float) -> FlankTable:
 
 
 def _reached(drive: Drive, name: FlankName, low: float, high: float, limit: float) -> PressureReached:
-    """The largest pressure angle of a flank between two parts of the step."""
-    on, values = sampled(Flank(drive, name).pressure, drive, low, high)
-    at, found = on.turning(values)
-    size = np.abs(found)
+    """The largest pressure angle of a flank between two parts of the step, by the formula at its turning points.
+
+    The limits of a panel at its ends are extrapolated, which makes rounding several times as large.
+    """
+    flank = Flank(drive, name)
+    on, values = sampled(flank.pressure, drive, low, high)
+    at, _ = on.turning(values)
+    size = np.abs(flank.pressure(at))
     worst = int(np.flatnonzero(size >= np.max(size) * (1 - 1e-12))[-1])  # ends stand last, after a root beside them
     return PressureReached(name, float(size[worst]), float(at[worst]), limit)

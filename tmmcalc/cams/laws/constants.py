@@ -80,4 +80,4 @@ def _first(on: Panels, values: Values, sign: int = 1) -> tuple[float, float]:
     best = np.max(sign * found)
     level = np.flatnonzero(sign * found >= best - LEVEL * np.max(np.abs(found)))
     first = level[np.argmin(at[level])]
-    return float(found[first]), float(at[first])
+    return float(sign * best), float(at[first])

@@ -111,21 +111,23 @@ def of_acceleration(name: str, *pieces: Acceleration) -> Law:
     """The law that has this acceleration, to scale: integrated exactly, then s(1) = 1 (5.6 to 5.8).
 
     The areas above and below zero have to be equal: else s'(1) is not 0, which is left for the caller to judge.
+    Summed up in extended precision, so that the coefficients are rounded but once.
     """
-    breaks = np.array([*(piece.start for piece in pieces), 1.0])
+    breaks = np.array([*(piece.start for piece in pieces), 1.0], np.longdouble)
     size = max(len(piece.coefficients) for piece in pieces)
-    rows = np.zeros((len(pieces), size + 2))
-    wave = np.zeros((3, len(pieces)))
-    slope = place = 0.0
+    rows = np.zeros((len(pieces), size + 2), np.longdouble)
+    wave = np.zeros((3, len(pieces)), np.longdouble)
+    slope = place = np.longdouble(0.0)
     for i, (piece, width) in enumerate(zip(pieces, np.diff(breaks), strict=True)):
         powers = np.arange(len(piece.coefficients))
-        rows[i, 2 : 2 + len(powers)] = np.array(piece.coefficients) / ((powers + 1) * (powers + 2))
+        rows[i, 2 : 2 + len(powers)] = np.array(piece.coefficients, np.longdouble) / ((powers + 1) * (powers + 2))
         if piece.amplitude:
-            w = piece.frequency
+            w = np.longdouble(piece.frequency)
             wave[:, i] = -piece.amplitude / w**2, w, piece.phase
         a, w, p = wave[:, i]
         rows[i, :2] = place - a * np.sin(p), slope - a * w * np.cos(p)
         t = width ** np.arange(size + 2)
-        place = float(rows[i] @ t + a * np.sin(w * width + p))
-        slope = float(rows[i, 1:] * np.arange(1, size + 2) @ t[:-1] + a * w * np.cos(w * width + p))
-    return Law(name, breaks, rows / place, wave[0] / place, wave[1], wave[2])
+        place = rows[i] @ t + a * np.sin(w * width + p)
+        slope = rows[i, 1:] * np.arange(1, size + 2) @ t[:-1] + a * w * np.cos(w * width + p)
+    held = breaks, rows / place, wave[0] / place, wave[1], wave[2]
+    return Law(name, *(each.astype(float) for each in held))

@@ -9,9 +9,11 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.forces.turn import loads_of
+from tmmcalc.cams.forces.widespring import exact_spring, spring_miss
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum import flat
-from tmmcalc.cams.optimum.margins import margins
+from tmmcalc.cams.optimum.margins import NUMBERS, margins
 from tmmcalc.cams.optimum.results import ACTIVE, Choice
 from tmmcalc.cams.optimum.scene import Phases, Scene, scene_of
 from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors
@@ -25,9 +27,24 @@ def optimum_errors(
     task: CamTask, follower: Follower, phases: Phases, scene: Scene, chosen: Choice, least: Choice
 ) -> Errors:
     """Estimates of the margins, absolute, at the sizes chosen and at the lowest, and of the least H2, relative."""
-    denser = scene_of(task, follower, phases, DENSER)
-    missed = [np.max(np.abs(_at(scene, each) - _at(denser, each))) for each in (chosen, least)]
-    return {"margins": max(MARGIN * float(max(missed)), FLOOR), "height": _height(denser, least)}
+    denser, loads = scene_of(task, follower, phases, DENSER), loads_of(task)
+    held = exact_spring(task, loads, scene.spring)
+    rounded = (FLOOR + spring_miss(scene.spring, held)) * _cancelled(scene)
+    missed = [_missed(_at(scene, each), _at(denser, each), rounded) for each in (chosen, least)]
+    return {"margins": max(missed), "height": _height(denser, least)}
+
+
+def _cancelled(scene: Scene) -> Values:
+    """What the rounding of margins (k,) grows by: the slip is largest where P is a small rest of inertia and spring."""
+    if scene.follower.kind == "flat":
+        return np.ones(1)
+    pressed = scene.spring.preload + scene.spring.stiffness * np.abs(scene.motion[0])
+    return np.array([1 + float(np.max(pressed / np.abs(scene.load))), *[1.0] * (len(NUMBERS) - 1)])
+
+
+def _missed(found: Values, denser: Values, rounded: Values) -> float:
+    """By the nodes, or by the rounding of the values, which are 1 less the margin of their limits."""
+    return float(np.max(np.maximum(MARGIN * np.abs(found - denser), rounded * (1 + np.abs(1 - found)))))
 
 
 def _at(scene: Scene, choice: Choice) -> Values:

@@ -10,6 +10,7 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.results import Place
 from tmmcalc.cams.program import TURN
+from tmmcalc.cams.steadying import steady
 from tmmcalc.numerics.panels import Panels, resolved
 from tmmcalc.numerics.roots import bracketed
 from tmmcalc.records import record
@@ -30,7 +31,7 @@ class Bends:
     @cached_property
     def turning(self) -> tuple[Values, Values]:
         """Places and values of all local extremes."""
-        return self.panels.turning(self.values)
+        return self.panels.turning(steady(self.values))
 
     def extreme(self, sign: int) -> Place:
         """The largest (-1: least) value; of equal ones the first."""
@@ -41,7 +42,7 @@ class Bends:
         inner = len(at) - 2 * on.count
         side = 0 if first < inner else 1 if first < inner + on.count else -1
         place = float(at[first])
-        return Place(float(found[first]), place, side if self._jumps(place) else 0)
+        return Place(float(sign * best), place, side if self._jumps(place) else 0)
 
     def _jumps(self, phi: float) -> bool:
         """Whether y'' is not continuous at this edge."""

@@ -10,7 +10,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.profile.offsets import Frame, Rim, frame, working_curvature
 from tmmcalc.cams.profile.results import Crossing, Place, Profile, Reach, Wall
 from tmmcalc.cams.program import TURN
-from tmmcalc.cams.rounding import APART, FLOOR, MARGIN, Errors, chosen, nearer, relative, root_error, sides
+from tmmcalc.cams.rounding import APART, FLOOR, MARGIN, Errors, chosen, nearer, relative, root_error, sides, steep
 from tmmcalc.cams.task import CamTask
 from tmmcalc.cams.wide import wide
 
@@ -18,7 +18,8 @@ from tmmcalc.cams.wide import wide
 def profile_errors(task: CamTask, found: Profile) -> Errors:
     """Estimates of points, normals and curvature at the rows, of the limits, and of the angles of loops."""
     rows, exact = task.positions, _WideRim(Rim(found.follower, task.program))
-    which = chosen(len(rows.phi), found.curvature, *(() if found.pitch is None else (found.pitch_curvature,)))
+    bends = () if found.pitch_curvature is None else (found.pitch_curvature,)
+    which = chosen(len(rows.phi), found.curvature, *bends, *steep(rows.phi, task.motion))
     here = exact.at(rows.phi[which], rows.piece[which])
     placed, roller = exact.follower.placed, exact.follower.roller
     size = float(np.max(np.abs(found.working.points)))

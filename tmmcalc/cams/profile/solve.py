@@ -15,6 +15,7 @@ from tmmcalc.cams.profile.offsets import Frame, Rim, frame, working_curvature
 from tmmcalc.cams.profile.reach import reach
 from tmmcalc.cams.profile.results import Face, Place, Profile, Reach, Wall, WallName
 from tmmcalc.cams.profile.verdicts import refuse, remarks
+from tmmcalc.cams.steadying import steady
 from tmmcalc.cams.task import CamTask
 from tmmcalc.errors import UsageError
 
@@ -115,10 +116,10 @@ def _nearest(bend: Bends, roller: float) -> Place:
     rim, on = bend.rim, bend.panels
     phi = on.x.ravel()
     away = np.abs(rim.at(phi, rim.pieces(phi)).offset(roller)).reshape(on.x.shape)
-    at, found = on.turning(away)
-    level = np.flatnonzero(found <= np.min(found) * (1 + LEVEL))
-    first = level[np.argmin(at[level])]
-    return Place(float(found[first]), float(at[first]), 0)
+    at, found = on.turning(steady(away))
+    least = float(np.min(found))
+    level = np.flatnonzero(found <= least * (1 + LEVEL))
+    return Place(least, float(np.min(at[level])), 0)
 
 
 def _face(task: CamTask, follower: Follower) -> Face:

@@ -12,6 +12,7 @@ from tmmcalc.errors import NoSolutionError
 
 BASE_PART, BEND_PART = 0.4, 0.7  # the rule r2 <= min(0.4 R0, 0.7 rho_min)
 AT_LIMIT = 1e-9  # relative
+NARROW = 2e-4  # [rad] an interval whose ends differ in the last of six digits
 NAMES = {
     "inner": "working profile",
     "outer": "second wall",
@@ -50,13 +51,18 @@ def fault(wall: Wall) -> str:
     """What a wall does that it must not, at the worst place; the rest is counted."""
     said = []
     if wall.loops:
-        low, high = max(wall.loops, key=lambda each: each[1] - each[0])
-        rest = _rest(len(wall.loops))
-        said.append(f"is undercut: it runs backwards from phi = {_deg(low)} to {_deg(high)} deg{rest}")
+        longest, rest = max(wall.loops, key=lambda each: each[1] - each[0]), _rest(len(wall.loops))
+        said.append(f"is undercut: it runs backwards {_over(*longest)}{rest}")
     if wall.crossings:
         worst, rest = max(wall.crossings, key=_cut_off), _rest(len(wall.crossings))
         said.append(f"crosses itself at phi = {_deg(worst.first)} and {_deg(worst.second)} deg{rest}")
     return ", and ".join(said) or "touches itself"
+
+
+def _over(low: float, high: float) -> str:
+    if high - low < NARROW:
+        return f"over {degrees(high - low):.2g} deg at phi = {_deg(low)} deg"
+    return f"from phi = {_deg(low)} to {_deg(high)} deg"
 
 
 def _cut_off(crossing: Crossing) -> float:

@@ -7,10 +7,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmmcalc.cams.forces.errors import at_sides, wide_points
-from tmmcalc.cams.forces.state import State, state
+from tmmcalc.cams.forces.results import SpringFound
+from tmmcalc.cams.forces.state import Carried, State, state
 from tmmcalc.cams.forces.turn import Points
+from tmmcalc.cams.forces.widespring import exact_carried, exact_spring
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.rounding import Errors, chosen, nearer, relative
+from tmmcalc.cams.rounding import Errors, chosen, nearer, relative, steep
 from tmmcalc.cams.strength.kernels import flat_radius
 from tmmcalc.cams.strength.results import Margin, Rolling, ShaftFound
 from tmmcalc.cams.strength.rows import Rows, rows_of
@@ -33,27 +35,40 @@ class Positioned:
 
 
 def strength_errors(
-    case: Case, rolling: Rolling | None, at: Positioned, margins: tuple[Margin, ...], shaft: ShaftFound | None
+    case: Case,
+    rolling: Rolling | None,
+    at: Positioned,
+    margins: tuple[Margin, ...],
+    shaft: ShaftFound | None,
+    spring: SpringFound,
 ) -> Errors:
     """Estimates of the rows, and of the largest values behind the margins, each relative to itself."""
+    of = exact_carried(case.task, case.follower, case.loads, exact_spring(case.task, case.loads, spring))
     found = at.rows.named()
     slipping = at.rows.slip if at.rows.slip is not None else np.zeros(1)
     least = 1 / (np.abs(at.state.contact) + TINY)
-    which = chosen(len(at.points.phi), at.rows.curvature, slipping, at.state.contact, least)
-    exact = _exact(case, rolling, wide_points(case.task, case.loads, at.points, at.piece, which))[0].named()
+    which = chosen(
+        len(at.points.phi),
+        at.rows.curvature,
+        slipping,
+        at.state.contact,
+        least,
+        *steep(at.points.phi, at.points.motion),
+    )
+    exact = _exact(case, of, rolling, wide_points(case.task, case.loads, at.points, at.piece, which))[0].named()
     errors = {
         name: relative(values[which], exact[name], float(np.max(np.abs(values)))) for name, values in found.items()
     }
-    return errors | {"extremes": max(_extremes(case, rolling, margins, shaft))}
+    return errors | {"extremes": max(_extremes(case, of, rolling, margins, shaft))}
 
 
-def _exact(case: Case, rolling: Rolling | None, at: Points) -> tuple[Rows, State]:
-    now = state(wide(case.course.carried), at)
-    return rows_of(case, rolling, wide(case.follower), wide(case.loads), at, now), now
+def _exact(case: Case, of: Carried, rolling: Rolling | None, at: Points) -> tuple[Rows, State]:
+    now = state(of, at)
+    return rows_of(case, rolling, of.follower, wide(case.loads), at, now), now
 
 
 def _extremes(
-    case: Case, rolling: Rolling | None, margins: tuple[Margin, ...], shaft: ShaftFound | None
+    case: Case, of: Carried, rolling: Rolling | None, margins: tuple[Margin, ...], shaft: ShaftFound | None
 ) -> Iterator[float]:
     bend, pressing = case.bend, case.pressing
     stressed = [each for each in margins if each.value is not None and each.phi is not None]
@@ -62,7 +77,7 @@ def _extremes(
     if shaft is not None and shaft.moment_phi is not None:
         phi.append(shaft.moment_phi)
     at = at_sides(case.task, case.loads, np.array(phi))
-    rows, now = _exact(case, rolling, at)
+    rows, now = _exact(case, of, rolling, at)
 
     def there(values: Values, k: int) -> Values:
         return values.reshape(2, -1)[:, k]

@@ -12,9 +12,10 @@ import numpy as np
 
 from tmmcalc.cams.forces.course import NOTHING
 from tmmcalc.cams.forces.state import state
-from tmmcalc.cams.forces.turn import at_rows, crossings, divided, spans, steady
+from tmmcalc.cams.forces.turn import at_rows, crossings, divided, spans
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import Positions
+from tmmcalc.cams.steadying import steady
 from tmmcalc.cams.strength.work import Case, spun
 
 STEPS = 40
@@ -40,9 +41,11 @@ def largest_slip(case: Case, c1: float, c2: float) -> tuple[float, float]:
         beyond = [side * (c1 * size + c2 * case.run) - found * size for side in (1, -1)]
         tops = np.array([course.on.extremes(steady(course.shaped(each)))[1][1] for each in beyond])
         better, at = _worst(*_both_sides(case, tops), least, c1, c2)
-        if better <= found * (1 + LEVEL):
+        if better <= found:
             break
-        found, place = better, at
+        last, found, place = found, better, at
+        if found <= last * (1 + LEVEL):
+            break
     return found, place
 
 

@@ -75,7 +75,7 @@ def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None =
         margins=margins,
         verdict=_verdict(margins),
         notes=tuple(_notes(case, margins, rolling, shaft)),
-        error=strength_errors(case, rolling, Positioned(points, rows.piece, now, found), margins, shaft),
+        error=strength_errors(case, rolling, Positioned(points, rows.piece, now, found), margins, shaft, spring),
     )
 
 

@@ -10,9 +10,10 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.course import Course
 from tmmcalc.cams.forces.state import State, state
-from tmmcalc.cams.forces.turn import Points, at_angles, steady
+from tmmcalc.cams.forces.turn import Points, at_angles
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure import terms
+from tmmcalc.cams.steadying import steady
 from tmmcalc.cams.strength.kernels import flat_radius, rolling
 from tmmcalc.cams.task import CamTask, Loads, Requirements
 from tmmcalc.numerics.panels import Panels, resolved

@@ -79,7 +79,7 @@ def _pivot_remarks(room: PivotRoom | None, governs: str) -> Iterator[str]:
 def judged(task: CamTask, name: str, follower: Follower) -> list[Design]:
     """A follower with the angles that it reaches; nothing if it comes to the cam's axis."""
     try:
-        rise, back = reached(task, follower)
+        rise, back = reached(task, follower, intervals=False)
     except SingularityError:
         return []
     ends = [(on.least.value, on.largest.value) for on in (rise, back)]

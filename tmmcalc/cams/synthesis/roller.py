@@ -16,6 +16,7 @@ import numpy as np
 from tmmcalc.cams.follower import Follower, contact_path, curvature
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure import Extreme, halved
+from tmmcalc.cams.steadying import steady
 from tmmcalc.cams.synthesis.results import RollerChoice, RollerRule
 from tmmcalc.cams.task import CamTask
 from tmmcalc.errors import NoSolutionError
@@ -34,7 +35,7 @@ def bends(task: CamTask, follower: Follower) -> tuple[Extreme, Extreme]:
         return curvature(contact_path(follower, phi, program.at(phi)))[None]
 
     dense, values, _ = resolved(kappa, halved(program.panels))
-    low, high = dense.extremes(values[0])
+    low, high = dense.extremes(steady(values[0]))
     return Extreme(*low), Extreme(*high)
 
 

@@ -49,16 +49,22 @@ def equilibrium(
         load[network.place[network.known(name)]] = torque
     sought = dict.fromkeys((*motion.driven, *(network.known(name) for name in outputs)))
     unknown = tuple(name for name in sought if name not in torques)
-    constraints = np.array(constraint_rows(network, locked), dtype=float).reshape(-1, len(load))
-    constraints[: len(network.meshes)] /= np.array([[mesh.first_teeth] for mesh in network.meshes]).reshape(-1, 1)
-    outside = np.zeros((len(unknown), len(load)))
-    outside[np.arange(len(unknown)), [network.place[name] for name in unknown]] = 1.0
-    matrix = np.vstack((constraints, outside)).T
+    matrix = matrix_of(network, locked, unknown)
     if matrix.shape[0] != matrix.shape[1] or np.linalg.cond(matrix) > REGULAR:
         _check_determinate(network, locked, unknown)
     lossy = np.array([mesh.efficiency < 1 for mesh in network.meshes], dtype=bool)
     active = np.flatnonzero(lossy & (motion.rolling[:, 0] != 0))
     return Statics(network, motion, locked, unknown, load, matrix, active)
+
+
+def matrix_of(network: Network, locked: Locks, unknown: tuple[str, ...], kind: type = float) -> Values:
+    """Matrix of the equilibrium without losses, in this kind of numbers."""
+    n = len(network.members)
+    constraints: Values = np.array(constraint_rows(network, locked), dtype=kind).reshape(-1, n)
+    constraints[: len(network.meshes)] /= np.array([[mesh.first_teeth] for mesh in network.meshes]).reshape(-1, 1)
+    outside = np.zeros((len(unknown), n))
+    outside[np.arange(len(unknown)), [network.place[name] for name in unknown]] = 1.0
+    return np.vstack((constraints, outside)).T
 
 
 def _check_determinate(network: Network, locked: Locks, unknown: tuple[str, ...]) -> None:
@@ -96,7 +102,7 @@ def lossy_matrix(statics: Statics, directions: Values, part: float = 1.0) -> Val
     for k, j in enumerate(statics.active):
         mesh = network.meshes[j]
         eta = 1 - part * (1 - mesh.efficiency)
-        second = -mesh.sign * mesh.second_teeth / mesh.first_teeth
+        second = -mesh.sign * mesh.second_teeth / matrix.dtype.type(mesh.first_teeth)
         change = second * (eta ** directions[..., k] - 1)
         for name, factor in ((mesh.second, 1), (network.carriers[j], -1)):
             if name != FRAME and not (factor < 0 and network.tilted(mesh.second)):

@@ -15,6 +15,7 @@ Torques on members are positive along the positive speed; an outside torque time
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,7 +24,9 @@ from tmmcalc.gears.network.circulation import Loop, circulating
 from tmmcalc.gears.network.directions import agreeing_directions
 from tmmcalc.gears.network.equilibrium import Statics, equilibrium, residual
 from tmmcalc.gears.network.model import FRAME, Network
+from tmmcalc.gears.network.rounding import FlowError, corrected
 from tmmcalc.gears.network.speeds import Locks, Motion, solve_speeds
+from tmmcalc.numerics.extended import EPS, MARGIN, apart
 from tmmcalc.records import record
 
 
@@ -47,7 +50,8 @@ class PowerFlow:
     efficiency: float | None  # power given out to power put in; None if no power is put in
     self_locking: bool  # all power put in is lost
     loops: tuple[Loop, ...]  # power that circulates between members
-    error: float  # largest residual of an equilibrium, relative to its terms
+    residual: float  # largest of an equilibrium, relative to its terms
+    error: FlowError
 
     def torque(self, member: str) -> float:
         """Outside torque on a member [N*m]."""
@@ -84,39 +88,78 @@ def power_in_motion(
     """The same for speeds that `solve_speeds` found under the same locks; raises the other errors."""
     statics = equilibrium(network, motion, torques, tuple(outputs), tuple(locked))
     directions, x = agreeing_directions(statics)
-    return _flow(statics, directions, x)
+    found = _values(statics, directions, x)
+    power_in, power_out = _in_and_out(found.powers)
+    locks = zip(locked, found.lock_torques, strict=True)
+    return PowerFlow(
+        motion,
+        found.torques,
+        found.powers,
+        found.mesh_torques,
+        found.mesh_powers,
+        _branches(network, found.mesh_torques),
+        found.rolling,
+        found.losses,
+        found.lock_torques,
+        power_in,
+        power_out / power_in if power_in else None,
+        power_in > 0 and not power_out,
+        circulating(network, found.mesh_powers, [(a, b, t * _speed(network, motion, a)) for (a, b), t in locks]),
+        residual(statics, directions, x),
+        _error(statics, directions, x, found),
+    )
 
 
-def _flow(statics: Statics, directions: Values, x: Values) -> PowerFlow:
+class _Values(NamedTuple):
+    """The arrays of a power flow, in the kind of numbers of its equilibrium."""
+
+    torques: Values
+    powers: Values
+    mesh_torques: Values
+    mesh_powers: Values
+    rolling: Values
+    losses: Values
+    lock_torques: Values
+
+
+def _values(statics: Statics, directions: Values, x: Values) -> _Values:
     network, motion = statics.network, statics.motion
     m, held = len(network.meshes), len(network.meshes) + len(statics.locked)
     torques = statics.load.copy()
     torques[[network.place[name] for name in statics.unknown]] = x[held:]
-    powers = torques * motion.speeds
     mesh_torques, rolling, losses = _meshes(statics, directions, x[:m])
     mesh_powers = mesh_torques * _mesh_speeds(network, motion)
-    locks = [(*pair, torque) for pair, torque in zip(statics.locked, x[m:held], strict=True)]
-    power_in, power_out = float(powers[powers > 0].sum()), float(-powers[powers < 0].sum())
-    return PowerFlow(
-        motion,
-        torques,
-        powers,
-        mesh_torques,
-        mesh_powers,
-        _branches(network, mesh_torques),
-        rolling,
-        losses,
-        x[m:held],
-        power_in,
-        power_out / power_in if power_in else None,
-        power_in > 0 and not power_out,
-        circulating(network, mesh_powers, [(a, b, t * _speed(network, motion, a)) for a, b, t in locks]),
-        residual(statics, directions, x),
+    return _Values(torques, torques * motion.speeds, mesh_torques, mesh_powers, rolling, losses, x[m:held])
+
+
+def _in_and_out(powers: Values) -> tuple[float, float]:
+    """What is put in and what is taken out [W]."""
+    return float(powers[powers > 0].sum()), float(-powers[powers < 0].sum())
+
+
+def _error(statics: Statics, directions: Values, x: Values, found: _Values) -> FlowError:
+    """Against the same in extended precision; where nothing is loaded all torques are zero, exactly."""
+    if not statics.load.any():
+        return FlowError(0.0, 0.0, 0.0)
+    wide, better, passed = corrected(statics, directions, x)
+    exact = _values(wide, directions, better)
+    loaded = float(np.max(passed) / np.max(np.abs(better)))
+    outside = float(np.max(np.abs(exact.powers)))
+    missed = float(np.sum(np.abs(found.powers - exact.powers))) / outside if outside else 0.0
+    return FlowError(
+        apart(*(_flat(each.torques, each.mesh_torques, each.lock_torques) for each in (found, exact))) + loaded,
+        apart(*(_flat(each.powers, each.mesh_powers, each.rolling, each.losses) for each in (found, exact))) + loaded,
+        MARGIN * missed + loaded + EPS,
     )
 
 
+def _flat(*arrays: Values) -> Values:
+    return np.concatenate([array.ravel() for array in arrays])
+
+
 def _speed(network: Network, motion: Motion, name: str) -> float:
-    return float(motion.speeds[network.place[name]]) if name != FRAME else 0.0
+    speed: float = motion.speeds[network.place[name]] if name != FRAME else 0.0
+    return speed
 
 
 def _mesh_speeds(network: Network, motion: Motion) -> Values:
@@ -131,7 +174,8 @@ def _meshes(statics: Statics, directions: Values, first: Values) -> tuple[Values
     exponent = np.zeros(len(first))
     exponent[statics.active] = directions
     eta = np.array([mesh.efficiency for mesh in network.meshes])
-    teeth = np.array([-m.sign * m.second_teeth / m.first_teeth for m in network.meshes])
+    number = first.dtype.type
+    teeth = np.array([-m.sign * m.second_teeth / number(m.first_teeth) for m in network.meshes])
     parallel = np.array([[not network.tilted(n) for n in (m.first, m.second)] for m in network.meshes]).reshape(-1, 2)
     wheels = np.stack((first, first * teeth * eta**exponent), axis=1)
     powers = wheels * speeds

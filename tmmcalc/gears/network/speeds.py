@@ -120,7 +120,7 @@ def solve_speeds(network: Network, speeds: Mapping[str, float], locked: Locks = 
     _refuse_excess(network, reduced, len(constraints), given)
     _refuse_open(network, reduced, given)
     transfer = tuple(tuple(reduced.response(c, len(constraints) + k) for k in range(len(given))) for c in range(n))
-    exact = [sum((t * u for t, u in zip(row, given.values(), strict=True) if t), Fraction()) for row in transfer]
+    exact = member_speeds(transfer, list(given.values()))
     independent = len(constraints) - sum(i < len(constraints) for i in reduced.dependent)
     return Motion(
         network.members,
@@ -128,7 +128,7 @@ def solve_speeds(network: Network, speeds: Mapping[str, float], locked: Locks = 
         transfer,
         np.array([float(w) for w in exact]),
         np.array([float(_relative(network, exact, name, network.bearer(name))) for name in network.members]),
-        _rolling(network, exact),
+        np.array([[float(w) for w in pair] for pair in rolling_speeds(network, exact)]).reshape(-1, 2),
         n - independent,
         tuple(str(mesh) for i, mesh in enumerate(network.meshes) if i in reduced.dependent),
     )
@@ -148,12 +148,17 @@ def _relative(network: Network, exact: Sequence[Fraction], name: str, carrier: s
     return speed if carrier == FRAME or network.tilted(name) else speed - exact[network.place[carrier]]
 
 
-def _rolling(network: Network, exact: Sequence[Fraction]) -> Values:
-    pairs = [
-        [float(_relative(network, exact, name, carrier)) for name in (mesh.first, mesh.second)]
+def member_speeds(transfer: Sequence[Sequence[Fraction]], given: Sequence[Fraction]) -> list[Fraction]:
+    """Exact speeds of all members by their transfer from the given ones."""
+    return [sum((t * u for t, u in zip(row, given, strict=True) if t), Fraction()) for row in transfer]
+
+
+def rolling_speeds(network: Network, exact: Sequence[Fraction]) -> list[list[Fraction]]:
+    """Exact speeds of both wheels of every mesh relative to its carrier."""
+    return [
+        [_relative(network, exact, name, carrier) for name in (mesh.first, mesh.second)]
         for mesh, carrier in zip(network.meshes, network.carriers, strict=True)
     ]
-    return np.array(pairs).reshape(-1, 2)
 
 
 def _refuse_contradiction(network: Network, constraints: Sequence[Sequence[int]]) -> None:

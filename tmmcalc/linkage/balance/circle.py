@@ -9,19 +9,21 @@ curve bounds it from above: their gap certifies the answer.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
 
 from tmmcalc.errors import AccuracyError
+from tmmcalc.linkage.balance.contacts import moved, stationary
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.numerics.fourier import Series, crests
 from tmmcalc.records import record
 
 FIRST = 32  # points of the curve to begin with
 PASSES = 60
-NEWTON = 3  # steps, from nearly exact places
 ROUNDING = 4e-16
+ROOT = 1e-7  # of the size: what the radius alone tells of the centre
 CLOSED = 1e-13  # the gap, relative to the size of the curve, from which Newton's method ends the search
 TOUCH = 1e-9  # crests that reach the radius but for this part of it touch the circle
 HIGH = 0.9  # crests lower than this part of the highest cannot lie outside
@@ -35,6 +37,7 @@ class Circle:
     radius: float  # farthest place of the curve from the centre
     contacts: tuple[float, ...]  # parameters of the two or three places that hold the circle, ascending
     gap: float  # the radius is at most this much above the least possible
+    error: float  # estimated, of the centre
 
 
 def smallest_circle(points: Plane) -> tuple[complex, float, list[int]]:
@@ -85,74 +88,61 @@ def _through(points: Plane) -> complex:
     return a + (abs(u) ** 2 * v - abs(v) ** 2 * u) / (2j * area)
 
 
-def enclosing_circle(curve: Series) -> Circle:
-    """The smallest circle around a closed curve; exact but for rounding.
+def enclosing_circle(curve: Series, error: float = 0.0) -> Circle:
+    """The smallest circle around a closed curve; exact but for rounding and an ``error`` of the curve.
 
     Raises `AccuracyError` if the gap between the bounds does not close.
     """
-    count = max(FIRST, 2 * curve.highest + 1)
-    t = np.arange(count) * (2 * np.pi / count)
-    points = curve.even(count)
-    size = max(float(np.max(np.abs(points))), np.finfo(float).tiny)
+    size = max(float(np.max(np.abs(curve.even(_first(curve))))), np.finfo(float).tiny)
+    unit = Series(curve.coefficients / size)  # so that nothing depends on the unit of force
+    circle = _polished(unit, _searched(unit), error / size)
+    return Circle(size * circle.center, size * circle.radius, circle.contacts, size * circle.gap, size * circle.error)
+
+
+def _first(curve: Series) -> int:
+    """Points of the curve to begin with."""
+    return max(FIRST, 2 * curve.highest + 1)
+
+
+def _searched(curve: Series) -> Circle:
+    """The smallest circle around a curve of the size one, by points that are added where it lies outside."""
+    t = np.arange(_first(curve)) * (2 * np.pi / _first(curve))
+    points = curve.even(len(t))
     best: Circle | None = None
     for _ in range(PASSES):
         center, inner, support = smallest_circle(points)
         at, outer = crests(curve.plus({0: -center}), HIGH)
         radius = max(float(np.max(outer, initial=0.0)), inner)
-        if best is not None and best.radius < radius - ROUNDING * size:
+        if best is not None and best.radius < radius - ROUNDING:
             center, radius = best.center, best.radius
-        best = Circle(center, radius, _contacts(curve, t[support], at, radius), max(radius - inner, 0.0))
-        if best.gap <= CLOSED * size:
+        best = Circle(center, radius, _contacts(curve, t[support], at, radius), max(radius - inner, 0.0), ROOT)
+        if best.gap <= CLOSED:
             break
         t = np.concatenate((t[support], at))
         points = curve.at(t)
     assert best is not None
-    if best.gap > 1e-9 * size:
+    if best.gap > 1e-9:
         raise AccuracyError(
-            f"the smallest circle around the hodograph is open by {best.gap / size:.3g} of its size",
+            f"the smallest circle around the hodograph is open by {best.gap:.3g} of its size",
             where="balance, minimax",
-            value=best.gap / size,
+            value=best.gap,
             limit=1e-9,
             remedy="use the counterweight of least mean square",
         )
-    return _polished(curve, best, ROUNDING * size)
+    return best
 
 
-def _polished(curve: Series, circle: Circle, slack: float) -> Circle:
+def _polished(curve: Series, circle: Circle, error: float) -> Circle:
     """The same circle with its centre to rounding, where the radius alone tells it to the root of rounding only."""
-    t, center = _stationary(curve, np.array(circle.contacts), circle.center)
+    t, center = stationary(curve, np.array(circle.contacts), circle.center)
     _, reached = crests(curve.plus({0: -center}), HIGH)
     radius = float(np.max(reached, initial=0.0))
-    if not 0 < radius <= circle.radius + slack:
-        return circle
+    if not 0 < radius <= circle.radius + CLOSED:
+        off = moved(curve, np.array(circle.contacts), circle.center, error)
+        return replace(circle, error=off if len(circle.contacts) < 2 else circle.error + off)
     least = smallest_circle(curve.at(t))[1]
-    return Circle(center, radius, tuple(sorted(t.tolist())), max(radius - least, 0.0))
-
-
-def _stationary(curve: Series, t: Real, center: complex) -> tuple[Real, complex]:
-    """Newton's method for contacts t (m,) at right angles to their radii, the centre amid two or as far from three."""
-    slope = curve.slope()
-    bend = slope.slope()
-    m = len(t)
-    for _ in range(NEWTON if m > 1 else 0):
-        z, z1, z2 = curve.at(t), slope.at(t), bend.at(t)
-        d = z - center
-        g = (np.conj(d) * z1).real
-        matrix, right = np.zeros((m + 2, m + 2)), np.empty(m + 2)
-        matrix[:m, :m] = np.diag(np.abs(z1) ** 2 + (np.conj(d) * z2).real)
-        matrix[:m, m:] = np.stack((-z1.real, -z1.imag), axis=1)
-        if m == 2:
-            matrix[m:, :m] = -np.array((z1.real, z1.imag)) / 2
-            matrix[m:, m:] = np.eye(2)
-            off = center - z.mean()
-            right[:] = *g, off.real, off.imag
-        else:
-            matrix[m:, 0], matrix[m:, 1:m] = -g[0], np.diag(g[1:])
-            matrix[m:, m:] = -np.stack(((d[1:] - d[0]).real, (d[1:] - d[0]).imag), axis=1)
-            right[:] = *g, *(np.abs(d[1:]) ** 2 - np.abs(d[0]) ** 2) / 2
-        step = np.linalg.lstsq(matrix, -right, rcond=None)[0]
-        t, center = t + step[:m], center + complex(*step[m:])
-    return t, center
+    gap = max(radius - least, 0.0)
+    return Circle(center, radius, tuple(sorted(t.tolist())), gap, moved(curve, t, center, error))
 
 
 def _contacts(curve: Series, support: Real, at: Real, radius: float) -> tuple[float, ...]:

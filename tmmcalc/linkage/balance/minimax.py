@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from tmmcalc.linkage.balance.circle import enclosing_circle
 from tmmcalc.linkage.balance.schemes import Balance, RotatingWeight, per_moment, with_weights
-from tmmcalc.linkage.balance.shaking import Shaking
+from tmmcalc.linkage.balance.shaking import MARGIN, Shaking
 
 
 def minimax_counterweight(shaking: Shaking) -> Balance:
@@ -18,7 +18,10 @@ def minimax_counterweight(shaking: Shaking) -> Balance:
     ``gap`` of the result bounds how far its maximum can be above the least. Raises `AccuracyError` if that bound
     does not close.
     """
-    circle = enclosing_circle(shaking.series.turned(-1))
+    scale = shaking.scale or 1.0
+    # the contacts are peaks of the force: no margin for angles that were not looked at
+    circle = enclosing_circle(shaking.series.turned(-1), shaking.error / MARGIN * scale)
     factor = per_moment(1, shaking.speed, shaking.acceleration)
     weight = RotatingWeight(1, -circle.center / factor, shaking.pivot)
-    return with_weights(shaking, [weight], "minimax", circle.gap / circle.radius if circle.radius else 0.0)
+    gap = circle.gap / circle.radius if circle.radius else 0.0
+    return with_weights(shaking, [weight], "minimax", gap, circle.error / scale)

@@ -58,6 +58,8 @@ class Balance:
     moment_after: Magnitude  # [N*m]
     ratio: float | None  # rms force before to after [-]; None where nothing but rounding is left
     gap: float = 0.0  # minimax: the largest force left is at most this part above the least possible [-]
+    error: float = 0.0  # estimated, of the force left and of the force of the weights, relative to the scale [-]
+    ratio_error: float = 0.0  # estimated, relative, of the ratio
 
 
 def per_moment(order: int, speed: float, acceleration: float) -> complex:
@@ -66,9 +68,13 @@ def per_moment(order: int, speed: float, acceleration: float) -> complex:
 
 
 def with_weights(
-    shaking: Shaking, weights: Sequence[RotatingWeight], scheme: str = "given weights", gap: float = 0.0
+    shaking: Shaking,
+    weights: Sequence[RotatingWeight],
+    scheme: str = "given weights",
+    gap: float = 0.0,
+    error: float = 0.0,
 ) -> Balance:
-    """What these weights, of any size, leave of the shaking force and moment."""
+    """What these weights, of any size, leave of the shaking force and moment; ``error`` of them against the scale."""
     forces: dict[int, complex] = {}
     moments: dict[int, complex] = {}
     for weight in weights:
@@ -81,6 +87,7 @@ def with_weights(
     added = Series(np.zeros(1, np.complex128)).plus(forces).at(shaking.phi)
     twisted = Series(np.zeros(1, np.complex128)).plus(moments).at(shaking.phi).real
     force, after = shaking.force + added, magnitude(series)
+    told, off = after.rms > NOTHING * shaking.scale, (shaking.mean_error + error) * shaking.scale
     return Balance(
         scheme=scheme,
         weights=tuple(weights),
@@ -93,8 +100,10 @@ def with_weights(
         after=after,
         moment_before=shaking.moment_size,
         moment_after=magnitude(moment_series),
-        ratio=shaking.size.rms / after.rms if after.rms > NOTHING * shaking.scale else None,
+        ratio=shaking.size.rms / after.rms if told else None,
         gap=gap,
+        error=shaking.error + error,
+        ratio_error=off * (1 / after.rms + 1 / shaking.size.rms) if told else 0.0,
     )
 
 

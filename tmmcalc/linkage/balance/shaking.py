@@ -50,6 +50,7 @@ class Shaking:
     speed: float  # of the crank [rad/s]
     acceleration: float  # of the crank [rad/s^2]
     error: float  # estimated error of R and M over the turn, relative to ``scale`` and its like [-]
+    mean_error: float  # the same of R, its root mean square
 
 
 def inertia_loads(
@@ -117,7 +118,8 @@ def shaking(
     phi = x + lag
     size, moment_size = magnitude(series), magnitude(moments)
     peaks = size.at, moment_size.at
-    missed = _difference(chain, bodies, (series, moments), peaks, (speed, acceleration), point)
+    missed, spread = _difference(chain, bodies, (series, moments), peaks, (speed, acceleration), point)
+    unit, eps = np.where(scale > 0, scale, 1.0), float(np.finfo(float).eps)
     return Shaking(
         x=x,
         phi=phi,
@@ -133,7 +135,8 @@ def shaking(
         about=point,
         speed=speed,
         acceleration=acceleration,
-        error=max(MARGIN * float(np.max(missed / np.where(scale > 0, scale, 1.0))), tail, float(np.finfo(float).eps)),
+        error=max(MARGIN * float(np.max(missed / unit)), tail, eps),
+        mean_error=max(spread / float(unit[0]), eps),
     )
 
 
@@ -152,13 +155,17 @@ def _difference(
     peaks: tuple[float, float],
     motion: tuple[float, float],
     about: complex,
-) -> Real:
-    """Largest differences of the series of R and M from extended precision, (2,): off every grid, and at the peaks."""
+) -> tuple[Real, float]:
+    """Largest differences of the series of R and M from extended precision, (2,): off every grid, and at the peaks.
+
+    Besides the root mean square of that of R off the grids.
+    """
     spread = np.mod(np.arange(1, CHECKED + 1) * (TURN * (5**0.5 - 1) / 2), TURN)
     phi = np.concatenate((spread, *(peak + BESIDE * _width(s) for peak, s in zip(peaks, found, strict=True))))
     wide = phi.astype(np.longdouble) - np.longdouble(crank_angle(chain))
     exact = inertia_loads(chain, bodies, wide, *motion, about)
-    return np.array([float(np.max(np.abs(s.at(phi) - e))) for s, e in zip(found, exact, strict=True)])
+    off = [np.abs(s.at(phi) - e).astype(float) for s, e in zip(found, exact, strict=True)]
+    return np.max(off, axis=1), float(np.sqrt(np.mean(off[0][:CHECKED] ** 2)))
 
 
 def _width(series: Series) -> float:

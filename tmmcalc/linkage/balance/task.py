@@ -70,6 +70,22 @@ class Balancing:
     radius: float | None  # chosen radius of the weights [m]
     mass: float | None  # or their chosen mass [kg]
 
+    @property
+    def errors(self) -> dict[str, float]:
+        """Estimated errors of forces, moments and weights against the sums that they cancel in; of ratios relative.
+
+        ``linkage``: of what shakes and what the schemes leave, but for ``minimax``; ``counterweights``: of what those
+        on links leave.
+        """
+        found = {"linkage": self.shaking.error}
+        if self.redistribution is not None:
+            found["counterweights"] = self.redistribution.after.error
+        for scheme in self.schemes:
+            if scheme.name == "minimax":
+                found["minimax"] = scheme.balance.error
+        ratios = [scheme.balance.ratio_error for scheme in self.schemes]
+        return {**found, "ratio": max(ratios)} if ratios else found
+
 
 def solve_balance(mechanism: Mechanism, bodies: Sequence[Body], kinematics: Kinematics, task: BalanceTask) -> Balancing:
     """Shaking force and moment of a linkage, and what balancing leaves of them.

@@ -44,13 +44,34 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
     scene = compile_scene(mechanism, loading, kinematics)
     statics = compile_statics(scene)
     breaks, turning = scene.breaks(reversals(statics))
-    theta, side, labels = _rows(scene, kinematics, np.sort(turning))
+    theta, side, labels = rows_of(scene, kinematics, np.sort(turning))
     dense = _panels(scene, [*breaks, *turning])
     seen: Seen = []
     rows, over = _solved(statics, theta, side, labels, dense, seen)
     dense, functions, resolved = _resolved(statics, dense, over, seen)
+    grades = (*scene.grades, *_grades(scene, seen, labels))
+    passes = max((s.passes for _, solutions in seen[:1] for s in solutions.values()), default=0)
+    error = _amplified(seen, kinematics.error.acceleration)
+    return forces_of(statics, rows, theta, labels, (dense, functions, resolved), error, passes, grades)
+
+
+def forces_of(
+    statics: Statics,
+    rows: Stack,
+    theta: Real,
+    labels: tuple[str, ...],
+    over: tuple[Panels, Held, bool],
+    error: float,
+    passes: int,
+    grades: tuple[Grade, ...],
+) -> Forces:
+    """The result from the reactions in the ``rows`` at theta (n,) and ``over`` panels, which are resolved or not.
+
+    ``error`` is what the loads of inertia leave of theirs in the reactions.
+    """
+    scene, (dense, functions, resolved) = statics.scene, over
     found = maxima(statics, dense, functions, resolved)
-    largest = max(_largest(over.drive), _largest(rows.drive)) or 1.0
+    largest = max(_largest(functions.drive), _largest(rows.drive)) or 1.0
     virtual = (rows.virtual - rows.drive) / largest
     return Forces(
         labels=labels,
@@ -72,14 +93,9 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
         drive_extremes=found.drive,
         power_extremes=found.power(scene.travel.speed),
         power_mean=_mean_power(dense, functions.drive, scene.travel.speed),
-        grades=(*scene.grades, *_grades(scene, seen, labels)),
-        counters={
-            "rows": len(theta),
-            "dense": dense.x.size,
-            "passes": max((s.passes for _, solutions in seen[:1] for s in solutions.values()), default=0),
-        },
-        error=MARGIN
-        * max(_largest(rows.equilibrium), _largest(virtual), _amplified(seen, kinematics.error.acceleration)),
+        grades=grades,
+        counters={"rows": len(theta), "dense": dense.x.size, "passes": passes},
+        error=MARGIN * max(_largest(rows.equilibrium), _largest(virtual), error),
     )
 
 
@@ -172,7 +188,7 @@ def _over(statics: Statics, theta: Real, seen: Seen) -> Stack:
     return over
 
 
-def _rows(scene: Scene, kinematics: Kinematics, turning: Real) -> tuple[Real, Real, tuple[str, ...]]:
+def rows_of(scene: Scene, kinematics: Kinematics, turning: Real) -> tuple[Real, Real, tuple[str, ...]]:
     """theta (n,) of all rows, the side from which each is taken, and the labels.
 
     Friction jumps where a rubbing pair turns back, at ``turning`` (m,): a position there gives two rows.

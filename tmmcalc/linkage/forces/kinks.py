@@ -7,6 +7,8 @@ everything is smooth. Only panels with a kink are cut.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,12 +17,13 @@ from numpy.typing import NDArray
 from tmmcalc.linkage.forces.edges import edge_reactions
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
 from tmmcalc.linkage.forces.wrench import Slideway
-from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.numerics.panels import Panels
 
 SIDE = 8  # points of the polynomial that locates a kink
 NEWTON = 6
 SLIVER = 1e-6  # part of the range: a kink so near to an edge does not show, and may be what it was put for
+SAME = 1e-9  # part of the range: an edge so near to a kink stands at it
 NOISE = 1e-9  # part of its largest value below which the sign of a force says nothing
 
 Flags = NDArray[np.bool_]
@@ -39,6 +42,13 @@ def faces(statics: Statics, state: State, n: int) -> Real:
             continue
         found += edge_reactions(normal, reaction.wrench.moment, pair.length)
     return np.array([np.broadcast_to(force, n) for force in found]).reshape(len(found), n)
+
+
+def pins(statics: Statics, state: State, n: int) -> Plane:
+    """The reactions (F, n) in rubbing pins, whose friction goes with their size: it has a kink where they pass zero."""
+    forces = (state.reactions[joint.name].wrench.force for joint in statics.rubbing if joint.kind == "revolute")
+    found = [np.broadcast_to(force, n) for force in forces]
+    return np.array(found).reshape(len(found), n)
 
 
 class Cut(NamedTuple):
@@ -62,38 +72,57 @@ class Cut(NamedTuple):
         return result
 
 
-def cut(panels: Panels, places: list[float]) -> Cut:
-    """The panels with an edge at every place, but for places at an edge or at another place."""
-    edges, inside = panels.edges, np.zeros(panels.count, dtype=np.intp)
-    least = SLIVER * (edges[-1] - edges[0])
-    further: list[float] = []
+def cut(panels: Panels, places: list[float], fixed: Iterable[float] | None = None) -> Cut:
+    """The panels with an edge at every place, but for places at an edge or at another place.
+
+    Edges that are not ``fixed`` (None: all are) move to a place that is near to them: most were put for it, by a guess.
+    """
+    old, span = panels.edges, float(panels.edges[-1] - panels.edges[0])
+    edges = old.tolist()
+    held = set(edges) if fixed is None else {edges[0], edges[-1], *fixed}
     for place in sorted(places):
-        k = int(np.searchsorted(panels.edges, place)) - 1
-        before = max(edges[k], further[-1]) if further else edges[k]
-        if min(place - before, edges[k + 1] - place) > least:
-            further.append(place)
-            inside[k] += 1
-    finer = Panels(np.sort(np.append(edges, further)), panels.order)
-    return Cut(finer, np.repeat(inside > 0, inside + 1), inside == 0)
+        k = int(np.searchsorted(edges, place))
+        near = k if edges[k] - place < place - edges[k - 1] else k - 1
+        gap = abs(edges[near] - place)
+        if gap > SLIVER * span:
+            edges.insert(k, place)
+        elif gap > SAME * span and edges[near] not in held:
+            edges[near] = place
+    finer = Panels(np.array(edges), panels.order)
+    before, after = (list(pairwise(each)) for each in (old.tolist(), edges))
+    known, left = set(before), set(after)
+    return Cut(finer, np.array([p not in known for p in after]), np.array([p in left for p in before]))
 
 
-def kinks(on: Panels, values: Real, where: Flags | bool = True) -> list[float]:
+def kinks(on: Panels, values: Real | Plane, where: Flags | bool = True) -> list[float]:
     """Places of the kinks in the panels of ``where`` (K,), by default in all.
 
-    ``values`` (F, n) are the forces on faces at the points of the panels.
+    ``values`` (F, n) are the forces on faces, or in pins, at the points of the panels. One in a pin seldom passes zero
+    itself, but turns by more than a right angle as it passes by.
     """
     if not len(values):
         return []
-    inside = values.reshape(-1, *on.x.shape)
+    inside: Any = values.reshape(-1, *on.x.shape)
     low, high = on.ends(inside)
     v = np.concatenate((low[..., None], inside, high[..., None]), axis=-1)
     loud = (
         np.maximum(np.abs(v[..., :-1]), np.abs(v[..., 1:])) > NOISE * np.max(np.abs(inside), axis=(1, 2))[:, None, None]
     )
-    crosses = (np.signbit(v[..., :-1]) != np.signbit(v[..., 1:])) & loud
+    crosses = turned(v[..., :-1], v[..., 1:]) & loud
     found = np.argwhere(crosses & np.reshape(where, (-1, 1)))
-    places = ((row, _zero(on.x[row], inside[force, row], int(cell))) for force, row, cell in found)
+    steps = v[..., 1:] - v[..., :-1]
+    along = (
+        (row, (np.conj(steps[force, row, cell]) * inside[force, row]).real, int(cell)) for force, row, cell in found
+    )
+    places = ((row, _zero(on.x[row], force, cell)) for row, force, cell in along)
     return [at for row, at in places if on.edges[row] < at < on.edges[row + 1]]
+
+
+def turned(before: Real | Plane, after: Real | Plane) -> Flags:
+    """Whether a force changes its sign, or turns by more than a right angle."""
+    if np.iscomplexobj(before):
+        return np.asarray((np.conj(before) * after).real < 0)
+    return np.asarray(np.signbit(before) != np.signbit(after))
 
 
 def _zero(x: Real, force: Real, before: int) -> float:

@@ -56,12 +56,12 @@ class Held(NamedTuple):
 
 def held(statics: Statics, dense: Panels, over: Stack) -> Held:
     """Drive both ways, forces, couples and edge reactions; ``over`` has one column a point."""
-    rows, couples, pressures = _functions(statics, over)
+    rows, couples, pressures = functions_of(statics, over)
     return Held(rows.reshape(len(rows), *dense.x.shape), couples, pressures)
 
 
-def _functions(statics: Statics, over: Stack) -> tuple[Real, dict[int, int], dict[int, int]]:
-    """The functions (F, n), and the rows of couples and edges."""
+def functions_of(statics: Statics, over: Stack) -> tuple[Real, dict[int, int], dict[int, int]]:
+    """The functions (F, n) whose maxima are asked for, and the rows of couples and edges."""
     rows: list[Real] = [-over.drive, over.drive, *np.abs(over.reaction)]
     couples, pressures = {}, {}
     for j, joint in enumerate(statics.joints):
@@ -111,7 +111,7 @@ def _confirmed(statics: Statics, dense: Panels, functions: Held, at: Real) -> tu
     after = np.where(at < statics.scene.travel.period - EDGE, 1.0, -1.0)
     before = np.where(at > EDGE, -1.0, 1.0)
     exact, _ = stacked(statics, np.tile(at, 2), np.concatenate((after, before)), checked=False)
-    sides = _functions(statics, exact)[0][each, [each, each + len(at)]]
+    sides = functions_of(statics, exact)[0][each, [each, each + len(at)]]
     points = functions.values.reshape(len(at), -1)
     best = np.argmax(points, axis=1)
     values = np.vstack((np.max(sides, axis=0), points[each, best]))

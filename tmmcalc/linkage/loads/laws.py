@@ -44,7 +44,7 @@ def interpolant(x: tuple[float, ...], values: tuple[float, ...], kind: str, peri
 
 
 def _linear(at: Real, y: Real, v: Real) -> Real:
-    return np.interp(v, at, y)
+    return np.interp(np.asarray(v, float), at, y)
 
 
 def _pchip(at: Real, y: Real, period: float | None) -> Law:
@@ -90,7 +90,8 @@ class Pressure(NamedTuple):
         beginnings = np.array(self.edges) - self.first
         stroke = np.maximum(np.searchsorted(beginnings, along - EDGE) - 1, 0)
         x = np.clip((coordinate - self.piston.low) / (self.piston.high - self.piston.low), 0.0, 1.0)
-        tables = [np.interp(x, *_ascending(*table)) for table in self.law.strokes]
+        nodes = (_ascending(*table) for table in self.law.strokes)
+        tables = [_linear(np.array(at), np.array(p), x) for at, p in nodes]
         return np.choose(stroke, tables) - self.law.back
 
 

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.linkage.forces.kinetostatics import State, Statics, compile_statics
-from tmmcalc.linkage.forces.kinks import Cut, faces
+from tmmcalc.linkage.forces.kinks import Cut, faces, pins
 from tmmcalc.linkage.forces.verification import friction_power
 from tmmcalc.linkage.loads.scene import Scene
 from tmmcalc.linkage.loads.sources import Place, Source
-from tmmcalc.linkage.plane import Real
+from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.reduction.inertia import reduced_inertia
 from tmmcalc.linkage.trace import BLOCK
 from tmmcalc.numerics.roots import Indices
@@ -27,6 +27,7 @@ class Sample(NamedTuple):
     moments: Real  # (S, n) per power of the speed
     idle: Real  # (n,) moment of friction without technological loads
     faces: Real  # (F, n) forces whose signs the friction of sliders depends on, with the loads and without
+    pins: Plane  # (P, n) forces whose sizes the friction in pins depends on, the same
     stuck: bool  # whether friction locks the linkage somewhere without the loads
 
     @property
@@ -36,14 +37,15 @@ class Sample(NamedTuple):
 
     def columns(self, which: slice) -> Sample:
         """The same at some of the angles."""
-        inertia, slope, moments, idle, on_faces = (part[..., which] for part in self[:-1])
-        return Sample(inertia, slope, moments, idle, on_faces, self.stuck)
+        parts: tuple[Any, ...] = self[:-1]
+        inertia, slope, moments, idle, on_faces, in_pins = (part[..., which] for part in parts)
+        return Sample(inertia, slope, moments, idle, on_faces, in_pins, self.stuck)
 
     def with_cut(self, cut: Cut, fresh: Sample) -> Sample:
         """The same on panels with further edges, with the values on the fresh ones."""
         parts = (cut.merged(old, new) for old, new in zip(self[:-1], fresh[:-1], strict=True))
-        inertia, slope, moments, idle, on_faces = parts
-        return Sample(inertia, slope, moments, idle, on_faces, self.stuck or fresh.stuck)
+        inertia, slope, moments, idle, on_faces, in_pins = parts
+        return Sample(inertia, slope, moments, idle, on_faces, in_pins, self.stuck or fresh.stuck)
 
 
 class Causes(NamedTuple):
@@ -58,6 +60,11 @@ class Causes(NamedTuple):
     def orders(self) -> Indices:
         """Order in the speed of every contribution (S,)."""
         return np.array([order for _, _, order in self.names], dtype=np.intp)
+
+    @property
+    def powers(self) -> Real:
+        """What each contribution is multiplied by at the mean speed (S,)."""
+        return np.asarray(abs(self.scene.travel.speed) ** self.orders)
 
     @property
     def loaded(self) -> bool:
@@ -78,53 +85,59 @@ class Causes(NamedTuple):
         ]
         if len(parts) == 1:
             return parts[0]
-        inertia, slope, moments, idle, on_faces = (
+        inertia, slope, moments, idle, on_faces, in_pins = (
             np.concatenate(column, axis=-1) for column in zip(*(part[:-1] for part in parts), strict=True)
         )
-        return Sample(inertia, slope, moments, idle, on_faces, any(part.stuck for part in parts))
+        return Sample(inertia, slope, moments, idle, on_faces, in_pins, any(part.stuck for part in parts))
 
     def most(self, theta: Real) -> float:
         """What the moment of a source could be over theta (n,) if its forces lay along the motion of their points."""
-        place = self.scene.place(theta)
-        return max((float(np.max(_most(source, place))) for source in self.scene.sources), default=0.0)
+        place, speed = self.scene.place(theta), self.scene.travel.speed
+        sizes = (abs(source.factor(speed)) * np.max(most_of(source, place)) for source in self.scene.sources)
+        return max(map(float, sizes), default=0.0)
 
     def along(self, theta: Real) -> Sample:
         """The same at theta (n,) between the positions."""
         return self.sampled(theta, np.ones(len(theta)), lambda rows: self.scene.travel.named(theta[rows]))
 
     def _at(self, place: Place, side: Real, named: Callable[[NDArray[np.intp]], list[str]]) -> Sample:
-        sense, n = self.scene.travel.sense, len(place.theta)
+        sense, n, kind = self.scene.travel.sense, len(place.theta), place.theta.dtype
         bodies = self.scene.loading.heavy
-        inertia, slope = reduced_inertia(bodies, place.configuration, n) if bodies else np.zeros((2, n))
-        moments = np.zeros((len(self.names), n))
+        inertia, slope = reduced_inertia(bodies, place.configuration, n) if bodies else np.zeros((2, n), kind)
+        moments = np.zeros((len(self.names), n), kind)
         for source in self.scene.sources:
             k = self.names.index((source.name, source.kind, source.order))
-            moments[k] += _power(source, place) * (sense if source.order == 0 else 1.0)
+            moments[k] += power_of(source, place) * (sense if source.order == 0 else 1.0)
         if not self.statics.scales:
-            return Sample(inertia, slope * sense, moments, np.zeros(n), np.zeros((0, n)), False)
+            none = np.zeros((0, n))
+            return Sample(inertia, slope * sense, moments, np.zeros(n), none, none + 0j, False)
         from tmmcalc.linkage.forces.locking import refuse_locked  # only what rubs needs it
 
         state = self.statics.solve(place, side)
         refuse_locked(self.statics, state.solutions, named)
         moments[-1] = self._lost(state, place)
-        on_faces = faces(self.statics, state, n)
+        on_faces, in_pins = faces(self.statics, state, n), pins(self.statics, state, n)
         if self.quiet is None:
-            return Sample(inertia, slope * sense, moments, np.zeros(n), on_faces, False)
+            return Sample(inertia, slope * sense, moments, np.zeros(n), on_faces, in_pins, False)
         state = self.quiet.solve(place, side)
         stuck = any(solution.locked.any() for solution in state.solutions.values())
-        idle, more = self._lost(state, place), faces(self.quiet, state, n)
-        return Sample(inertia, slope * sense, moments, idle, np.concatenate((on_faces, more)), stuck)
+        idle = self._lost(state, place)
+        on_faces = np.concatenate((on_faces, faces(self.quiet, state, n)))
+        in_pins = np.concatenate((in_pins, pins(self.quiet, state, n)))
+        return Sample(inertia, slope * sense, moments, idle, on_faces, in_pins, stuck)
 
     def _lost(self, state: State, place: Place) -> Real:
         """Moment of friction along the motion (n,)."""
         return np.asarray(self.scene.travel.sense * sum(friction_power(self.statics, state, place).values()))
 
 
-def _power(source: Source, place: Place) -> Real:
+def power_of(source: Source, place: Place) -> Real:
+    """Moment of a source (n,), per power of the speed."""
     return np.asarray(sum(action.power(place.configuration) for action in source.actions(place)))
 
 
-def _most(source: Source, place: Place) -> Real:
+def most_of(source: Source, place: Place) -> Real:
+    """What it could be (n,) if its forces lay along the motion of their points."""
     motions = place.configuration.motions
     turning = (np.abs(action.moment * motions[action.link].omega) for action in source.actions(place))
     pushing = (np.abs(action.force) * np.abs(action.at.v) for action in source.actions(place))

@@ -19,12 +19,23 @@ def reduced_inertia(bodies: Sequence[Body], configuration: Configuration, n: int
         motion = configuration.motions[body.link]
         if body.mass:
             at = motion.point(body.center)
-            inertia += body.mass * square(at.v)
-            slope += 2 * body.mass * _dot(at.v, at.a)
+            inertia = inertia + body.mass * square(at.v)
+            slope = slope + 2 * body.mass * _dot(at.v, at.a)
         if body.inertia:
-            inertia += body.inertia * motion.omega**2
-            slope += 2 * body.inertia * motion.omega * motion.eps
+            inertia = inertia + body.inertia * motion.omega**2
+            slope = slope + 2 * body.inertia * motion.omega * motion.eps
     return inertia, slope
+
+
+def slope_size(bodies: Sequence[Body], configuration: Configuration, n: int) -> Real:
+    """Sum of the magnitudes of all that makes dJ/dx (n,)."""
+    size = np.zeros(n)
+    for body in bodies:
+        motion = configuration.motions[body.link]
+        at = motion.point(body.center)
+        size = size + 2 * body.mass * np.abs(at.v) * np.abs(at.a)
+        size = size + 2 * body.inertia * np.abs(motion.omega * motion.eps)
+    return size
 
 
 def _dot(a: Plane, b: Plane) -> Real:
@@ -57,5 +68,5 @@ def lumped(mechanism: Mechanism, loading: Loading, rods: tuple[int, ...]) -> tup
 def _in_pins(mechanism: Mechanism, body: Body) -> list[Body]:
     joints = [joint for joint in mechanism.joints if body.link in joint.links]
     a, b = (joint.points[joint.links.index(body.link)] for joint in joints)
-    share = float(((body.center - a) * (b - a).conjugate()).real / abs(b - a) ** 2)  # of the mass that goes to b
+    share = ((body.center - a) * (b - a).conjugate()).real / abs(b - a) ** 2  # of the mass that goes to b
     return [Body(body.link, body.mass * (1 - share), 0.0, a), Body(body.link, body.mass * share, 0.0, b)]

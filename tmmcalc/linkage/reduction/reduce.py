@@ -24,7 +24,8 @@ from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.reduction.causes import Causes, Sample, causes_of
 from tmmcalc.linkage.reduction.inertia import lumped, reduced_inertia, rods_of
-from tmmcalc.linkage.reduction.results import Contribution, Reduction
+from tmmcalc.linkage.reduction.results import Contribution, Reduction, ReductionError, Rods
+from tmmcalc.linkage.reduction.rounding import Solved, estimate
 from tmmcalc.linkage.reduction.signs import wrong_signs
 from tmmcalc.linkage.results import Extreme, Kinematics
 from tmmcalc.machine.cycle import Cycle
@@ -53,14 +54,37 @@ def solve_reduction(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
     scene = compile_scene(mechanism, taken, kinematics)
     causes = causes_of(scene)
     theta, labels = scene.travel.rows(kinematics)
-    nodes, first, sample = _first(causes, theta, labels)
-    dense, values, tail, stuck = _resolved(causes, first, sample)
-    cycle, parts, idle = _cycles(causes, dense, values, max(tail, kinematics.error.velocity))
-    moment = scene.travel.sense * nodes.moments * _powers(causes)[:, None]
-    inertia_range, ranges = _ranges(scene, cycle, parts)
-    works = dense.total(parts) if len(parts) else np.empty(0)
+    nodes, first, sample, breaks = _first(causes, theta, labels)
+    dense, values, tail, stuck, scale = _resolved(causes, first, sample, breaks)
+    found = Solved(theta, scene.travel.sides(theta), nodes, dense, values, tail)
     beside = loading.bodies if rods == "lumped" else static
     other = reduced_inertia(beside, scene.place(theta).configuration, len(theta))[0] if links else None
+    error, errors = estimate(causes, found, scale, kinematics.error)
+    how = Rods("lumped" if rods == "lumped" and links else "exact", links, other)
+    return reduction_of(causes, (theta, labels, nodes), (dense, values), error, how, errors, stuck=stuck)
+
+
+def reduction_of(
+    causes: Causes,
+    at: tuple[Real, tuple[str, ...], Sample],
+    over: tuple[Panels, Real],
+    error: ReductionError,
+    rods: Rods,
+    errors: Real | None = None,
+    *,
+    stuck: bool,
+) -> Reduction:
+    """The result from theta (n,), labels and samples of the positions, and the values (3 + S, K, N) on panels.
+
+    ``errors`` (S,) are those of the works [J]; None: told by ``error``.
+    ``stuck``: friction locks the linkage without its loads, so that it has no idle run.
+    """
+    scene, loading, (theta, labels, nodes), (dense, values) = causes.scene, causes.scene.loading, at, over
+    cycle, parts, idle = _cycles(causes, dense, values, error.functions)
+    moment = scene.travel.sense * nodes.moments * causes.powers[:, None]
+    inertia_range, ranges = _ranges(scene, cycle, parts)
+    works = dense.total(parts) if len(parts) else np.empty(0)
+    errors = error.work * dense.total(np.abs(parts)) if errors is None else errors
     return Reduction(
         labels=labels,
         phi=scene.travel.phi(theta),
@@ -74,6 +98,7 @@ def solve_reduction(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
                 role=_role(loading.loads, name) if kind == "load" else None,
                 order=order,
                 work=float(works[k]),
+                error=float(errors[k]),
                 simpson=simpson(theta, scene.travel.sense * moment[k]),
                 least=ranges[k][0],
                 largest=ranges[k][1],
@@ -88,9 +113,10 @@ def solve_reduction(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
         cycle=cycle,
         idle=idle if causes.loaded and not stuck else None,
         inertia_range=inertia_range,
-        rods="lumped" if rods == "lumped" and links else "exact",
-        rod_links=links,
-        other=other,
+        rods=rods.how,
+        rod_links=rods.links,
+        other=rods.other,
+        error=error,
         grades=(*scene.grades, *wrong_signs(scene.travel, causes.names, loading.loads, dense, parts)),
         counters={"panels": dense.count, "points": dense.x.size},
     )
@@ -108,8 +134,8 @@ def solve_back(
     scene = compile_scene(mechanism, taken if rods == "lumped" else loading, kinematics)
     causes = _turned_back(causes_of(scene))
     try:
-        _, first, sample = _first(causes, np.empty(0), ())
-        dense, values, tail, stuck = _resolved(causes, first, sample)
+        _, first, sample, breaks = _first(causes, np.empty(0), ())
+        dense, values, tail, stuck, _ = _resolved(causes, first, sample, breaks)
     except NoSolutionError as error:
         raise NoSolutionError(
             f"turned back, the input is held by friction: {error.message}",
@@ -137,8 +163,8 @@ def _role(loads: tuple[Load, ...], name: str) -> Any:
     return next(load.role for load in loads if load.name == name)
 
 
-def _first(causes: Causes, theta: Real, labels: tuple[str, ...]) -> tuple[Sample, Panels, Sample]:
-    """Everything at the positions and on the first panels, in one run."""
+def _first(causes: Causes, theta: Real, labels: tuple[str, ...]) -> tuple[Sample, Panels, Sample, list[float]]:
+    """Everything at the positions and on the first panels, in one run; places of jumps and bends."""
     scene, n = causes.scene, len(theta)
     breaks, turning = scene.breaks(reversals(causes.statics))
     on = _panels(scene, [*breaks, *turning])
@@ -150,17 +176,21 @@ def _first(causes: Causes, theta: Real, labels: tuple[str, ...]) -> tuple[Sample
 
     side = np.concatenate((scene.travel.sides(theta), np.ones(len(between))))
     everything = causes.sampled(np.concatenate((theta, between)), side, named)
-    return everything.columns(slice(n)), on, everything.columns(slice(n, None))
+    return everything.columns(slice(n)), on, everything.columns(slice(n, None)), [*breaks, *turning]
 
 
-def _resolved(causes: Causes, on: Panels, sample: Sample) -> tuple[Panels, Real, float, bool]:
-    """Panels that resolve J, dJ and all moments, their values (3 + S, K, N), the largest tail; whether idle sticks."""
-    scales = _scales(sample, causes.most(np.linspace(0.0, causes.scene.travel.period, SAMPLED)))
+def _resolved(
+    causes: Causes, on: Panels, sample: Sample, breaks: list[float]
+) -> tuple[Panels, Real, float, bool, float]:
+    """Panels that resolve J, dJ and all moments, their values (3 + S, K, N), the largest tail.
+
+    Besides whether idle sticks, and what the moments at the mean speed were measured against.
+    """
+    scales, scale = _scales(causes, sample)
     for _ in range(ROUNDS):
         rough = _rough(on, sample, scales)
-        finer = cut(
-            on, [*kinks(on, sample.faces), *(on.edges[:-1][rough, None] + on.width[rough, None] * QUARTERS).flat]
-        )
+        quarters = on.edges[:-1][rough, None] + on.width[rough, None] * QUARTERS
+        finer = cut(on, [*kinks(on, sample.faces), *kinks(on, sample.pins), *quarters.flat], breaks)
         if not finer.fresh.any():
             break
         on, sample = finer.panels, sample.with_cut(finer, causes.along(finer.theta))
@@ -172,7 +202,7 @@ def _resolved(causes: Causes, on: Panels, sample: Sample) -> tuple[Panels, Real,
         samples.append(causes.along(theta))
         return samples[-1].rows
 
-    return *resolved(rows, on, TOLERANCE, scales), any(sample.stuck for sample in samples)
+    return *resolved(rows, on, TOLERANCE, scales), any(sample.stuck for sample in samples), scale
 
 
 def _rough(on: Panels, sample: Sample, scales: Real) -> Flags:
@@ -187,20 +217,20 @@ def _panels(scene: Scene, edges: Iterable[float]) -> Panels:
     return panels(0.0, scene.travel.period, edges, whole / PARTS)
 
 
-def _scales(sample: Sample, most: float) -> Real:
-    """What the tails of J, dJ and all moments (3 + S,) are measured against: J, and the largest of the moments.
+def _scales(causes: Causes, sample: Sample) -> tuple[Real, float]:
+    """What the tails of J, dJ and all moments (3 + S,) are measured against: J, J a radian, the largest moment [N*m].
 
-    Moments that are nothing beside the ``most`` that they could be are rounding, which no panel resolves.
+    Moments count at the mean speed. Those that are nothing beside the most that they could be are rounding, which no
+    panel resolves.
     """
-    inertia = float(np.max(sample.inertia))
-    moment = max(float(np.max(np.abs(sample.moments), initial=0.0)), float(np.max(np.abs(sample.idle))), SLIGHT * most)
-    scale = np.array([inertia, inertia, moment, *[moment] * len(sample.moments)])
-    return np.where(scale > 0, scale, 1.0)
-
-
-def _powers(causes: Causes) -> Real:
-    """What each contribution is multiplied by at the mean speed (S,)."""
-    return np.asarray(abs(causes.scene.travel.speed) ** causes.orders)
+    inertia, powers = float(np.max(sample.inertia)), causes.powers
+    most = SLIGHT * causes.most(np.linspace(0.0, causes.scene.travel.period, SAMPLED))
+    largest = np.max(np.abs(sample.moments), axis=1, initial=0.0) * powers
+    moment = max(float(np.max(largest, initial=most)), float(np.max(np.abs(sample.idle))))
+    travel = causes.scene.travel
+    slope = inertia if travel.turns else inertia * TURN / travel.period  # a length has no radian of its own
+    scales = np.array([inertia, slope, moment, *moment / np.where(powers > 0, powers, 1.0)])
+    return np.where(scales > 0, scales, 1.0), moment
 
 
 def _cycles(causes: Causes, dense: Panels, values: Real, error: float) -> tuple[Cycle, Real, Cycle]:
@@ -214,7 +244,7 @@ def _cycles(causes: Causes, dense: Panels, values: Real, error: float) -> tuple[
         positional, viscous, quadratic = orders
         return Cycle(dense, values[0], values[1], positional + further, viscous, quadratic, speed, error)
 
-    return cycle(loads | ~loads, 0.0), rows * _powers(causes)[:, None, None], cycle(~loads & ~rubs, values[2])
+    return cycle(loads | ~loads, 0.0), rows * causes.powers[:, None, None], cycle(~loads & ~rubs, values[2])
 
 
 def _ranges(scene: Scene, cycle: Cycle, parts: Real) -> tuple[tuple[Extreme, Extreme], list[tuple[Extreme, Extreme]]]:

@@ -23,9 +23,36 @@ class Contribution:
     role: Literal["resistance", "drive"] | None  # what the spec takes a load for
     order: int  # of the speed that it is multiplied by
     work: float  # [J]
+    error: float  # estimated, of the work [J]
     simpson: float | None  # [J]
     least: Extreme  # reduced moment [N*m] and theta [rad]
     largest: Extreme
+
+
+@record
+class Rods:
+    """How connecting rods count, which links are such, and the inertia (n,) with them the other way."""
+
+    how: Literal["exact", "lumped"]
+    links: tuple[int, ...]
+    other: Real | None
+
+
+@record
+class ReductionError:
+    """Relative errors of a reduction.
+
+    Moments are told against the largest of all causes, or a small part of what cancels in them; the slope
+    against the largest sum of what the links add to it without their signs; works against the largest work of the
+    magnitude of a moment.
+    """
+
+    inertia: float  # of J at the positions
+    slope: float  # of dJ
+    moment: float  # of all moments
+    functions: float  # of all these over the cycle, in the mean
+    between: float  # of all these between the positions at the worst place, and so of their extremes
+    work: float  # of all works over the cycle
 
 
 @record
@@ -53,5 +80,6 @@ class Reduction:
     rods: Literal["exact", "lumped"]  # how the connecting rods count: as they are, or as masses in their pins
     rod_links: tuple[int, ...]  # the links that are such rods
     other: Real | None  # (n,) inertia with the rods the other way [kg*m^2]; None without a rod
+    error: ReductionError
     grades: tuple[Grade, ...]
     counters: dict[str, int]

@@ -98,6 +98,12 @@ def driving(dense: Panels, part: Values, *, whole: bool) -> list[Range]:
     return found
 
 
+def turnover(dense: Panels, part: Values) -> float:
+    """Work of the magnitude of a moment (K, N)."""
+    cuts = np.sort(np.concatenate((dense.edges, _changes(dense, part))))
+    return float(np.sum(np.abs(np.diff(dense.primitive_at(part, cuts)))))
+
+
 def _changes(dense: Panels, part: Values) -> Values:
     """Places (m,) within the panels where a function (K, N) changes its sign."""
     low, high = dense.ends(part)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -35,6 +35,16 @@ class Ragged(NamedTuple):
         return Ragged(self.owner[which], self.low[which], self.high[which])
 
 
+def largest_of_owners(on: Ragged, values: Real) -> Real:
+    """Largest value (..., V) of all panels (..., P) of every variant."""
+    return np.asarray(np.maximum.reduceat(values, firsts(on), axis=-1))
+
+
+def firsts(on: Ragged) -> Indices:
+    """Number of the first panel of every variant (V,)."""
+    return np.flatnonzero(np.append(True, on.owner[1:] != on.owner[:-1]))
+
+
 def first(period: float, breaks: Real, widest: float) -> Ragged:
     """Panels of [0, period] for V variants with an edge at every break (V, B) inside, none wider than ``widest``.
 
@@ -63,9 +73,9 @@ class Cut(NamedTuple):
     fresh: Flags
     source: Indices
 
-    def merged(self, old: Real, new: Real) -> Real:
+    def merged(self, old: Any, new: Any) -> Any:
         """Values (..., P, N) on all panels from those on the old ones and on the fresh ones."""
-        result = np.empty((*old.shape[:-2], len(self.fresh), old.shape[-1]))
+        result = np.empty((*old.shape[:-2], len(self.fresh), old.shape[-1]), old.dtype)
         result[..., self.fresh, :] = new
         result[..., ~self.fresh, :] = old[..., self.source, :]
         return result
@@ -88,7 +98,9 @@ def cut(panels: Ragged, panel: Indices, place: Real, least: float) -> Cut:
         )
     )
     owner = panels.owner[np.concatenate((parents, panel))]
-    kept = np.setdiff1d(np.arange(len(panels.owner)), parents)
+    stays = np.ones(len(panels.owner), bool)
+    stays[parents] = False
+    kept = np.flatnonzero(stays)
     joined = Ragged(*(np.concatenate(pair) for pair in zip(panels.at(kept), (owner, low, high), strict=True)))
     order = np.lexsort((joined.low, joined.owner))
     return Cut(joined.at(order), order >= len(kept), kept[order[order < len(kept)]])

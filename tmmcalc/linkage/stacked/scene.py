@@ -10,7 +10,8 @@ import numpy as np
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, compile_chain
 from tmmcalc.linkage.forces.cut import plan_of, post_of
-from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
+from tmmcalc.linkage.forces.forces import rows_of
+from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
 from tmmcalc.linkage.loading import Constant, Loading, Polynomial, Tabulated, Viscous
 from tmmcalc.linkage.loads.scene import Scene, compile_scene
 from tmmcalc.linkage.loads.sources import Source, inertia, resisting, springs, technological, weights
@@ -18,10 +19,12 @@ from tmmcalc.linkage.loads.travel import EDGE
 from tmmcalc.linkage.loads.values import value_of
 from tmmcalc.linkage.loads.windows import handed_over, window_of
 from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.stacked.settle import Settled, settle
 from tmmcalc.linkage.variants import given_variants, sketched_groups
-from tmmcalc.numerics.alike import Rows, rows_of
+from tmmcalc.numerics.alike import Rows
+from tmmcalc.numerics.alike import rows_of as at_rows
 from tmmcalc.numerics.roots import Indices
 
 ROWS = 4096  # that are computed together: their temporaries stay in cache
@@ -34,6 +37,7 @@ class Same(NamedTuple):
     kinematics: Kinematics
     scene: Scene | None  # None: nothing of the loads is asked for
     statics: Statics | None
+    rows: tuple[Real, Real, tuple[str, ...]] | None  # theta, side and label of all rows of forces
 
     @property
     def rubbing(self) -> tuple[str, ...]:
@@ -43,8 +47,12 @@ class Same(NamedTuple):
 
 def same_of(mechanism: Mechanism, loading: Loading | None, kinematics: Kinematics) -> Same:
     """What one solved variant tells of all."""
-    scene = compile_scene(mechanism, loading, kinematics) if loading is not None else None
-    return Same(kinematics, scene, compile_statics(scene) if scene is not None else None)
+    if loading is None:
+        return Same(kinematics, None, None, None)
+    scene = compile_scene(mechanism, loading, kinematics)
+    statics = compile_statics(scene)
+    _, turning = scene.breaks(reversals(statics))
+    return Same(kinematics, scene, statics, rows_of(scene, kinematics, np.sort(turning)))
 
 
 def refusal(mechanism: Mechanism, loading: Loading | None, same: Same) -> str | None:
@@ -90,6 +98,12 @@ class Block(NamedTuple):
         """Number of positions of one variant."""
         return len(self.same.kinematics.x)
 
+    @property
+    def rows(self) -> tuple[Real, Real, tuple[str, ...]]:
+        """theta, side and label of all rows of forces; a position where a rubbing pair turns back has two."""
+        assert self.same.rows is not None
+        return self.same.rows
+
     def parts(self, rows: int) -> Iterator[Indices]:
         """The numbers of the variants in parts that have some `ROWS` rows together, ``rows`` of each variant."""
         size = max(1, ROWS // rows)
@@ -103,7 +117,7 @@ class Block(NamedTuple):
         chain, loading = self.chain(rows), self.loading(rows)
         assert loading is not None
         drive = chain.mechanism.input
-        start: Any = rows_of(self.settled.start, rows)
+        start: Any = at_rows(self.settled.start, rows)
         travel = same.scene.travel._replace(start=start, speed=drive.speed, acceleration=drive.acceleration)
         scene = same.scene._replace(chain=chain, loading=loading, travel=travel)
         sources = tuple(_sources(scene, same.kinematics))
@@ -111,7 +125,7 @@ class Block(NamedTuple):
         heavy = tuple(body for body in loading.bodies if body.mass > 0 or body.inertia > 0)
         dynamic = [inertia(heavy, travel.speed, travel.acceleration)] if heavy else []
         pairs = {pair.joint: pair for pair in loading.pairs}
-        scales: Any = rows_of(self.settled.scales, rows)
+        scales: Any = at_rows(self.settled.scales, rows)
         groups = reversed(chain.structure.groups)
         return Statics(
             scene,
@@ -123,11 +137,16 @@ class Block(NamedTuple):
         )
 
 
-def block_of(same: Same, count: int, mechanism: Mechanism, loading: Loading | None, tracked: bool) -> Block:
-    """The variants of a block from their stacked constants; ``tracked``: the turns of links are asked for."""
+def block_of(
+    same: Same, count: int, mechanism: Mechanism, loading: Loading | None, tracked: bool, told: bool = False
+) -> Block:
+    """The variants of a block from their stacked constants; ``tracked``: the turns of links are asked for.
+
+    ``told``: so is all that the summary of kinematics tells.
+    """
     kinematics = same.kinematics
     chain = Rows(compile_chain(mechanism, kinematics.structure, kinematics.variants))
-    return Block(same, count, Rows(loading), chain, settle(chain, count, same.rubbing, tracked))
+    return Block(same, count, Rows(loading), chain, settle(chain, count, same.rubbing, tracked, told))
 
 
 def _sources(scene: Scene, kinematics: Kinematics) -> Iterator[Source]:

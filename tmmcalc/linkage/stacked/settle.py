@@ -38,15 +38,22 @@ class Settled(NamedTuple):
     start: Real | float  # input coordinate of position 0 [rad], (V,) or of all
     centres: Real  # (V, 2) dead centres of the first output, in order from the working stroke; (V, 0): not sought
     reached: Real  # (V, 2) its coordinate there
+    reversals: tuple[Real, ...]  # (V, c) ascending dead centres of all outputs whose are sought
     turning: Real  # (V, R) where rubbing pairs turn back [rad]
     scales: dict[str, Real]  # largest relative rates (V,) in the rubbing joints
     tracks: Real | None  # (L, V, STEPS + 1) continuous angles of the links over the survey [rad]
 
 
-def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool) -> Settled:
-    """Survey ``count`` variants; ``rubbing`` are the joints whose reversals are asked for."""
+def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool, told: bool = False) -> Settled:
+    """Survey ``count`` variants; ``rubbing`` are the joints whose reversals are asked for.
+
+    ``told``: the dead centres of all outputs are asked for, and not only those that make position 0.
+    """
+    asked = chain.tree.mechanism.input.start is None
+    outputs = len(default_outputs(chain.tree)) if told else int(asked)
     looks = [
-        _look(chain, np.arange(at, min(at + TOGETHER, count)), rubbing, tracked) for at in range(0, count, TOGETHER)
+        _look(chain, np.arange(at, min(at + TOGETHER, count)), outputs, rubbing, tracked)
+        for at in range(0, count, TOGETHER)
     ]
     clear = np.concatenate([look.clear for look in looks])
     rates = np.concatenate([look.rates for look in looks], axis=1)
@@ -55,26 +62,25 @@ def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool
 
     def f(at: Real, variant: Indices, function: Indices) -> Real:
         own = chain(variant)
-        return np.asarray(_rates(own, own.evaluate(at), rubbing, at.size)[function, np.arange(at.size)])
+        return np.asarray(_rates(own, own.evaluate(at), outputs, rubbing, at.size)[function, np.arange(at.size)])
 
-    asked = chain.tree.mechanism.input.start is None
     turning = zeros(f, X, rates, largest) if len(rates) else Zeros((), clear)
     clear = clear & turning.clear
     start: Real | float = chain.tree.mechanism.input.start or 0.0
     centres: Real = np.zeros((count, 0))
     reached: Real = centres
-    backs = turning.places
+    reversals, backs = turning.places[:outputs], turning.places[outputs:]
     if asked:
-        centres, backs = turning.places[0], turning.places[1:]
-        centres, reached, settled = _ordered(chain, centres, count)
+        centres, reached, settled = _ordered(chain, reversals[0], count)
         clear, start = clear & settled, np.asarray(principal(centres[:, 0])).view(Alike)
     return Settled(
         clear,
         start,
         centres,
         reached,
+        reversals,
         np.concatenate([np.zeros((count, 0)), *backs], axis=1),
-        {name: row.view(Alike) for name, row in zip(rubbing, largest[int(asked) :], strict=True)},
+        {name: row.view(Alike) for name, row in zip(rubbing, largest[outputs:], strict=True)},
         tracks,
     )
 
@@ -87,11 +93,11 @@ class _Look(NamedTuple):
     tracks: Real
 
 
-def _look(chain: Rows[Chain], variants: Indices, rubbing: Sequence[str], tracked: bool) -> _Look:
+def _look(chain: Rows[Chain], variants: Indices, outputs: int, rubbing: Sequence[str], tracked: bool) -> _Look:
     own = chain(np.repeat(variants, STEPS))
     x = np.tile(X, len(variants))
     configuration = own.evaluate(x)
-    rates = _rates(own, configuration, rubbing, x.size).reshape(-1, len(variants), STEPS)
+    rates = _rates(own, configuration, outputs, rubbing, x.size).reshape(-1, len(variants), STEPS)
     clear = np.ones(len(variants), bool)
     for k in range(len(own.steps)):
         clear &= _reaches(own, k, configuration, len(variants))
@@ -102,11 +108,10 @@ def _look(chain: Rows[Chain], variants: Indices, rubbing: Sequence[str], tracked
     return _Look(clear, rates, tracks)
 
 
-def _rates(chain: Chain, configuration: Configuration, rubbing: Sequence[str], n: int) -> Real:
-    """Rates (F, n) of the first output, if position 0 is its dead centre, and in the rubbing joints."""
-    found = [sliding(chain.mechanism.joint(name), configuration)[0] for name in rubbing]
-    if chain.mechanism.input.start is None:
-        found.insert(0, coordinate_of(chain, default_outputs(chain)[0], configuration)[1])
+def _rates(chain: Chain, configuration: Configuration, outputs: int, rubbing: Sequence[str], n: int) -> Real:
+    """Rates (F, n) of the first outputs and in the rubbing joints."""
+    found = [coordinate_of(chain, output, configuration)[1] for output in default_outputs(chain)[:outputs]]
+    found += [sliding(chain.mechanism.joint(name), configuration)[0] for name in rubbing]
     rows = np.empty((len(found), n))
     for row, values in zip(rows, found, strict=True):
         row[:] = values

@@ -23,7 +23,7 @@ from tmmcalc.numerics.roots import Indices
 
 SAFE = 2.0  # growth of errors in the friction (loop gain of a half) up to which nothing is near to locking
 BETWEEN = 96  # further angles at which that is looked at, where no panels are
-TWICE = 4 * EDGE  # a position so near to a reversal of a rubbing pair may be two
+SURE, NEVER = EDGE / 4, 4 * EDGE  # a position nearer to a reversal of a rubbing pair is two, one farther is one
 
 
 def kinematics_of(block: Block, variants: Indices) -> Kinematics:
@@ -94,12 +94,12 @@ def forces_of(block: Block, variants: Indices, base: Forces, between: bool) -> t
 
     ``between`` the positions the friction is looked at too.
     """
-    count, n = len(variants), block.labels
+    theta, side, labels = block.rows
+    count, n = len(variants), len(theta)
     statics = block.statics(np.repeat(variants, n))
     travel = statics.scene.travel
-    theta, labels = travel.rows(block.same.kinematics)
-    over, solutions = stacked(statics, np.tile(theta, count), np.tile(travel.sides(theta), count), checked=False)
-    clear = ~_twice(block, variants, theta)
+    over, solutions = stacked(statics, np.tile(theta, count), np.tile(side, count), checked=False)
+    clear = jumps_alike(block, variants)
     for solution in solutions.values():
         clear &= np.max(solution.amplification.reshape(count, n), axis=1) < SAFE
     if between and solutions:
@@ -131,10 +131,12 @@ def _lengths(block: Block, pairs: dict[str, Any], base: Forces) -> list[Any]:
     return [pairs[pair.joint].length if pair.joint in pairs else None for pair in base.pairs]
 
 
-def _twice(block: Block, variants: Indices, theta: Real) -> Flags:
-    """Variants (v,) in which a position may stand at a reversal of a rubbing pair, and be two rows."""
-    apart = np.abs(turning_of(block, variants)[:, :, None] - theta[1:-1])
-    return np.any(apart < TWICE, axis=(1, 2))
+def jumps_alike(block: Block, variants: Indices) -> Flags:
+    """Variants (v,) whose rubbing pairs turn back at those positions alone that have two rows."""
+    theta, _, labels = block.rows
+    twice = np.array([f"{label}-" in labels for label in labels])[1:-1]
+    apart = np.min(np.abs(turning_of(block, variants)[:, :, None] - theta[1:-1]), axis=1, initial=np.inf)
+    return np.asarray(np.all(np.where(twice | np.roll(twice, -1), apart < SURE, apart > NEVER), axis=1))
 
 
 def turning_of(block: Block, variants: Indices) -> Real:

@@ -18,6 +18,7 @@ from tmmcalc.numerics.roots import bracketed
 TURN = 2 * np.pi
 STEPS = 40  # of Newton's method
 TIGHT = 1e-11  # residual of an exact solution, rows of unit size
+SATISFIED = 1e-8  # of the terms of a row: more is left of a point that is not met
 REACH = 4.0  # offsets of a slider's place that are tried, in ranges of its travel
 
 
@@ -71,7 +72,16 @@ def solved_exactly(closure: Closure, grid: int) -> Found:
     u, v = (values.ravel() for values in np.meshgrid(*offsets(closure, grid), indexing="ij"))
     if count > 3:
         u, v = _one_root(closure, grid) if count == 4 else _both_roots(closure, grid // 2)
-    return coefficients(closure, u, v)
+    return _kept(closure, coefficients(closure, u, v))
+
+
+def _kept(closure: Closure, found: Found) -> Found:
+    """Those that meet all points: the determinants vanish too where three points say the same."""
+    matrix, right = closure.system(*found.offsets.T)
+    open_ = np.abs(np.einsum("kni,ki->kn", matrix, found.coefficients) - right)
+    terms = np.einsum("kni,ki->kn", np.abs(matrix), np.abs(found.coefficients)) + np.abs(right)
+    good = np.all(open_ <= SATISFIED * terms, axis=1)
+    return Found(found.coefficients[good], found.offsets[good])
 
 
 def offsets(closure: Closure, grid: int) -> tuple[Real, Real]:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from tmmcalc.linkage.synthesis.results import Synthesis
+from tmmcalc.linkage.synthesis.rounding import sizes_error
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 
 _HOME = "tmmcalc.linkage.synthesis"
@@ -25,4 +28,4 @@ def solve_synthesis(task: SynthesisTask) -> Synthesis:
 
     module, _, name = KINDS[task.kind].partition(":")
     found: Synthesis = getattr(import_module(module), name)(task)
-    return found
+    return replace(found, error=sizes_error(task, found))

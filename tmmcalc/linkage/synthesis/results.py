@@ -110,6 +110,7 @@ class Synthesis:
     residual: float
     notes: tuple[str, ...] = ()
     counters: dict[str, int] = field(default_factory=dict)
+    error: float | None = None  # of the sizes, of lengths relative to the longest; None: no equations settle them
 
     @property
     def best(self) -> Design:

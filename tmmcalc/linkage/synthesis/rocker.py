@@ -59,12 +59,12 @@ def solve(task: SynthesisTask) -> Synthesis:
 
 def family(x: Real, half: float, psi: float, side: int) -> Family:
     """The crank-rockers at x = c/(2 l) in (sin(psi/2), 1) with the half swing and overlap angle [rad]."""
-    c = 2 * math.sin(half)
-    s, k = math.sin(psi / 2), math.cos(psi / 2)
+    c = 2 * np.sin(half)
+    s, k = np.sin(psi / 2), np.cos(psi / 2)
     l = c / 2 / x
     r = l * np.sqrt(np.maximum((x - s) * (x + s), 0)) / k
-    off = (l - r) * (l + r) * math.sin(psi) / c
-    pivot = 2 * l * r / c + 1j * (math.cos(half) + side * off)
+    off = (l - r) * (l + r) * np.sin(psi) / c
+    pivot = 2 * l * r / c + 1j * (np.cos(half) + side * off)
     ends = np.exp(1j * (math.pi / 2 + half)), np.exp(1j * (math.pi / 2 - half))
     frame = np.abs(pivot)
     sizes = np.array([r, l, np.ones_like(l), frame])

@@ -80,17 +80,17 @@ def _ratios(asked: RotatingTask, arm: float, rod: float) -> list[float]:
     far, near = math.asin(e / (rod + arm)), math.pi + math.asin(e / (rod - arm))
 
     def residual(x: Real) -> Real:
-        return _crank_angle(near, x) - _crank_angle(far, x) - (math.pi + overlap(asked.time_ratio))
+        return crank_angle(near, x) - crank_angle(far, x) - (math.pi + overlap(asked.time_ratio))
 
     return [float(x) for x in _roots(residual, np.linspace(1e-6, 1 - 1e-6, SAMPLES))]
 
 
-def _crank_angle(theta: float, x: Real) -> Real:
+def crank_angle(theta: float, x: Real) -> Real:
     """Angle of the crank [rad] about A = i L with the slotted link at ``theta``, for L = x r; continuous in theta.
 
     The ray from C at theta meets the crank's circle once, for C lies inside it.
     """
-    along = x * math.sin(theta) + np.sqrt(1 - (x * math.cos(theta)) ** 2)  # C to B, in cranks
+    along = x * np.sin(theta) + np.sqrt(1 - (x * np.cos(theta)) ** 2)  # C to B, in cranks
     local = along * np.exp(1j * theta) - 1j * x
     return theta + np.angle(local * np.exp(-1j * theta))
 

@@ -147,8 +147,10 @@ def _roots(chain: Chain, output: Output, value: float, low: float, high: float) 
 
 
 def _with_extremes(f: Problems, x: Real) -> tuple[Real, Real]:
-    """Samples of a function at ``x`` (m,) and at all its local extremes, in order."""
+    """Samples of a function at ``x`` (m,) and at all its local extremes, in order; none where rounding parts a link."""
     values = f(x, np.arange(len(x)))
+    assembled = np.isfinite(values)
+    x, values = x[assembled], values[assembled]
     at = np.concatenate([turning(values, sign, False) for sign in (1, -1)])
     place, value = refine(f, *around(x, at, False))
     x, values = np.concatenate((x, place)), np.concatenate((values, value))

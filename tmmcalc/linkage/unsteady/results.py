@@ -34,5 +34,5 @@ class Unsteady:
     coordinate: Real  # (3, O, n) output coordinate [m or rad], its velocity and acceleration
     extremes: tuple[TimedExtreme, ...]  # of speeds and accelerations
     grades: tuple[Grade, ...]
-    error: ErrorEstimate  # of transfer functions; relative
+    error: ErrorEstimate  # of the motion of the points and of the input; relative
     counters: dict[str, int]

@@ -24,6 +24,7 @@ from tmmcalc.linkage.survey import Survey, survey
 from tmmcalc.linkage.trace import continuous, layout, trace
 from tmmcalc.linkage.unsteady.ends import WHERE, Ends, find_ends
 from tmmcalc.linkage.unsteady.results import Unsteady
+from tmmcalc.linkage.unsteady.rounding import with_law
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
 from tmmcalc.timelaw import TimeLaw, by_duration, by_travel, by_travel_and_duration, motion
 from tmmcalc.timerows import TimedExtreme, extremes, time_rows
@@ -67,7 +68,7 @@ def solve_unsteady(mechanism: Mechanism, task: UnsteadyTask, kinematics: Kinemat
         coordinate=_coordinates(chain, outputs, x, moved, v, a),
         extremes=_extremes(chain, outputs, law, start),
         grades=grades,
-        error=estimate(chain, x, lambda at: trace(chain, at)),
+        error=with_law(estimate(chain, x, lambda at: trace(chain, at)), law, start, found, moved),
         counters={"rows": len(x), "survey_positions": 0 if dense is None else len(dense.x)},
     )
 

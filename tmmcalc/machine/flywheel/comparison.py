@@ -11,6 +11,7 @@ from tmmcalc.machine.flywheel.trials import RequiredInertia
 from tmmcalc.records import record
 
 if TYPE_CHECKING:
+    from tmmcalc.machine.flywheel.search import Model
     from tmmcalc.machine.motors.characteristics import Characteristic
 
 
@@ -50,29 +51,32 @@ def compared(
         methods = positional_flywheels(cycle, constant_inertia, delta, speed)
         return Comparison(tuple(Row(method, None, None) for method in methods), None)
     from tmmcalc.machine.flywheel.required import required_inertia
-
-    true = required_inertia(cycle, characteristic, delta, constant_inertia, time_constant, sense=sense)
-    methods = positional_flywheels(cycle, constant_inertia, delta, true.regime.mean if speed is None else speed)
-    rows = tuple(
-        _row(method, cycle, constant_inertia + method.addition, characteristic, time_constant, true)
-        for method in methods
-    )
-    return Comparison(rows, true)
-
-
-def _row(
-    method: FlywheelMethod,
-    cycle: Cycle,
-    inertia: float,
-    characteristic: Characteristic,
-    time_constant: float,
-    true: RequiredInertia,
-) -> Row:
     from tmmcalc.machine.steady import driven
 
-    error = (inertia - true.inertia) / true.inertia
-    try:
-        regime = driven(cycle, inertia, characteristic, time_constant=time_constant, guess=true.regime)
-    except NoSolutionError:
-        return Row(method, None, error)
-    return Row(method, regime.delta, error)
+    true = required_inertia(cycle, characteristic, delta, constant_inertia, time_constant, sense=sense)
+
+    def reached(inertia: float) -> float | None:
+        try:
+            return driven(cycle, inertia, characteristic, time_constant=time_constant, guess=true.regime).delta
+        except NoSolutionError:
+            return None
+
+    return beside(cycle, constant_inertia, delta, true, reached, speed)
+
+
+def beside(
+    cycle: Cycle,
+    constant_inertia: float,
+    delta: float,
+    true: RequiredInertia,
+    reached: Model,
+    speed: float | None = None,
+) -> Comparison:
+    """The methods beside the ``true`` flywheel; ``reached`` tells what delta an inertia leads to under the motor."""
+    methods = positional_flywheels(cycle, constant_inertia, delta, true.regime.mean if speed is None else speed)
+    inertias = [constant_inertia + method.addition for method in methods]
+    rows = (
+        Row(method, reached(inertia), (inertia - true.inertia) / true.inertia)
+        for method, inertia in zip(methods, inertias, strict=True)
+    )
+    return Comparison(tuple(rows), true)

@@ -57,21 +57,39 @@ def required_inertia(
     check(delta, cycle.speed, constant_inertia)
     trials, near = _ample(cycle, characteristic, delta, constant_inertia, time_constant, sense)
     model, start = fluctuation(cycle, characteristic, time_constant, near), trials[-1]
-    at_hand = trials[0].inertia == constant_inertia
-    first = root = trials[0] if at_hand else tried(model, constant_inertia, trials)
-    if not sufficient(first, delta):
-        inside, beyond = (PROBES_LAGGING, BEYOND) if time_constant > 0 else (PROBES, ())
-        root = least_inertia(model, delta, first, start, trials)
-        root = _earliest(model, delta, first, root, inside if probes is None else probes, trials)
-        for factor in beyond:
-            tried(model, factor * root.inertia, trials)
+    first, root = searched(model, delta, constant_inertia, trials, lagging=time_constant > 0, probes=probes)
     regime = near
     if root is not start:
         regime = driven(cycle, root.inertia, characteristic, time_constant=time_constant, guess=near)
     carrying = None
     if first.delta is None:
         carrying = _carrying(cycle, characteristic, time_constant, first.inertia)
-    return _result(first, root, regime, trials, carrying, delta)
+    return result_of(first, root, regime, trials, carrying, delta)
+
+
+def searched(
+    model: Model,
+    delta: float,
+    constant_inertia: float,
+    trials: list[Trial],
+    *,
+    lagging: bool = False,
+    probes: int | None = None,
+) -> tuple[Trial, Trial]:
+    """The trial with the inertia at hand and that with the least one that does, from the last of the ``trials`` on.
+
+    Every run of the model is added to ``trials``.
+    """
+    start = trials[-1]
+    at_hand = trials[0].inertia == constant_inertia
+    first = root = trials[0] if at_hand else tried(model, constant_inertia, trials)
+    if not sufficient(first, delta):
+        inside, beyond = (PROBES_LAGGING, BEYOND) if lagging else (PROBES, ())
+        root = least_inertia(model, delta, first, start, trials)
+        root = _earliest(model, delta, first, root, inside if probes is None else probes, trials)
+        for factor in beyond:
+            tried(model, factor * root.inertia, trials)
+    return first, root
 
 
 def correction_history(
@@ -101,8 +119,7 @@ def _ample(
 
     If the machine stalls with it, a second trial follows with enough inertia to run.
     """
-    alone = float(tangents(energy_curve(cycle), delta, cycle.speed, (_MERTSALOV,)).inertia[0])
-    inertia, trials = max(alone, constant_inertia), []
+    inertia, trials = ample(cycle, delta, constant_inertia), []
     try:
         regime = driven(cycle, inertia, characteristic, time_constant=time_constant, sense=sense)
     except NoSolutionError as error:
@@ -113,6 +130,11 @@ def _ample(
         inertia = ABOVE * error.limit
         regime = driven(cycle, inertia, characteristic, time_constant=time_constant, sense=sense)
     return [*trials, Trial(inertia, regime.delta)], regime
+
+
+def ample(cycle: Cycle, delta: float, constant_inertia: float) -> float:
+    """The inertia that a search begins with: that by Mertsalov, or the one at hand if that is more [kg*m^2]."""
+    return max(float(tangents(energy_curve(cycle), delta, cycle.speed, (_MERTSALOV,)).inertia[0]), constant_inertia)
 
 
 def _carrying(cycle: Cycle, characteristic: Characteristic, time_constant: float, stalls: float) -> float | None:
@@ -148,9 +170,10 @@ def _inexact(root: Trial, regime: Regime, trials: tuple[Trial, ...], delta: floa
     return MARGIN * slope * (abs(regime.delta / delta - 1) + 2 * regime.error / delta)
 
 
-def _result(
+def result_of(
     first: Trial, root: Trial, regime: Regime, trials: list[Trial], carrying: float | None, delta: float
 ) -> RequiredInertia:
+    """What a search found; ``carrying`` is the inertia that just carries a machine which stalls without more."""
     ordered = tuple(sorted(trials, key=lambda trial: trial.inertia))
     rises = [(a, b) for a, b in pairwise(ordered) if _size(b) > _size(a) * (1 + EQUAL) + NOISE]
     remarks = []

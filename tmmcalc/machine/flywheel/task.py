@@ -7,7 +7,7 @@ import numpy as np
 from tmmcalc.errors import AccuracyError, NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import UNDRIVEN, ConstantInertia, Driver
-from tmmcalc.machine.flywheel.comparison import Row, compared
+from tmmcalc.machine.flywheel.comparison import Comparison, Row, compared
 from tmmcalc.machine.flywheel.curve import energy_curve, nodal_work
 from tmmcalc.machine.flywheel.placement import Wheel, wheels
 from tmmcalc.machine.flywheel.positional import FlywheelMethod, on_nodes
@@ -18,7 +18,7 @@ from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.verdicts import Verdict
 from tmmcalc.records import record
 
-ROUNDING = 2e-15  # of the intercepts of a tangent, relative to work and energy
+ROUNDING = 8e-15  # of the intercepts of a tangent, relative to work and energy: a sum over panels, read between points
 BOOK = 1  # place of the textbook's method among all
 
 
@@ -97,7 +97,27 @@ def solve_flywheel(
         time_constant=lag,
         sense=sense,
     )
-    required = comparison.required
+    history = _history(cycle, driver, task.delta, at_hand)
+    shafts = ratio, motor_ratio
+    return flywheel_of(cycle, at_hand, task, driver, speed, shafts, comparison, history, steps=steps, sense=sense)
+
+
+def flywheel_of(
+    cycle: Cycle,
+    at_hand: ConstantInertia,
+    task: FlywheelTask,
+    driver: Driver | None,
+    speed: float,
+    shafts: tuple[float, float | None],
+    comparison: Comparison,
+    history: tuple[Trial, ...],
+    *,
+    steps: int | None,
+    sense: float,
+) -> Flywheel:
+    """The result from the methods side by side and the correction of the textbook; ``shafts`` as ratio, motor_ratio."""
+    assert task.delta is not None
+    required, (ratio, motor_ratio) = comparison.required, shafts
     exact = comparison.rows[0].positional
     addition = required.addition if required is not None else exact.addition
     fastest = required.regime.omega_max if required is not None else speed * (1 + task.delta / 2)
@@ -116,7 +136,7 @@ def solve_flywheel(
         wheels=made,
         nodal=None if steps is None else _nodal(cycle, at_hand.total, task.delta, mean, steps),
         picture=energy_mass(cycle, task.delta, mean),
-        history=_history(cycle, driver, task.delta, at_hand),
+        history=history,
         verdicts=(
             *_rim_verdicts(made[0]),
             *_verdicts(addition, existing, required),

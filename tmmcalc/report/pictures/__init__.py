@@ -230,14 +230,14 @@ def draw_profile(found: Pairs, file: Path, *, choose: int | None = None) -> None
     write(file, form, lambda: profile_figure(found, choose=choose))
 
 
-def draw_accuracy(result: Accuracy, file: Path, heading: str) -> None:
-    """Draw the work-precision diagrams of all studies."""
+def draw_accuracy(result: Accuracy, file: Path, heading: str, tolerance: float | None = None) -> None:
+    """Draw the work-precision diagrams of all studies and ladders."""
     form = form_of(file)
     check_matplotlib()
     from tmmcalc.report.pictures.accuracy import accuracy_figure
     from tmmcalc.report.pictures.page import write
 
-    write(file, form, lambda: accuracy_figure(result, heading))
+    write(file, form, lambda: accuracy_figure(result, heading, tolerance))
 
 
 def draw_stress(result: Stress, file: Path, heading: str) -> None:

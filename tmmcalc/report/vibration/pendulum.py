@@ -65,8 +65,8 @@ def _facts(result: PendulumResult) -> Iterator[Fact]:
         yield Fact("spin", f"{number(spin, 6)} rad/s ({number(spin * 30 / pi, 6)} rpm)", {"spin[rad/s]": spin})
     values = {modes.name.replace(" ", "_"): modes.frequency.tolist() for modes in result.modes}
     text = "\n".join(f"{modes.name}: {_hertz(modes.frequency)} Hz" for modes in result.modes)
-    text += f"\n{result.functions} functions, relative error about {result.error:.0e}"
-    yield Fact("natural frequencies", text, {"omega[rad/s]": values, "frequency_error": result.error})
+    text += f"\n{result.functions} functions, relative error about {result.error['frequencies']:.0e}"
+    yield Fact("natural frequencies", text, {"omega[rad/s]": values, "frequency_error": result.error["frequencies"]})
     if result.rigid is not None:
         forward, backward = result.rigid
         text = f"{number(forward / (2 * pi), 6)} Hz"

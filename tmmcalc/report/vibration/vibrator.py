@@ -67,14 +67,15 @@ def _parts(result: VibratorResult, patterns: Sequence[str]) -> Iterator[Document
 def _facts(result: VibratorResult) -> Iterator[Fact]:
     yield from _springs(result)
     hertz = result.frequency / (2 * pi)
-    text = f"{', '.join(number(f, 6) for f in hertz.tolist())} Hz\nrelative error at most {result.error:.0e}"
-    values = {"natural_frequencies[Hz]": hertz.tolist(), "frequency_error": result.error, "zeta": result.ratio.tolist()}
+    error = result.error["frequencies"]
+    text = f"{', '.join(number(f, 6) for f in hertz.tolist())} Hz\nrelative error at most {error:.0e}"
+    values = {"natural_frequencies[Hz]": hertz.tolist(), "frequency_error": error, "zeta": result.ratio.tolist()}
     matrices = {"M": result.mass.tolist(), "C": result.stiffness.tolist(), "B": result.damping.tolist()}
     yield Fact("natural frequencies", text, values | matrices | {"modes": result.shapes.T.tolist()})
     if result.curve is not None:
         yield _curve(result.curve)
     if result.steady is not None:
-        yield _steady(result.steady)
+        yield _steady(result.steady, result.error["amplitudes"])
     for path in result.paths:
         yield _path(path)
     if result.run_up is not None:
@@ -118,7 +119,7 @@ def _curve(curve: Curve) -> Fact:
     return Fact("largest on the curve", "\n".join(lines) or "nothing moves", values)
 
 
-def _steady(steady: Steady) -> Fact:
+def _steady(steady: Steady, error: float) -> Fact:
     moved = [
         f"{name} {_size(size, unit)}, {number(degrees(phase), 4)} deg behind"
         for name, unit, size, phase in zip(
@@ -128,7 +129,7 @@ def _steady(steady: Steady) -> Fact:
     ]
     lines = [f"at {_rpm(steady.speed)}", *moved]
     lines.append(f"dampers take {number(steady.power, 5)} W, {number(steady.moment, 5)} N*m of the rotor")
-    lines.append(f"power of unbalance and dampers differ by {abs(steady.balance):.0e}; error est. {steady.error:.0e}")
+    lines.append(f"power of unbalance and dampers differ by {abs(steady.balance):.0e}; error est. {error:.0e}")
     values = {
         "omega[rad/s]": steady.speed,
         "amplitude": dict(zip(HEADERS, steady.amplitude.tolist(), strict=True)),
@@ -136,7 +137,7 @@ def _steady(steady: Steady) -> Fact:
         "power[W]": steady.power,
         "rotor_moment[N*m]": steady.moment,
         "power_balance": steady.balance,
-        "amplitude_error": steady.error,
+        "amplitude_error": error,
     }
     return Fact("steady motion", "\n".join(lines), values)
 

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.numerics.gauss import legendre, rule
+from tmmcalc.numerics.gauss import legendre, rule, wide_rule
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
 
@@ -78,7 +78,7 @@ def _hermite(basis: Basis, s: Values) -> list[tuple[Values, Values, Values]]:
     edges = basis.edges
     listed = []
     for node, at in enumerate(edges):
-        parts = np.zeros((2, 3, len(s)))
+        parts = np.zeros((2, 3, len(s)), np.result_type(s, type(at)))
         for other in (node - 1, node + 1):
             if 0 <= other < len(edges):
                 h = edges[other] - at  # negative below the node: the cubic is the same, mirrored
@@ -95,10 +95,11 @@ def _hermite(basis: Basis, s: Values) -> list[tuple[Values, Values, Values]]:
 
 def gauss(basis: Basis) -> tuple[Values, Values]:
     """Points (m,) and weights (m,) that integrate products of two functions and of the tension exactly."""
-    r = rule(basis.degree + 2)
     edges = np.array(basis.edges)
+    wide = edges.dtype != float
+    points, weights = wide_rule(basis.degree + 2) if wide else rule(basis.degree + 2)[:2]
     width = np.diff(edges)
-    return (edges[:-1, None] + width[:, None] * r.points).ravel(), (width[:, None] * r.weights).ravel()
+    return (edges[:-1, None] + width[:, None] * points).ravel(), (width[:, None] * weights).ravel()
 
 
 def graded(top: float, bottom: float) -> tuple[float, ...]:

@@ -14,6 +14,7 @@ import numpy as np
 from tmmcalc.errors import AccuracyError
 from tmmcalc.machine.vibration.pendulum.basis import Basis, graded
 from tmmcalc.machine.vibration.pendulum.task import PendulumTask
+from tmmcalc.numerics.extended import MARGIN
 from tmmcalc.numerics.panels import Values
 
 LAYERED = 0.05  # part of the length: thinner layers get elements of their own
@@ -26,27 +27,30 @@ MOST = 220  # functions
 
 
 def resolved(task: PendulumTask, frequencies: Callable[[Basis], Values], plane: int) -> tuple[Basis, float]:
-    """The basis in which ``frequencies(basis)`` (n,) no longer change, and by how much (relative) they last did.
+    """The basis in which ``frequencies(basis)`` (n,) no longer change, and the change (relative) that is left.
 
-    A mesh that the task gives is taken as it is, its error by halving the elements. Raises `AccuracyError`.
+    It is the last change, less by the factor by which that one was less than the change before, with a margin. A mesh
+    that the task gives is taken as it is, its error by halving the elements. Raises `AccuracyError`.
     """
     tilts = task.pivot is not None
     if task.mesh.elements is not None:
         given, halved = (_even(many, task.mesh.degree, tilts) for many in (task.mesh.elements, 2 * task.mesh.elements))
-        return given, _change(frequencies(halved), frequencies(given))
+        taken = 1 - 0.25 ** (task.mesh.degree - 1)  # of an error of that order by halves
+        return given, _change(frequencies(halved), frequencies(given)) / taken
     edges = graded(*_layers(task, plane))
     nodal = len(edges) > 2
     first, *others = FEWER if nodal else DEGREES
     basis = Basis(edges, first, tilts, nodal)
-    found, change = frequencies(basis), np.inf
+    found, change, left = frequencies(basis), np.inf, np.inf
     for degree in others:
         finer = Basis(edges, degree, tilts, nodal)
         if finer.count > MOST:
             break
         better = frequencies(finer)
-        basis, change, found = finer, _change(better, found), better
+        before, change = change, _change(better, found)
+        basis, found, left = finer, better, MARGIN * change * min(1.0, change / before)
         if change < AGREED:
-            return basis, float(change)
+            return basis, left
     if change > ALLOWED:
         raise AccuracyError(
             f"{basis.count} functions leave an error of {change:.2g} in the natural frequencies",
@@ -55,7 +59,7 @@ def resolved(task: PendulumTask, frequencies: Callable[[Basis], Values], plane: 
             limit=ALLOWED,
             remedy="ask for fewer modes, or for a rod that is less soft",
         )
-    return basis, float(change)
+    return basis, left
 
 
 def _even(many: int, degree: int, tilts: bool) -> Basis:
@@ -63,7 +67,9 @@ def _even(many: int, degree: int, tilts: bool) -> Basis:
 
 
 def _change(better: Values, found: Values) -> float:
-    return float(np.max(np.abs(found / better - 1))) if found.shape == better.shape else np.inf
+    if found.shape != better.shape:
+        return np.inf
+    return float(np.max(np.abs(found / better - 1)))
 
 
 def _layers(task: PendulumTask, plane: int) -> tuple[float, float]:

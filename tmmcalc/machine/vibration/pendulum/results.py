@@ -43,5 +43,5 @@ class PendulumResult:
     campbell: Campbell | None
     swing: SwingCourse | None
     functions: int  # of the Ritz method
-    error: float  # relative, of the frequencies by refinement
+    error: dict[str, float]  # relative: frequencies, critical, whirl, torsion, swing
     notes: tuple[str, ...]

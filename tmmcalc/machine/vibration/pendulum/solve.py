@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 from math import pi, sqrt
 
@@ -10,25 +11,30 @@ import numpy as np
 
 from tmmcalc.errors import NoSolutionError, UsageError
 from tmmcalc.machine.vibration.pendulum.basis import Basis, sample
-from tmmcalc.machine.vibration.pendulum.energies import matrices
+from tmmcalc.machine.vibration.pendulum.energies import Matrices, matrices
 from tmmcalc.machine.vibration.pendulum.resolution import resolved
 from tmmcalc.machine.vibration.pendulum.results import Campbell, PendulumResult, WhirlModes
-from tmmcalc.machine.vibration.pendulum.swing import swing
+from tmmcalc.machine.vibration.pendulum.rounding import Energies, critical_error, steady_end, whirl_error
+from tmmcalc.machine.vibration.pendulum.swing import SwingCourse, swing
 from tmmcalc.machine.vibration.pendulum.task import PendulumTask
 from tmmcalc.machine.vibration.pendulum.torsion import torsion_frequencies
 from tmmcalc.machine.vibration.pendulum.whirl import (
+    Critical,
     critical_speeds,
     lowest,
     unbalance_curve,
     unbalance_whirl,
     whirl,
 )
+from tmmcalc.numerics.extended import EPS, MARGIN
 from tmmcalc.numerics.panels import Values
 
 PLACES = 101  # along the rod
 PLANES = ("plane xz", "plane yz")
 NEAR = 0.05  # of a critical speed: a spin so near is critical
 LARGE = 0.15  # slope [rad]: beyond it a small one is none
+FINER = 3  # degrees more, by which the error of the whirl is seen
+TORSION = 8 * EPS  # a root to two of its last digits, and the roundings of its scale
 
 
 def solve_pendulum(task: PendulumTask) -> PendulumResult:
@@ -47,10 +53,9 @@ def solve_pendulum(task: PendulumTask) -> PendulumResult:
     parts = matrices(task, bases[0], 0)
     moment = task.disc.mass * task.disc.eccentricity
     empty = np.empty(0)
-    forward, backward = critical_speeds(parts, task.modes) if spun else (empty, empty)
-    deflection = None
-    if spun and moment and task.spin:
-        deflection = float(parts.tip @ unbalance_whirl(parts, moment, task.spin))
+    critical = critical_speeds(parts, task.modes) if spun else ()
+    forward, backward = (each.speeds for each in critical) if spun else (empty, empty)
+    deflection = _deflection(task, parts) if spun and moment and task.spin else None
     found = None if task.swing is None else swing(task, task.swing, (bases[0], bases[-1]))
     return PendulumResult(
         spin=task.spin,
@@ -64,7 +69,7 @@ def solve_pendulum(task: PendulumTask) -> PendulumResult:
         campbell=_campbell(task, bases[0]),
         swing=found,
         functions=max(basis.count for basis in bases),
-        error=max(change for _, change in settled),
+        error=_errors(task, settled, critical, deflection, found),
         notes=tuple(_notes(task, forward, None if found is None else (found.slope_v, found.slope_w))),
     )
 
@@ -90,11 +95,66 @@ def _may_spin(task: PendulumTask) -> bool:
     return task.axisymmetric and (task.spin != 0 or task.speeds is not None)
 
 
+def _spins(task: PendulumTask) -> list[float]:
+    """Speeds of spin by which the basis is judged: that of the task, and the ends of the diagram."""
+    return [task.spin] if task.speeds is None else [task.spin, task.speeds.low, task.speeds.high]
+
+
 def _all(task: PendulumTask, plane: int, basis: Basis) -> Values:
-    """The frequencies whose change tells how fine the basis is: at the spin, and at the ends of the diagram."""
-    spins = [task.spin] if task.speeds is None else [task.spin, task.speeds.low, task.speeds.high]
-    both = lowest(whirl(matrices(task, basis, plane), np.array(spins)), min(task.modes, basis.count))
-    return np.concatenate([part.ravel() for part in both])
+    """What tells by its change how fine the basis is: frequencies of whirl, and critical speeds."""
+    parts, count = matrices(task, basis, plane), min(task.modes, basis.count)
+    both = lowest(whirl(parts, np.array(_spins(task))), count)
+    critical = critical_speeds(parts, count) if _may_spin(task) else ()
+    return np.concatenate([part.ravel() for part in (*both, *(each.speeds for each in critical))])
+
+
+def _deflection(task: PendulumTask, parts: Matrices) -> float:
+    """Displacement of the lower end by the unbalance, turning with the rotor [m]."""
+    return float(parts.tip @ unbalance_whirl(parts, task.disc.mass * task.disc.eccentricity, task.spin))
+
+
+def _errors(
+    task: PendulumTask,
+    settled: Sequence[tuple[Basis, float]],
+    critical: Sequence[Critical],
+    deflection: float | None,
+    moved: SwingCourse | None,
+) -> dict[str, float]:
+    """Relative errors: of every frequency and speed, of the whirl of the unbalance, of the path over its size."""
+    left = max(change for _, change in settled)
+    rounding = [_rounding(task, basis, plane) for plane, (basis, _) in enumerate(settled)]
+    found = {"frequencies": left + MARGIN * max(rounding) + EPS}
+    basis = settled[0][0]
+    if any(len(each.speeds) for each in critical):
+        energies = Energies(task, basis, 0)
+        missed = [critical_error(energies, *each) for each in critical if len(each.speeds)]
+        found["critical"] = left + MARGIN * max(missed) + EPS
+    if deflection is not None:
+        finer = _deflection(task, matrices(task, replace(basis, degree=basis.degree + FINER), 0))
+        found["whirl"] = MARGIN * (abs(finer / deflection - 1) + _whirl_rounding(task, basis, deflection)) + EPS
+    if task.rod.torsion is not None:
+        found["torsion"] = TORSION
+    if moved is not None:
+        found["swing"] = moved.error
+    return found
+
+
+def _whirl_rounding(task: PendulumTask, basis: Basis, deflection: float) -> float:
+    moment = task.disc.mass * task.disc.eccentricity
+    shape = unbalance_whirl(matrices(task, basis, 0), moment, task.spin)
+    exact = steady_end(Energies(task, basis, 0), moment * task.spin**2, task.spin, shape)
+    return abs(deflection / exact - 1)
+
+
+def _rounding(task: PendulumTask, basis: Basis, plane: int) -> float:
+    """Of the frequencies of whirl at the speeds by which the basis is judged."""
+    energies, parts = Energies(task, basis, plane), matrices(task, basis, plane)
+    count, worst = min(task.modes, basis.count), 0.0
+    for spin in _spins(task):
+        pencil = whirl(parts, np.array(spin))
+        listed = np.r_[:count, len(pencil.mu) - count : len(pencil.mu)]
+        worst = max(worst, whirl_error(energies, spin, pencil.mu[listed], pencil.y[:, listed]))
+    return worst
 
 
 def _modes(task: PendulumTask, basis: Basis, plane: int, place: Values) -> Iterator[WhirlModes]:

@@ -10,6 +10,8 @@ The critical speeds w = Omega (forward) and w = -Omega (backward) are those of K
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from tmmcalc.errors import SingularityError
@@ -38,13 +40,22 @@ def lowest(pencil: Pencil, count: int) -> tuple[Values, Values]:
     return 1 / pencil.mu[..., : -count - 1 : -1], -1 / pencil.mu[..., :count]
 
 
-def critical_speeds(parts: Matrices, count: int) -> tuple[Values, Values]:
-    """The first critical speeds of forward and of backward whirl [rad/s]; there may be fewer, or none."""
+class Critical(NamedTuple):
+    """Critical speeds (k,) [rad/s] and their shapes (n, k); ``sign`` is that of G beside M, -1 of forward whirl."""
+
+    sign: int
+    speeds: Values
+    shapes: Values
+
+
+def critical_speeds(parts: Matrices, count: int) -> tuple[Critical, Critical]:
+    """The first critical speeds of forward and of backward whirl; there may be fewer, or none."""
     found = []
     for sign in (-1, 1):
-        mu = definite_pencil(parts.mass + sign * parts.spin, parts.stiffness, WHERE).mu[::-1]
-        kept = mu[mu > 1e-12 * abs(mu[0])][:count]
-        found.append(1 / np.sqrt(kept))
+        pencil = definite_pencil(parts.mass + sign * parts.spin, parts.stiffness, WHERE)
+        mu, y = pencil.mu[::-1], pencil.y[:, ::-1]
+        many = min(int(np.count_nonzero(mu > 1e-12 * abs(mu[0]))), count)
+        found.append(Critical(sign, 1 / np.sqrt(mu[:many]), y[:, :many]))
     return found[0], found[1]
 
 

@@ -34,7 +34,6 @@ class Steady:
     power: float  # that the dampers take [W]
     moment: float  # of the rotor that gives it [N*m]
     balance: float  # power of the unbalance less that of the dampers, over the reactive power
-    error: float  # estimate of the relative error of the amplitudes
 
 
 @record
@@ -48,8 +47,7 @@ class Peak:
 
 def amplitudes(modes: Modes, excitation: Excitation, omega: Values) -> Complex:
     """Complex amplitudes (m, 7) at speeds (m,) [rad/s]; raises `SingularityError` at an undamped resonance."""
-    eta, _ = _solved(modes, excitation, omega)
-    return _of_device(modes, eta)
+    return _of_device(modes, _solved(modes, excitation, omega))
 
 
 def _of_device(modes: Modes, eta: Complex) -> Complex:
@@ -59,8 +57,8 @@ def _of_device(modes: Modes, eta: Complex) -> Complex:
     return np.where(sizes > NOISE * np.max(sizes, axis=1, keepdims=True), found, 0.0)
 
 
-def _solved(modes: Modes, excitation: Excitation, omega: Values) -> tuple[Complex, Values]:
-    """Amplitudes (m, 7) of the modes, and how near to singular each speed is (m,)."""
+def _solved(modes: Modes, excitation: Excitation, omega: Values) -> Complex:
+    """Amplitudes (m, 7) of the modes; raises `SingularityError` next to a singular speed."""
     w = modes.frequency
     scale = 1 / np.hypot(w, omega[:, None])
     dynamic = 1j * omega[:, None, None] * modes.damping
@@ -79,18 +77,18 @@ def _solved(modes: Modes, excitation: Excitation, omega: Values) -> tuple[Comple
             remedy="give [vibrator.damping], or another speed",
         )
     load = (excitation.amplitude(omega) @ modes.shapes) * scale
-    return np.linalg.solve(scaled, load[..., None])[..., 0] * scale, nearness
+    found: Complex = np.linalg.solve(scaled, load[..., None])[..., 0] * scale
+    return found
 
 
 def steady(modes: Modes, excitation: Excitation, speed: float) -> Steady:
     """The steady vibration at a speed [rad/s]."""
     at = np.array([speed])
-    eta, nearness = _solved(modes, excitation, at)
+    eta = _solved(modes, excitation, at)
     amplitude = _of_device(modes, eta)[0]
     given, taken = powers(modes, excitation, at, eta)
     force = excitation.amplitude(at)[0]
     reactive = float(np.sum(np.abs(force * amplitude))) * speed / 2
-    eps = float(np.finfo(float).eps)
     return Steady(
         speed=speed,
         amplitude=np.abs(amplitude),
@@ -100,7 +98,6 @@ def steady(modes: Modes, excitation: Excitation, speed: float) -> Steady:
         power=float(taken[0]),
         moment=float(taken[0]) / speed,
         balance=float(given[0] - taken[0]) / reactive if reactive else 0.0,
-        error=(8 * eps + 2 * modes.error) / float(nearness[0]),
     )
 
 
@@ -114,7 +111,7 @@ def powers(modes: Modes, excitation: Excitation, omega: Values, eta: Complex) ->
 
 def load_moment(modes: Modes, excitation: Excitation, omega: Values) -> Values:
     """Mean moment (m,) [N*m] that the vibration asks of the rotor at steady speeds (m,)."""
-    eta, _ = _solved(modes, excitation, omega)
+    eta = _solved(modes, excitation, omega)
     found: Values = powers(modes, excitation, omega, eta)[1] / omega
     return found
 

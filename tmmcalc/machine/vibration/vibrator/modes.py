@@ -11,9 +11,11 @@ from tmmcalc.errors import UsageError
 from tmmcalc.machine.vibration.pencil import definite_pencil, scaled_factor
 from tmmcalc.machine.vibration.vibrator.energies import COUNT
 from tmmcalc.machine.vibration.vibrator.task import Damping
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
 
+FORMED = 2.0  # roundings of a coefficient, beside those that cancel out
 NOISE = 1e-12  # of the largest displacement of a mode: less is none
 
 
@@ -50,7 +52,11 @@ def modes_of(mass: Values, stiffness: Values, damping: Damping, arm: float) -> M
             remedy="write a damping of at least 0",
         )
     weight = np.array([1.0, 1.0, arm, arm, arm, 1.0, arm])
-    return Modes(frequency, pencil.y, shape, weight, float(np.max(pencil.error / pencil.mu)) / 2)
+    shapes = np.abs(pencil.y)
+    strained, moved = (np.sum(shapes * (np.abs(part) @ shapes), axis=0) for part in (stiffness, mass))
+    terms = strained / pencil.mu + moved
+    error = pencil.error / pencil.mu + FORMED * EPS * terms
+    return Modes(frequency, pencil.y, shape, weight, float(np.max(error)) / 2 + EPS)
 
 
 def damping_matrix(modes: Modes, mass: Values) -> Values:

@@ -57,7 +57,7 @@ class VibratorResult:
     frequency: Values  # natural, w (7,) ascending [rad/s]
     shapes: Values  # (7, 7) a mode in each column, its largest displacement 1
     ratio: Values  # (7,) part of critical damping of the modes
-    error: float  # bound of the relative error of the frequencies
+    error: dict[str, float]  # relative: frequencies, amplitudes and power of the steady motion, the curve
     curve: Curve | None
     steady: Steady | None
     paths: tuple[PointPath, ...]  # of the points of the part in the steady motion

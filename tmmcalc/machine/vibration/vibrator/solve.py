@@ -14,6 +14,7 @@ from tmmcalc.machine.vibration.vibrator.modes import Modes, damping_matrix, mode
 from tmmcalc.machine.vibration.vibrator.paths import displacements, point_paths
 from tmmcalc.machine.vibration.vibrator.regimes import Barrier
 from tmmcalc.machine.vibration.vibrator.results import Curve, MotorStart, Start, VibratorResult
+from tmmcalc.machine.vibration.vibrator.rounding import Device, amplitude_errors, relative
 from tmmcalc.machine.vibration.vibrator.runup import run_up
 from tmmcalc.machine.vibration.vibrator.springs import stiffness_of
 from tmmcalc.machine.vibration.vibrator.task import COORDINATES, UNITS, VibratorTask
@@ -37,6 +38,7 @@ def solve_vibrator(task: VibratorTask) -> VibratorResult:
     found = None if excitation is None or task.speed is None else steady(modes, excitation, task.speed)
     driven = _driven(task, modes, excitation)
     started = _started(task, modes, excitation)
+    curve = _curve(task, modes, excitation)
     return VibratorResult(
         springs=springs,
         mass=mass,
@@ -45,8 +47,8 @@ def solve_vibrator(task: VibratorTask) -> VibratorResult:
         frequency=modes.frequency,
         shapes=shown_shapes(modes),
         ratio=np.diagonal(modes.damping) / (2 * modes.frequency),
-        error=modes.error,
-        curve=_curve(task, modes, excitation),
+        error=_errors(modes, mass, stiffness, excitation, found, curve),
+        curve=curve,
         steady=found,
         paths=() if found is None else point_paths(task.points, found),
         run_up=started,
@@ -54,6 +56,30 @@ def solve_vibrator(task: VibratorTask) -> VibratorResult:
         points=tuple(name for name, _ in task.points),
         notes=(*_notes(modes, found, started, driven), *_validity(task, driven), *_undamped(task, modes)),
     )
+
+
+def _errors(
+    modes: Modes,
+    mass: np.ndarray,
+    stiffness: np.ndarray,
+    excitation: Excitation | None,
+    found: Steady | None,
+    curve: Curve | None,
+) -> dict[str, float]:
+    """Of frequencies each relative to itself, of amplitudes to the largest as lengths, of the power to itself."""
+    errors = {"frequencies": modes.error}
+    if excitation is None:
+        return errors
+    force = excitation.amplitude(np.ones(1))[0]
+    device = Device(mass, stiffness, damping_matrix(modes, mass), force, modes.weight)
+    if found is not None:
+        amplitude = (found.cosine - 1j * found.sine)[None]
+        missed, power = amplitude_errors(device, np.array([found.speed]), amplitude)
+        errors |= {"amplitudes": relative(device, missed, amplitude), "power": float(power[0])}
+    if curve is not None:
+        amplitude = (curve.amplitude * np.exp(-1j * curve.phase)).T
+        errors["curve"] = relative(device, amplitude_errors(device, curve.omega, amplitude)[0], amplitude)
+    return errors
 
 
 def _curve(task: VibratorTask, modes: Modes, excitation: Excitation | None) -> Curve | None:

@@ -18,12 +18,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.machine.onemass import SPEEDS
+from tmmcalc.machine.steady import LOSS
+from tmmcalc.numerics.alike import rows_of
 from tmmcalc.numerics.gauss import ORDER, legendre, rule
-from tmmcalc.numerics.panels import Panels, Values
+from tmmcalc.numerics.panels import Values
 from tmmcalc.numerics.roots import Indices
 
 if TYPE_CHECKING:
-    from tmmcalc.linkage.stacked.reduction import Cycles
+    from tmmcalc.linkage.stacked.ragged import Ragged
     from tmmcalc.machine.motors.characteristics import Characteristic
 
 Flags = NDArray[np.bool_]
@@ -47,13 +49,22 @@ class Machines(NamedTuple):
     viscous: Values  # [N*m*s]
     motor: Characteristic  # reduced to the input shaft; its constants (V, 1, 1) where they differ
 
+    def at(self, which: Indices, further: Values) -> Machines:
+        """Some of the machines (v,), each with a ``further`` inertia (v,) [kg*m^2]."""
+        low, width, inertia, slope, moment, viscous = (part[which] for part in self[:-1])
+        inertia = inertia + further[:, None, None]
+        return Machines(low, width, inertia, slope, moment, viscous, rows_of(self.motor, which))
+
 
 class Regimes(NamedTuple):
     """Steady motions of V machines."""
 
     machines: Machines
     omega: Values  # (V, K, N) [rad/s]
+    multiplier: Values  # (V,) factor of a deviation in a cycle
+    tail: Values  # (V, K) last coefficients of the speed, relative
     clear: Flags  # (V,)
+    steps: int  # of Newton's method
 
     @property
     def driving(self) -> Values:
@@ -72,29 +83,42 @@ class Regimes(NamedTuple):
         return (self.driving + self.load - m.slope * self.omega * self.omega / 2) / m.inertia
 
 
-def machines_of(cycles: Cycles, count: int, constant: Any, motor: Characteristic) -> Machines:
-    """The machines of ``count`` cycles; ``constant`` (V,) or one number is their further inertia [kg*m^2]."""
-    on = cycles.panels
+def machines_of(on: Ragged, values: Values, count: int, constant: Any, motor: Characteristic) -> Machines:
+    """The machines of ``count`` cycles on panels, from J, dJ/dtheta, moment, moment per speed (4, P, N).
+
+    ``constant`` (V,) or one number is their further inertia [kg*m^2].
+    """
     panels = np.bincount(on.owner, minlength=count)
     number = np.arange(panels.max())
     there = number < panels[:, None]
     at = (np.cumsum(panels) - panels)[:, None] + np.minimum(number, panels[:, None] - 1)
-    inertia, slope, moment, viscous = cycles.values[:, at]
+    inertia, slope, moment, viscous = values[:, at]
     further = np.broadcast_to(np.asarray(constant), count)[:, None, None]
     low, width = np.where(there, on.low[at], np.inf), np.where(there, on.width[at], 0.0)
     return Machines(low, width, inertia + further, slope, moment, viscous, motor)
 
 
-def regimes(machines: Machines) -> Regimes:
-    """The regimes that the machines settle in from their no-load speeds."""
+def regimes(machines: Machines, halvings: int = HALVINGS) -> Regimes:
+    """The regimes that the machines settle in from their no-load speeds; panels are halved so many times at most."""
     omega, balanced = _balanced(machines)
     found, resolved = _solved(machines, omega, balanced)
-    for _ in range(HALVINGS):
+    for _ in range(halvings):
         if np.all(resolved | ~balanced):
             break
         machines = _halved(machines)
         found, resolved = _solved(machines, omega, balanced)
-    return found._replace(clear=found.clear & resolved)
+    return found._replace(clear=found.clear & resolved & ~_steep(found))
+
+
+def _steep(found: Regimes) -> Flags:
+    """Machines whose acceleration is so small a difference of moments that the speed has to be solved again alone."""
+    m, omega = found.machines, found.omega
+    inside = (m.width > 0)[..., None]
+    left = np.abs(found.driving + found.load - m.slope * omega * omega / 2)
+    fall = np.abs(np.broadcast_to(m.motor.slope(omega), omega.shape)) * omega
+    most = (np.max(v, axis=(1, 2), where=inside, initial=0.0) for v in (fall, left))
+    steep, small = most
+    return np.asarray(steep > LOSS * small)
 
 
 def _halved(m: Machines) -> Machines:
@@ -115,10 +139,11 @@ def _solved(machines: Machines, omega: Values, clear: Flags) -> tuple[Regimes, F
     """The regimes near constant speeds (V,), and which of them the panels resolve."""
     m, motor = machines, machines.motor
     energy = m.inertia * omega[:, None, None] ** 2 / 2
-    step = np.full(len(omega), np.inf)
+    step, steps = np.full(len(omega), np.inf), 0
     stiff = np.zeros(len(omega), bool)
     with np.errstate(all="ignore"):
         for _ in range(STEPS):
+            steps += 1
             speed = np.sqrt(2 * energy / m.inertia)
             rate = (motor.slope(speed) + m.viscous) / (m.inertia * speed)
             found, decay = _linear(m, rate, motor.moment(speed) + m.moment + m.viscous * speed - rate * energy)
@@ -128,8 +153,11 @@ def _solved(machines: Machines, omega: Values, clear: Flags) -> tuple[Regimes, F
             if np.all((step < CLOSE) | ~(step < 1e3) | stiff | ~clear):
                 break
         speed = np.sqrt(2 * energy / m.inertia)
+        rate = (motor.slope(speed) + m.viscous) / (m.inertia * speed)
+        multiplier = np.exp(np.sum(m.width * (rate @ rule(ORDER).weights), axis=1))
         clear = clear & (step < CLOSE) & _draws(m, speed)
-    return Regimes(m, speed, clear), ~stiff & _resolved(m, speed)
+        tail = _tail(m, speed)
+    return Regimes(m, speed, multiplier, tail, clear, steps), ~stiff & np.all(tail <= RESOLVED, axis=1)
 
 
 def _balanced(m: Machines) -> tuple[Values, Flags]:
@@ -167,10 +195,10 @@ def _linear(m: Machines, rate: Values, rest: Values) -> tuple[Values, Values]:
     return np.exp(powers) * (starts[..., None] + inner), np.max(np.abs(whole), axis=1)
 
 
-def _resolved(m: Machines, omega: Values) -> Flags:
-    """Machines whose speed the panels resolve."""
-    tail = np.max(np.abs(omega @ rule(ORDER).coefficients[-3:].T), axis=2, initial=0.0)
-    return np.all((tail <= RESOLVED * np.max(omega, axis=2)) | (m.width == 0), axis=1)
+def _tail(m: Machines, omega: Values) -> Values:
+    """What every panel (V, K) leaves out of the speed, relative to its own largest."""
+    last = np.max(np.abs(omega @ rule(ORDER).coefficients[-3:].T), axis=2)
+    return np.where(m.width > 0, last / np.max(omega, axis=2), 0.0)
 
 
 def _draws(m: Machines, omega: Values) -> Flags:
@@ -192,79 +220,3 @@ def is_smooth(motor: Characteristic) -> bool:
     from tmmcalc.machine.motors.gearing import Reduced
 
     return isinstance(motor.base if isinstance(motor, Reduced) else motor, Parabolic | Straight | Kloss)
-
-
-def figures(found: Regimes) -> dict[str, Values]:
-    """Figures (V,) of the regimes, under their names in the summary of a motion."""
-    m = found.machines
-    low, high = _extremes(m, found.omega)
-    r, period = rule(ORDER), np.sum(m.width, axis=1)
-    time, work = (np.einsum("vkn,n,vk->v", v, r.weights, m.width) for v in (1 / found.omega, found.driving))
-    return {
-        "delta": (high - low) / ((high + low) / 2),
-        "omega_min": low,
-        "omega_max": high,
-        "omega_mean": (high + low) / 2,
-        "omega_time_mean": period / time,
-        "cycle_time": time,
-        "M_d_mean": work / period,
-        "P_mean": work / time,
-    }
-
-
-FIGURES = ("delta", "omega_min", "omega_max", "omega_mean", "omega_time_mean", "cycle_time", "M_d_mean", "P_mean")
-
-
-def _extremes(m: Machines, omega: Values) -> tuple[Values, Values]:
-    """Least and largest speed (V,)."""
-    there = m.width > 0
-    owner = np.nonzero(there)[0]
-    row = omega[there]
-    # all panels one behind the other, each of the width one
-    at, values = Panels(np.arange(len(row) + 1.0)).turning(row)
-    own = owner[np.minimum(at.astype(int), len(row) - 1)]
-    ends = np.concatenate([row @ end for end in rule(ORDER).ends])
-    low, high = np.full(len(omega), np.inf), np.zeros(len(omega))
-    inner = slice(0, len(at) - len(ends))
-    for which, found in ((own[inner], values[inner]), (np.tile(owner, 2), ends)):
-        np.minimum.at(low, which, found)
-        np.maximum.at(high, which, found)
-    return low, high
-
-
-class Spots(NamedTuple):
-    """Angles (n,) within the panels of V machines: the panel of each (V, n), its place there and what points count."""
-
-    panel: Indices  # (V, n)
-    place: Values  # (V, n) from 0 to 1
-    parts: Values  # (V, n, N) of the points of the panel in a value
-
-    def at(self, values: Values) -> Values:
-        """Values (V, n) of a function (V, K, N); on an edge the limit from above."""
-        return np.asarray(np.einsum("vmn,vmn->vm", self._rows(values), self.parts))
-
-    def primitive(self, m: Machines, values: Values) -> Values:
-        """Integrals (V, n) of a function (V, K, N) from the first edge on."""
-        r, t = rule(ORDER), self.place
-        whole = m.width * (values @ r.weights)
-        before = np.cumsum(whole, axis=1) - whole
-        p = legendre(2 * t.ravel() - 1, ORDER)
-        inner = np.vstack((p[1] + 1, (p[2:] - p[:-2]) / (2 * np.arange(1, ORDER) + 1)[:, None])) / 2
-        coefficients = self._rows(values) @ r.coefficients.T
-        part = np.einsum("vmn,nvm->vm", coefficients, inner.reshape(ORDER, *t.shape))
-        width = np.take_along_axis(m.width, self.panel, axis=1)
-        return np.asarray(np.take_along_axis(before, self.panel, axis=1) + width * part)
-
-    def _rows(self, values: Values) -> Values:
-        return values[np.arange(len(values))[:, None], self.panel]
-
-
-def spots(m: Machines, theta: Values) -> Spots:
-    """Where angles (n,) lie in the panels of all machines."""
-    panel = np.maximum(np.sum(m.low[:, :, None] <= theta, axis=1) - 1, 0)
-    low, width = (np.take_along_axis(v, panel, axis=1) for v in (m.low, m.width))
-    place = (theta - low) / width
-    gap = place[..., None] - rule(ORDER).points
-    hit = gap == 0
-    parts = np.where(hit.any(axis=-1, keepdims=True), hit, rule(ORDER).barycentric / np.where(hit, 1.0, gap))
-    return Spots(panel, place, parts / parts.sum(axis=-1, keepdims=True))

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tmmcalc.batch.task import Task
 from tmmcalc.errors import TmmError, UsageError
 from tmmcalc.feasibility.judge import Feasibility
 from tmmcalc.feasibility.maps import Parameter, RegionMap, region_map
-from tmmcalc.pipeline.variants import Overrides, solved
 from tmmcalc.progress import tell
 
 if TYPE_CHECKING:
-    from tmmcalc.spec import Spec
     from tmmcalc.spec.variants import Axis
 
 MOST = 2  # parameters of a map
@@ -27,19 +26,14 @@ def map_feasibility(file: str | Path, over: Sequence[str], overrides: Sequence[s
     Raises `UsageError` for ranges that cannot be read and quantities that a stage does not tell, `SpecError` or
     `NoSolutionError` if the scene has no solution at any point.
     """
-    from tmmcalc.spec.loader import parse_spec, read_text
-    from tmmcalc.spec.variants import grid
+    from tmmcalc.spec.loader import read_text
 
     path = Path(file)
     text = read_text(path)
     axes = _axes(text, path, over, overrides)
-
-    def read(more: Sequence[str]) -> Spec:
-        return parse_spec(text, str(path), [*overrides, *more], path.parent)
-
-    points = [tuple(axis.assignment(value) for axis, value in zip(axes, values, strict=True)) for values in grid(axes)]
+    task = Task(text, str(path), str(path.parent), tuple(overrides), tuple(axes), targets=("feasibility",))
     parameters = [Parameter(axis.name, axis.values, tuple(map(axis.assignment, axis.values))) for axis in axes]
-    return region_map(parameters, _told(solved(read, points, "feasibility"), len(points)))
+    return region_map(parameters, _told(task))
 
 
 def _axes(text: str, path: Path, over: Sequence[str], overrides: Sequence[str]) -> list[Axis]:
@@ -64,8 +58,10 @@ def _axes(text: str, path: Path, over: Sequence[str], overrides: Sequence[str]) 
     return axes
 
 
-def _told(found: Iterable[tuple[Overrides, Feasibility | TmmError]], count: int) -> Iterator[Feasibility | TmmError]:
-    """What was found, with a word on how far it is."""
-    for k, (overrides, result) in enumerate(found, 1):
-        tell(k / count, ", ".join(overrides))
+def _told(task: Task) -> Iterator[Feasibility | TmmError]:
+    """What is found at every point, with a word on how far it is."""
+    from tmmcalc.batch.outcomes import outcomes
+
+    for point, result in enumerate(outcomes(task)):
+        tell((point + 1) / task.count, ", ".join(task.assignments(point)))
         yield result

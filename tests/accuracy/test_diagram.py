@@ -1,0 +1,82 @@
+"""The diagrams: a panel a study and a ladder, a curve a method, the tolerance across; and the table of both."""
+
+from __future__ import annotations
+
+import pytest
+from matplotlib.figure import Figure
+
+from tmmcalc.accuracy.study import Accuracy, Ladder, Point, Reference, Rung, Series, Study
+from tmmcalc.report.accuracy import TOLD, accuracy_document, tidy_document
+from tmmcalc.report.pictures.accuracy import accuracy_figure
+
+EXACT = Reference("known", 1e-16)
+FINE = Series("fine", (Point("a", 1.0, 1e-3, 1e-3), Point("b", 0.5, 1e-9, 2e-3)), order=2.0, expected=2.0)
+ROUGH = Series("rough", (Point("a", 1.0, 1e-2, 1e-4),))
+BROKEN = Series("broken", (Point("a", 1.0, None, None, failed="it does not converge"),))
+STUDY = Study("motion", "speed", EXACT, (FINE, ROUGH, BROKEN))
+ALONE = Study("kinematics", "positions", EXACT, (Series("closed", (Point("", 1.0, 1e-16, 1e-4),)),))
+
+
+def _rung(value: float) -> Rung:
+    return Rung(value, 1 / value, 3 / value, value, int(5 * value), None, "unstable", "collocation", False, 900, 0.1,
+                1e-10, 1e-12)  # fmt: skip
+
+
+LADDER = Ladder("transient", "stiffness", "N*m/rad", 0.2, 0.01, EXACT, tuple(_rung(10.0**k) for k in range(3, 7)), -0.5)
+ALL = Accuracy((STUDY, ALONE), (), (LADDER,))
+
+
+def _panels(figure: Figure) -> list[str]:
+    return [axes.get_title() for axes in figure.axes if axes.get_visible()]
+
+
+def test_a_panel_a_study_and_a_ladder() -> None:
+    figure = accuracy_figure(ALL, "All", 1e-6)
+    assert _panels(figure) == ["motion: speed", "transient: stiffness"], "one setting alone is no comparison"
+    study, ladder = (axes for axes in figure.axes if axes.get_visible())
+    names = study.get_legend_handles_labels()[1]
+    assert names == ["fine (order 2)", "rough", "broken (no result)", "tolerance asked for"]
+    assert [next(iter(line.get_ydata())) for line in study.get_lines() if line.get_label() == names[-1]] == [1e-6]
+    assert ladder.get_ylabel() == "evaluations"
+    assert {line.get_label() for line in ladder.get_lines()} == {
+        "fixed steps at the limit of stability",
+        "choice of the program",
+    }
+
+
+def test_axes_span_so_much_that_the_scatter_of_a_clock_is_small() -> None:
+    axes = accuracy_figure(Accuracy((STUDY,), ()), "One").axes[0]
+    low, high = axes.get_xlim()
+    assert high / low > 10**1.5
+    assert low < 0.1 < 2.0 < high, "all times are inside"
+
+
+@pytest.mark.slow
+def test_more_sheets_keep_the_size_of_the_panels() -> None:
+    figure = accuracy_figure(Accuracy((STUDY,) * 7, ()), "Seven")
+    widths = {round(axes.get_position().width, 2) for axes in figure.axes if axes.get_visible()}
+    assert len(_panels(figure)) == 7
+    assert max(widths) < 1.5 * min(widths)
+
+
+def test_nothing_to_draw() -> None:
+    assert not _panels(accuracy_figure(Accuracy((ALONE,), ()), "None"))
+
+
+def test_rows_for_programs_hold_studies_and_ladders() -> None:
+    table = tidy_document(ALL, "All").table
+    assert table is not None
+    assert tuple(table.headers) == TOLD
+    rows = list(zip(*table.columns, strict=True))
+    assert len(rows) == 5 + 2 * len(LADDER.rungs)
+    assert {row[4] for row in rows} >= {"fine", "broken", "choice of the program, collocation", "fixed step of 0.01 s"}
+
+
+def test_what_never_reaches_a_tolerance_says_so() -> None:
+    part = accuracy_document(ALL, "All", 1e-6).parts[0]
+    facts = {fact.label: fact.text for fact in part.facts}
+    assert facts["never 1e-06"] == "rough: 1.0e-02 at best, a\nbroken: no result"
+    assert facts["cheapest for 1e-06"].startswith("fine, b: error 1.0e-09")
+    four = {fact.label: fact.text for fact in accuracy_document(ALL, "All").parts[0].facts}
+    assert four["never 1e-03"] == "rough: 1.0e-02 at best, a\nbroken: no result"
+    assert four["never 1e-12"] == "fine: 1.0e-09 at best, b", "each method once, at the loosest that it misses"

@@ -1,0 +1,126 @@
+"""Equations of motion in time, to be set beside closed forms: step control, fixed steps, and a reference.
+
+The reference is Gragg's and Bulirsch's extrapolation of the midpoint rule in extended precision: its error has even
+powers of the step alone, h = H/2, H/4, H/6, ..., so that each column of Neville's scheme takes two orders more away.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from tmmcalc.accuracy.measure import Clock, Way, series
+from tmmcalc.accuracy.study import Series
+from tmmcalc.errors import AccuracyError
+from tmmcalc.machine.transient.steps import merson_step
+from tmmcalc.numerics.panels import Values
+from tmmcalc.records import record
+
+CONTROLLED = ("RK45", "DOP853", "LSODA", "Radau", "BDF")
+TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10)
+ORDER = 4.0  # of Kutta-Merson
+COLUMNS = 9  # of the extrapolation: order 18
+
+Slopes = Callable[[Any, Any], Any]
+
+
+@record
+class Run:
+    """States (m, n) at the n instants asked for, and the evaluations that they took."""
+
+    states: Values
+    evaluations: int
+
+
+@record
+class Start:
+    """y' = f(t, y) from t = 0 on: the state there, the instants (n,), the sizes (m,) of the states."""
+
+    slopes: Slopes
+    state: Values
+    instants: Values
+    sizes: Values
+
+
+def controlled(
+    start: Start, error: Callable[[Run], float], clock: Clock, names: Sequence[str] = CONTROLLED
+) -> Iterator[Series]:
+    """The methods of scipy at several tolerances."""
+    for name in names:
+        ways = [Way(f"tolerance {t:.0e}", t, partial(_by_scipy, start, name, t), _evaluations) for t in TOLERANCES]
+        yield series(name, ways, error, clock, stepwise=False)
+
+
+def stepped(start: Start, counts: Sequence[int], error: Callable[[Run], float], clock: Clock, note: str = "") -> Series:
+    """Kutta-Merson in n equal steps to the last instant; instants have to be nodes of all of them."""
+    ways = [Way(f"{n} steps", 1 / n, partial(_by_merson, start, n), _evaluations) for n in counts]
+    return series("merson, fixed steps", ways, error, clock, expected=ORDER, note=note)
+
+
+def _evaluations(run: Run) -> int:
+    return run.evaluations
+
+
+def _by_scipy(start: Start, name: str, tolerance: float) -> Run:
+    from scipy.integrate import solve_ivp
+
+    done = solve_ivp(
+        start.slopes,
+        (0.0, float(start.instants[-1])),
+        start.state,
+        method=name,
+        t_eval=start.instants,
+        rtol=max(tolerance, 1e-13),
+        atol=tolerance * start.sizes,
+    )
+    if not done.success:
+        raise AccuracyError(f"{name} ends before the motion does", where="accuracy", remedy="a coarser tolerance")
+    return Run(done.y, int(done.nfev))
+
+
+def _by_merson(start: Start, count: int) -> Run:
+    step = float(start.instants[-1]) / count
+    kept = np.rint(start.instants / step).astype(int)
+    state, states = start.state.tolist(), [start.state.tolist()]
+    with np.errstate(over="ignore", invalid="ignore"):
+        for k in range(count):
+            state, _ = merson_step(start.slopes, k * step, state, step)
+            states.append(state)
+    found: Values = np.array(states).T[:, kept]
+    if not np.all(np.isfinite(found)):
+        raise AccuracyError("fixed steps are unstable", where="accuracy", remedy="a shorter step")
+    return Run(found, 5 * count)
+
+
+def extrapolated(slopes: Slopes, state: Values, instants: Values, parts: int) -> Values:
+    """States (m, n) at equal instants (n,), each step between them in ``parts``; in extended precision."""
+    step = np.longdouble(instants[0]) / parts
+    y, t, states = state.astype(np.longdouble), np.longdouble(0.0), []
+    for _ in instants:
+        for _ in range(parts):
+            y, t = _extrapolated(slopes, t, y, step), t + step
+        states.append(y)
+    return np.array(states).T
+
+
+def _extrapolated(slopes: Slopes, t: np.longdouble, y: Values, whole: np.longdouble) -> Values:
+    """One step by Neville's scheme in the squares of the substeps."""
+    row: list[Values] = []
+    for k in range(1, COLUMNS + 1):
+        new = [_midpoints(slopes, t, y, whole, 2 * k)]
+        for j in range(1, k):
+            ratio = (np.longdouble(k) / (k - j)) ** 2
+            new.append(new[-1] + (new[-1] - row[j - 1]) / (ratio - 1))
+        row = new
+    return row[-1]
+
+
+def _midpoints(slopes: Slopes, t: np.longdouble, y: Values, whole: np.longdouble, count: int) -> Values:
+    h = whole / count
+    before, here = y, y + h * np.asarray(slopes(t, y))
+    for k in range(1, count):
+        before, here = here, before + 2 * h * np.asarray(slopes(t + k * h, here))
+    return here

@@ -1,0 +1,38 @@
+"""The result of one stage at every point of a task, or why there is none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from tmmcalc.batch.choice import heavy
+from tmmcalc.batch.stacked import FEW, prepared
+from tmmcalc.batch.stacked_results import BLOCK, Results
+from tmmcalc.batch.task import Task
+from tmmcalc.errors import TmmError, UsageError
+from tmmcalc.pipeline.runner import run
+
+
+def outcomes(task: Task) -> Iterator[Any | TmmError]:
+    """Results of the one target of a task, in the order of the points; solved together where they can be.
+
+    A faulty spec and a scene without a solution are told. Raises `UsageError` for what no other value of a key would
+    mend.
+    """
+    together = prepared(task) if task.count >= FEW and not heavy(task) else None
+    for first in range(0, task.count, BLOCK):
+        block = range(first, min(first + BLOCK, task.count))
+        found = together.results(block) if isinstance(together, Results) else {}
+        for point in block:
+            yield found[point][task.targets[0]] if point in found else _alone(task, point)
+
+
+def _alone(task: Task, point: int) -> Any | TmmError:
+    overrides, (target,) = task.assignments(point), task.targets
+    try:
+        return run(task.variants().spec(overrides), target=target).results[target]
+    except UsageError as error:
+        where = f"{error.where}, with {', '.join(overrides)}" if error.where else f"with {', '.join(overrides)}"
+        raise UsageError(error.message, where=where, remedy=error.remedy) from None
+    except TmmError as error:
+        return error

@@ -1,0 +1,146 @@
+"""Columns of kinematics, forces and motion of many variants at once, strokes, and figures of the motion."""
+
+from __future__ import annotations
+
+import re
+from array import array
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.batch.stacked_inputs import Inputs
+from tmmcalc.batch.task import OK, Row
+from tmmcalc.feasibility.judge import OF
+
+if TYPE_CHECKING:
+    from tmmcalc.batch.stacked_machine import Machine
+    from tmmcalc.linkage.forces.results import Forces
+    from tmmcalc.linkage.stacked.scene import Block, Same
+    from tmmcalc.pipeline.outcome import RunResult
+
+Values = NDArray[np.floating[Any]]
+Flags = NDArray[np.bool_]
+
+BLOCK = 256  # variants
+STAGES = ("kinematics", "forces", "motion")  # whose columns blocks tell
+OTHERS = {"equilibrium", "virtual", "omega_idle", "omega_textbook"}  # columns that no block tells
+_COLUMN = re.compile(rf"(\w+)\.({'|'.join(OF)})\((.+)\)(?:\[.*\])?")
+_OF: dict[str, Callable[[Values], Values]] = {
+    "max": lambda v: np.max(v, axis=1),
+    "min": lambda v: np.min(v, axis=1),
+    "range": lambda v: np.ptp(v, axis=1),
+    "mean": lambda v: np.mean(v, axis=1),
+    "size": lambda v: np.max(np.abs(v), axis=1),
+    "first": lambda v: v[:, 0],
+    "last": lambda v: v[:, -1],
+}
+
+
+class Asked(NamedTuple):
+    """One quantity: what is asked of which column of which stage."""
+
+    stage: str
+    of: str  # empty: a fact of its summary
+    column: str
+
+
+def asked(name: str, base: RunResult) -> Asked | None:
+    """What a name asks for; None for what is no column, and none of the few facts."""
+    from tmmcalc.linkage.stacked.tables import STROKES
+    from tmmcalc.machine.stacked.figures import FIGURES
+
+    column = _COLUMN.fullmatch(name)
+    if column is not None:
+        return Asked(*column.groups()) if column[1] in STAGES and column[3] not in OTHERS else None
+    stage, _, fact = name.rpartition("[")[0].partition(".") if name.endswith("]") else name.partition(".")
+    if stage == "motion" and fact in FIGURES:
+        return Asked(stage, "", fact)
+    kind, _, output = fact.partition("_")
+    kinematics = base.results["kinematics"]
+    first = kinematics.outputs[0] if kinematics.outputs else None
+    return Asked(stage, "", kind) if stage == "kinematics" and kind in STROKES and output == first else None
+
+
+class Columns:
+    """Solves blocks of points, of which only columns and the few facts are asked for."""
+
+    block = BLOCK  # points that are solved together
+    alone: tuple[str, ...] = ()  # stages that each variant runs by itself
+
+    def __init__(self, inputs: Inputs, same: Same, base: RunResult, asked: dict[str, Asked]) -> None:
+        self._inputs, self._same, self._base = inputs, same, base
+        self._names, self._asked = tuple(asked), tuple(asked.values())
+        self._tracked = any(each.column.startswith(("angle_", "S_")) for each in self._asked)
+
+    def rows(self, points: range) -> dict[int, Row]:
+        """Rows of those points of a block that are solved together."""
+        found: dict[int, Row] = {}
+        for which, (values, clear) in self._inputs.parts(points, self._block):
+            clear = clear & np.all(np.isfinite(values), axis=1)
+            for place, row in zip(which[clear].tolist(), values[clear], strict=True):
+                found[points[place]] = Row(points[place], OK, "", self._names, array("d", row.tolist()))
+        return found
+
+    def _block(self, tree: Any, count: int) -> tuple[Values, Flags]:
+        """Values (v, names) of stacked inputs, and which of the variants are clear."""
+        from tmmcalc.linkage.stacked.scene import block_of
+        from tmmcalc.linkage.stacked.tables import strokes_of
+
+        mechanism, loading, machine = tree
+        block = block_of(self._same, count, mechanism, loading, self._tracked)
+        values, clear = np.zeros((count, len(self._names))), block.settled.clear.copy()
+        targets = {each.stage for each in self._asked}
+        if machine is not None:
+            self._motion(block, machine, values, clear)
+        self._facts("kinematics", strokes_of(block) if block.settled.reached.size else {}, slice(None), values)
+        for part in block.parts(block.labels):
+            some = part[clear[part]]
+            if some.size and "kinematics" in targets:
+                self._kinematics(block, some, values)
+            if some.size and "forces" in targets:
+                clear[some] &= self._forces(block, some, values, machine is None)
+        return values, clear
+
+    def _kinematics(self, block: Block, some: Any, values: Values) -> None:
+        from tmmcalc.linkage.columns import columns
+        from tmmcalc.linkage.stacked.tables import kinematics_of
+
+        self._write("kinematics", columns(kinematics_of(block, some)), some, values)
+
+    def _forces(self, block: Block, some: Any, values: Values, between: bool) -> Flags:
+        from tmmcalc.linkage.forces.columns import columns
+        from tmmcalc.linkage.stacked.tables import forces_of
+
+        base: Forces = self._base.results["forces"]
+        found, clear = forces_of(block, some, base, between)
+        self._write("forces", columns(found), some, values)
+        return clear
+
+    def _motion(self, block: Block, machine: Machine, values: Values, clear: Flags) -> None:
+        from tmmcalc.batch.stacked_machine import motions_of
+        from tmmcalc.machine.columns import motion_columns
+
+        some = np.flatnonzero(clear)
+        if some.size:
+            wanted = {each.column for each in self._asked if each.stage == "motion"}
+            found, figures, clear[some] = motions_of(block, some, machine, self._base.results["motion"], wanted)
+            self._write("motion", motion_columns(found), some, values)
+            self._facts("motion", figures, some, values)
+
+    def _write(self, stage: str, columns: Sequence[Any], some: Any, values: Values) -> None:
+        """Write what is asked of columns with the rows of some variants (v,)."""
+        made: dict[str, Values] = {}
+        by_name = {column.name: column for column in columns}
+        for k, asked in enumerate(self._asked):
+            if asked.stage == stage and asked.of:
+                if asked.column not in made:
+                    made[asked.column] = np.asarray(by_name[asked.column].make(), float).reshape(len(some), -1)
+                values[some, k] = _OF[asked.of](made[asked.column])
+
+    def _facts(self, stage: str, found: dict[str, Values], some: Any, values: Values) -> None:
+        """Write what is asked of facts (v,) of some variants."""
+        for k, asked in enumerate(self._asked):
+            if asked.stage == stage and not asked.of:
+                values[some, k] = found[asked.column]

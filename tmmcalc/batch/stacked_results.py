@@ -1,0 +1,150 @@
+"""The results of every variant by itself, of stages that are solved for all together as far as they can be.
+
+Linkage and steady motion are; the other stages of the scene run for each variant on what it has so far.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.batch.quantities import told
+from tmmcalc.batch.stacked_inputs import Inputs
+from tmmcalc.batch.stacked_machine import MACHINE, given_of, motions_of_each
+from tmmcalc.batch.task import OK, Row, Task
+from tmmcalc.errors import TmmError
+from tmmcalc.numerics.alike import Rows
+from tmmcalc.pipeline.stage import resolve
+from tmmcalc.spec.machine import speed_key
+
+if TYPE_CHECKING:
+    from tmmcalc.batch.stacked_machine import Machine
+    from tmmcalc.linkage.stacked.reduction import Cycles
+    from tmmcalc.linkage.stacked.scene import Block, Same
+    from tmmcalc.pipeline.outcome import RunResult
+
+Found = dict[str, Any]  # results by stage
+Flags = NDArray[np.bool_]
+Indices = NDArray[np.intp]
+
+BLOCK = 32  # variants: more take no less time each, and are lost where a process is killed
+TOGETHER = ("structure", "kinematics", "forces", "reduction", "power")
+MOVED = ("flywheel", "motion")  # and these with a motor
+
+
+class _Variant(NamedTuple):
+    """What a variant has so far, and its machine."""
+
+    results: Found
+    machine: Machine | None
+
+
+class Results:
+    """Solves blocks of points, of which any facts or columns are asked for."""
+
+    block = BLOCK  # points that are solved together
+
+    def __init__(self, task: Task, inputs: Inputs, same: Same, base: RunResult, *, with_motion: bool) -> None:
+        self._task, self._inputs, self._same, self._base = task, inputs, same, base
+        self._stages = {name: outcome.stage for name, outcome in base.outcomes.items()}
+        self._motion = with_motion  # those of all variants are found together
+        self._key = speed_key(inputs.spec(inputs.first))
+
+    @property
+    def alone(self) -> tuple[str, ...]:
+        """Stages that each variant runs by itself."""
+        together = (*TOGETHER, *(MOVED if self._motion else ()))
+        return tuple(name for name in self._stages if name not in together)
+
+    def rows(self, points: range) -> dict[int, Row]:
+        """Rows of those points of a block that are solved together."""
+        task, shared = self._task, dict[tuple[str, ...], tuple[str, ...]]()
+        asked = [*self._stages] if task.patterns or not task.targets else [*task.targets]
+        found = {}
+        for point, results in self.results(points).items():
+            values = {name: value for stage in asked for name, value in told(stage, results[stage], task.patterns)}
+            names = shared.setdefault(tuple(values), tuple(values))  # a thousand variants have the names of one
+            found[point] = Row(point, OK, "", names, array("d", values.values()))
+        return found
+
+    def results(self, points: range) -> dict[int, Found]:
+        """Results by stage of those points of a block that are solved together and have all of them."""
+        found = {}
+        for which, variants in self._inputs.parts(points, self._solved):
+            for k, variant in variants.items():
+                point = points[int(which[k])]
+                if self._complete(point, variant):
+                    found[point] = variant.results
+        return found
+
+    def _solved(self, tree: Any, count: int) -> dict[int, _Variant]:
+        """What is solved together of the variants of stacked inputs, by their numbers, of those that are clear."""
+        from tmmcalc.linkage.stacked.records import forces_records, kinematics_records, reduction_records
+        from tmmcalc.linkage.stacked.scene import block_of
+
+        mechanism, loading, machine = tree
+        block = block_of(self._same, count, mechanism, loading, tracked=True, told=True)
+        some, machines = np.flatnonzero(block.settled.clear), Rows(machine)
+        found = {v: _Variant({"structure": self._base.results["structure"]}, machines(v)) for v in some.tolist()}
+        if some.size:
+            some = _kept(found, some, "kinematics", kinematics_records(block, some))
+        if some.size and "forces" in self._stages:
+            some = _kept(found, some, "forces", forces_records(block, some, _of(found, some, "kinematics")))
+        if some.size and "reduction" in self._stages:
+            reductions, cycles = reduction_records(block, some, _of(found, some, "kinematics"))
+            before, some = some, _kept(found, some, "reduction", reductions)
+            if self._motion and some.size and "power" in self._stages:
+                self._move(block, machine, before, cycles, found)
+        return found
+
+    def _move(self, block: Block, machine: Machine, some: Indices, cycles: Cycles, found: dict[int, _Variant]) -> None:
+        """Find the flywheels and the steady motions of variants; those that are not clear are left out."""
+        from tmmcalc.batch.stacked_flywheel import flywheels_of_each
+
+        for v in some.tolist():
+            if v in found:
+                self._run("power", found[v])
+        for name, each in (("flywheel", flywheels_of_each), ("motion", motions_of_each)):
+            if name in self._stages:
+                own = [found[v].results if v in found else None for v in some.tolist()]
+                made = each(block, some, machine, cycles, own, self._key)
+                there = [k for k, results in enumerate(own) if results is not None]
+                _kept(found, some[there], name, [made[k] for k in there])
+
+    def _complete(self, point: int, variant: _Variant) -> bool:
+        """Run the stages that are left; whether all have a result."""
+        try:
+            for name in self._stages:
+                if name not in variant.results:
+                    self._run(name, variant, point)
+        except TmmError:
+            return False  # solved alone it says why
+        return True
+
+    def _run(self, name: str, variant: _Variant, point: int = -1) -> None:
+        """Run a stage for one variant."""
+        stage = self._stages[name]
+        if name in MACHINE and variant.machine is not None:
+            given: Any = given_of(name, variant.machine, self._key)
+        else:
+            given = resolve(stage.inputs)(self._inputs.spec(point))
+        upstream = {each: variant.results[each] for each in stage.upstream(variant.results)}
+        variant.results[name] = resolve(stage.solve)(given, upstream, stage.settings)
+
+
+def _of(found: dict[int, _Variant], some: Indices, stage: str) -> list[Any]:
+    return [found[v].results[stage] for v in some.tolist()]
+
+
+def _kept(found: dict[int, _Variant], some: Indices, stage: str, results: Sequence[Any]) -> Indices:
+    """Note the results of a stage; variants without one are dropped. The others."""
+    for v, result in zip(some.tolist(), results, strict=True):
+        if result is None:
+            del found[v]
+        else:
+            found[v].results[stage] = result
+    return np.array([v for v in some.tolist() if v in found], np.intp)

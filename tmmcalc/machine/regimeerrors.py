@@ -1,0 +1,133 @@
+"""What a steady regime is known to: the speed, and what is a difference of nearly equal things.
+
+The acceleration is what the moments leave over the inertia. Of a steep motor they nearly cancel, and then it is better
+the slope of the speed along the cycle; each panel takes the way whose bound of the error is the smaller one.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from tmmcalc.machine.cycle import Cycle
+from tmmcalc.numerics.gauss import rule
+from tmmcalc.numerics.panels import Extreme, Values
+from tmmcalc.records import record
+
+EPS = float(np.finfo(float).eps)
+INTERPOLATION = 4e-15  # relative rounding of a function carried from one set of points to another
+ROUNDED = 8 * EPS  # of a solution
+STORED = 2 * EPS  # of a result: its last operations
+FED_BACK = 4.0  # roundings that a motor adds to a speed which it holds
+TERMS = 4  # roundings of each term of a sum of moments: functions carried to the panels, products
+
+
+@record
+class RegimeErrors:
+    """Estimated relative errors of a regime: of a function to its largest size over the cycle."""
+
+    speed: float  # of omega
+    acceleration: float  # of eps
+    moment: float  # of M_d
+    fluctuation: float  # of delta
+    time: float  # of the times, and of the cycle time
+
+    @property
+    def largest(self) -> float:
+        """The largest of all."""
+        return max(self.speed, self.acceleration, self.moment, self.fluctuation, self.time)
+
+
+class Excess(NamedTuple):
+    """The speed as a reference and what it is above that; the solution is relative to ``size``."""
+
+    reference: float  # [rad/s]
+    w: Values  # (K, N) [rad/s]
+    size: float  # [rad/s]
+
+
+class Solved(NamedTuple):
+    """What a solution is known to, before what its data add."""
+
+    missing: Values  # (K,) of the solution, relative to the size of the excess
+    excess: Excess
+    fall: Values | float  # (K, N) dM_d/domega of the motor, 0 where its moment does not follow the speed
+    driving: float  # relative error of a driving moment that is a state of its own
+    level: float  # relative error of the level of the speed
+    ringing: float  # how far a motor that lags swings up what is rounded
+    regulation: float  # how far a motor follows in a cycle, -ln of the multiplier
+
+    @property
+    def off(self) -> Values:
+        """Error of the speed within the panels (K,), but for its level [rad/s]."""
+        return (self.missing + ROUNDED) * self.excess.size
+
+
+class Balance(NamedTuple):
+    """The moments of a regime on its panels, all (K, N)."""
+
+    driving: Values  # M_d [N*m]
+    load: Values  # [N*m]
+    rising: Values  # J' omega^2 / 2 [N*m]
+    inertia: Values  # [kg*m^2]
+
+
+def accelerations(cycle: Cycle, omega: Values, at: Balance, solved: Solved) -> tuple[Values, float]:
+    """Angular acceleration (K, N) [rad/s^2] and its relative error, panel by panel by the better of both ways."""
+    w, off = solved.excess.w, solved.off[:, None]
+    slope = np.abs(cycle.viscous) + (2 * np.abs(cycle.quadratic) + np.abs(cycle.slope)) * omega
+    data = cycle.error * (np.abs(at.load) + np.abs(at.rising))
+    rounding = TERMS * EPS * (np.abs(at.driving) + np.abs(at.load) + np.abs(at.rising))
+    moved = np.abs(solved.fall) * off + slope * (off + EPS * omega) + solved.driving * np.max(np.abs(at.driving))
+    by_moments, by_slope = (at.driving + at.load - at.rising) / at.inertia, omega * cycle.panels.slope(w)
+    reach = np.sum(np.abs(rule(cycle.panels.order).slope), axis=1) / cycle.panels.width[:, None]
+    of_moments, of_slope = (moved + rounding) / at.inertia, omega * reach * off
+    better = np.max(of_slope, axis=1) < np.max(of_moments, axis=1)
+    found = np.where(better[:, None], by_slope, by_moments)
+    error = np.max(np.where(better[:, None], of_slope, of_moments) + data / at.inertia)
+    return found, _relative(float(error), float(np.max(np.abs(found))))
+
+
+def regime_errors(
+    cycle: Cycle, at: Balance, solved: Solved, share: float, extremes: tuple[Extreme, Extreme], eps: float
+) -> RegimeErrors:
+    """All estimates, with that of the acceleration, ``eps``.
+
+    ``share`` is the relative error of the speed over that of the inertia of the links, ``extremes`` are those of the
+    excess: of a difference of two speeds the level does not count, nor does what both have in common.
+    """
+    (low, low_at), (high, high_at) = extremes
+    inexact = (cycle.error + INTERPOLATION) * share
+    excess, fastest = solved.excess, solved.excess.reference + float(np.max(solved.excess.w))
+    local = float(np.max(solved.off)) / fastest
+    drive = float(np.max(np.abs(solved.fall) * (solved.off[:, None] + solved.level * fastest)))
+    largest = float(np.max(np.abs(at.driving)))
+    # of a solution for the excess alone rounding is that of its equations, of the whole speed that of two numbers and
+    # of what a motor that follows makes of the rounding of its moment
+    fed_back = EPS / 2 * min(max(solved.regulation, 1.0), FED_BACK)
+    rounding = solved.ringing * (ROUNDED if local < ROUNDED / 2 else fed_back)
+    lost = float(np.sum(solved.missing * cycle.panels.width)) / cycle.period * excess.size / fastest
+    # where a motor lags what is missing anywhere swings on; else it dies within its panel
+    swung = lost * fastest if solved.driving else 0.0
+    near = _near(cycle, solved.missing, low_at) + _near(cycle, solved.missing, high_at)
+    apart = near + 2 * (cycle.error * share + rounding)
+    return RegimeErrors(
+        speed=max(local, ROUNDED) + inexact + solved.level,
+        acceleration=min(eps + STORED + inexact, 1.0),
+        moment=_relative(drive + solved.driving * largest, largest) + STORED,
+        fluctuation=_relative(apart * excess.size + swung, high - low) + STORED + 2 * solved.level,
+        time=lost + inexact + solved.level + 2 * STORED,
+    )
+
+
+def _near(cycle: Cycle, missing: Values, place: float) -> float:
+    """The larger of what is missing on the panels to both sides of a place."""
+    edges = cycle.panels.edges
+    sides = [np.searchsorted(edges, place, side) - 1 for side in ("left", "right")]
+    return float(np.max(missing[np.clip(sides, 0, cycle.panels.count - 1)]))
+
+
+def _relative(error: float, size: float) -> float:
+    """An error over a size; one where nothing but the error is left."""
+    return min(error / size, 1.0) if size > 0 else float(error > 0)

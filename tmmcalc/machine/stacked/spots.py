@@ -1,0 +1,50 @@
+"""Angles within the panels of many machines, and functions there."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from tmmcalc.machine.stacked.regimes import Machines
+from tmmcalc.numerics.gauss import ORDER, legendre, rule
+from tmmcalc.numerics.panels import Values
+from tmmcalc.numerics.roots import Indices
+
+
+class Spots(NamedTuple):
+    """Angles (n,) within the panels of V machines: the panel of each (V, n), its place there and what points count."""
+
+    panel: Indices  # (V, n)
+    place: Values  # (V, n) from 0 to 1
+    parts: Values  # (V, n, N) of the points of the panel in a value
+
+    def at(self, values: Values) -> Values:
+        """Values (V, n) of a function (V, K, N); on an edge the limit from above."""
+        return np.asarray(np.einsum("vmn,vmn->vm", self._rows(values), self.parts))
+
+    def primitive(self, m: Machines, values: Values) -> Values:
+        """Integrals (V, n) of a function (V, K, N) from the first edge on."""
+        r, t = rule(ORDER), self.place
+        whole = m.width * (values @ r.weights)
+        before = np.cumsum(whole, axis=1) - whole
+        p = legendre(2 * t.ravel() - 1, ORDER)
+        inner = np.vstack((p[1] + 1, (p[2:] - p[:-2]) / (2 * np.arange(1, ORDER) + 1)[:, None])) / 2
+        coefficients = self._rows(values) @ r.coefficients.T
+        part = np.einsum("vmn,nvm->vm", coefficients, inner.reshape(ORDER, *t.shape))
+        width = np.take_along_axis(m.width, self.panel, axis=1)
+        return np.asarray(np.take_along_axis(before, self.panel, axis=1) + width * part)
+
+    def _rows(self, values: Values) -> Values:
+        return values[np.arange(len(values))[:, None], self.panel]
+
+
+def spots(m: Machines, theta: Values) -> Spots:
+    """Where angles (n,) lie in the panels of all machines."""
+    panel = np.maximum(np.sum(m.low[:, :, None] <= theta, axis=1) - 1, 0)
+    low, width = (np.take_along_axis(v, panel, axis=1) for v in (m.low, m.width))
+    place = (theta - low) / width
+    gap = place[..., None] - rule(ORDER).points
+    hit = gap == 0
+    parts = np.where(hit.any(axis=-1, keepdims=True), hit, rule(ORDER).barycentric / np.where(hit, 1.0, gap))
+    return Spots(panel, place, parts / parts.sum(axis=-1, keepdims=True))
