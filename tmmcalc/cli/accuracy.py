@@ -10,7 +10,7 @@ import typer
 
 from tmmcalc.cli.messages import note_written, say
 from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
-from tmmcalc.cli.work import Job, check_place, check_tolerance, show, title
+from tmmcalc.cli.work import Job, check_picture, check_place, check_tolerance, show, title
 
 if TYPE_CHECKING:
     from tmmcalc.accuracy.study import Accuracy
@@ -76,11 +76,7 @@ def command(
     if out is not None:
         check_place(out, "-o")
     if plot is not None:
-        from tmmcalc.report.pictures import check_matplotlib, form_of
-
-        check_place(plot, "--plot")
-        form_of(plot)
-        check_matplotlib()
+        check_picture(plot, "--plot")
     from tmmcalc.accuracy.measure import Clock
     from tmmcalc.accuracy.solve import solve_accuracy
 

@@ -11,7 +11,7 @@ import typer
 from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Form, Format
-from tmmcalc.cli.work import Job, check_place, show, title
+from tmmcalc.cli.work import Job, check_picture, show, title
 from tmmcalc.errors import UsageError
 
 if TYPE_CHECKING:
@@ -62,11 +62,7 @@ def _map(job: Job, form: Format, over: list[str], picture: Path | None) -> None:
     """Solve, draw and print the map."""
     _check_flags(job)
     if picture is not None:
-        from tmmcalc.report.pictures import check_matplotlib, form_of
-
-        check_place(picture, "--picture")
-        form_of(picture)
-        check_matplotlib()
+        check_picture(picture, "--picture")
     result = _solved(job, over)
     if picture is not None:
         from tmmcalc.report.pictures.regions import draw_region

@@ -12,7 +12,7 @@ import typer
 
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Form, Format, Quiet, Set, stages
-from tmmcalc.cli.work import check_place, show
+from tmmcalc.cli.work import check_picture, check_place, show
 from tmmcalc.errors import UsageError
 
 if TYPE_CHECKING:
@@ -115,11 +115,7 @@ def _check(plot: Path | None, out: Path | None) -> None:
     if out is not None:
         check_place(out, "-o")
     if plot is not None:
-        from tmmcalc.report.pictures import check_matplotlib, form_of
-
-        check_place(plot, "--plot")
-        form_of(plot)
-        check_matplotlib()
+        check_picture(plot, "--plot")
 
 
 @contextmanager

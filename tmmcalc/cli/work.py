@@ -147,6 +147,15 @@ def check_place(file: Path, where: str) -> None:
         raise UsageError(f"there is no folder {file.parent}", where=where, remedy="make it first, or choose another")
 
 
+def check_picture(file: Path, where: str) -> None:
+    """Raise UsageError if no picture could be drawn to a file; asked before the computation."""
+    from tmmcalc.report.pictures import check_matplotlib, form_of
+
+    check_place(file, where)
+    form_of(file)
+    check_matplotlib()
+
+
 def check_tolerance(error: float) -> None:
     """Raise `UsageError` unless this is a relative error that could be asked for."""
     if not 0 < error < 1:

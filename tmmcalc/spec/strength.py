@@ -2,13 +2,13 @@
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler
-from pydantic_core import core_schema
+from pydantic import Field
 
 from tmmcalc.errors import UsageError
 
 from .phrases import show
 from .quantities import Number, Quantity, Ratio
+from .reader import Reader
 from .table import Table
 from .units import UnitError
 
@@ -16,25 +16,7 @@ MOST_STAGES = 3
 ROWS = 7  # of Table D.4.1
 
 
-class _Form:
-    """What pydantic asks of an annotation: a function for the value, a JSON Schema for the editor."""
-
-    def read(self, value: object) -> Any:
-        raise NotImplementedError
-
-    def describe(self) -> dict[str, Any]:
-        raise NotImplementedError
-
-    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
-        return core_schema.no_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(
-        self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
-        return self.describe()
-
-
-class HardnessForm(_Form):
+class HardnessForm(Reader):
     """A hardness: ``"300 HB"``, or ``{ value = 300, scale = "HB" }``."""
 
     PATTERN = r"^\s*(([0-9.]+\s*(HB|HRC|HV))|((HB|HRC|HV)\s*[0-9.]+))\s*$"
@@ -69,7 +51,7 @@ class HardnessForm(_Form):
         return {"anyOf": kinds, "description": 'Hardness: a number and its scale, such as "300 HB" or "52 HRC".'}
 
 
-class RowForm(_Form):
+class RowForm(Reader):
     """A row of Table D.4.1."""
 
     def read(self, value: object) -> int:
@@ -83,7 +65,7 @@ class RowForm(_Form):
         return {"type": "integer", "minimum": 1, "maximum": ROWS}
 
 
-class PerStage(_Form):
+class PerStage(Reader):
     """One value for all stages, or a list with one for each."""
 
     def __init__(self, of: Quantity | Number | RowForm) -> None:
