@@ -6,7 +6,7 @@ BIN    := $(VENV)/bin
 DEMO   := demo.out
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: demo test slow lint bench accuracy format schema clean
+.PHONY: demo test slow estimates lint bench accuracy format schema clean
 
 demo: $(VENV)/.run
 	$(BIN)/tmmcalc run configs/shaper.toml -o $(DEMO) --quiet
@@ -20,6 +20,10 @@ test: $(VENV)/.dev
 
 slow: $(VENV)/.dev
 	$(BIN)/python -m pytest -n 2 -m slow
+
+# every estimate of an error against the truth over all its random scenes, of which `make slow` takes a part: an hour
+estimates: $(VENV)/.dev
+	ESTIMATES=1 $(BIN)/python -m pytest -n 2 -m slow -k "estimate or bound or sizes or frequencies"
 
 lint: $(VENV)/.dev
 	$(BIN)/ruff check .

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 
 import numpy as np
@@ -9,6 +10,11 @@ import numpy as np
 FLOOR = 2.0**-53  # true errors below it cannot be told from rounding of the result itself
 RATE = 0.99  # of the scenes in which an estimate has to be a bound
 USEFUL = 30.0  # median ratio of estimate and true error
+
+
+def part(scenes: int, of: int) -> int:
+    """How many of the random scenes of a long check are taken: all with `make estimates`, else one in ``of``."""
+    return scenes if os.environ.get("ESTIMATES") else scenes // of
 
 
 def assert_bounds(pairs: Iterable[tuple[float, float]], what: str, *, scenes: int = 200) -> None:

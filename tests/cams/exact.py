@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 from mpmath import mp, mpc, mpf
 
-from tests.bounding import assert_bounds
+from tests.bounding import assert_bounds, part
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.own import of_accelerations
 from tmmcalc.cams.program import Phase, Program
@@ -24,7 +24,7 @@ POLYNOMIALS = {
 TRAPEZOID = [(0, 0, 1, 4, 0), (HALF / 4, 1, 0, 1, 0), (3 * HALF / 4, 0, 1, 4, HALF), (5 * HALF / 4, -1, 0, 1, 0),
              (7 * HALF / 4, 0, -1, 4, HALF)]  # fmt: skip
 SINE = [(0, 0, 1, 4, 0), (HALF / 4, 0, 1, mpf(4) / 3, HALF), (7 * HALF / 4, 0, -1, 4, HALF)]
-SCENES = 200
+SCENES = part(200, 8)
 
 
 def law_at(law, k, piece):

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bounding import assert_bounds
+from bounding import assert_bounds, part
 from mpmath import mp, mpf
 
 from tmmcalc.errors import TmmError
@@ -87,9 +87,9 @@ def _held(scenes: int) -> None:
 
 
 def test_estimates_of_some_balls() -> None:
-    _held(4)
+    _held(2)
 
 
 @pytest.mark.slow
 def test_estimates() -> None:
-    _held(200)
+    _held(part(200, 8))

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bounding import assert_bounds
+from bounding import assert_bounds, part
 from linkage.reduction.drawn import integrals, solved, wide
 
 from tmmcalc.linkage.reduction.causes import Causes
@@ -116,4 +116,4 @@ def test_estimates_of_some_powers() -> None:
 
 @pytest.mark.slow
 def test_estimates_of_many_powers() -> None:
-    check(range(300), 210)
+    check(range(part(300, 4)), part(200, 4))

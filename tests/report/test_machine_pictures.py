@@ -215,7 +215,7 @@ def order(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
     file = folder / "machine.toml"
     file.write_text(spec_text(request.param))
     spec = load_spec(file)
-    return Order(spec, run(spec, target="motion").results, folder / "picture.svg", {})
+    return Order(spec, run(spec).results, folder / "picture.svg", {})
 
 
 @pytest.mark.parametrize("stage", ["flywheel", "motion"])

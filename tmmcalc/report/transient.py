@@ -1,7 +1,7 @@
 """The documents of the transient stage: of every motion how it ended, its events, moments, energy, and its course.
 
-Angles and speeds are those of the crank, moments of the motor and of the shafts those on their own shafts. Between the
-rows of the table, which are the steps of the method, nothing is interpolated.
+Angles and speeds are those of the crank, moments of the motor and of the shafts those on their own shafts. The rows of
+the table are the steps of the method; largest values are those of the motion between them too.
 """
 
 from __future__ import annotations
@@ -74,10 +74,16 @@ def _motion_document(motion: TimedMotion) -> Document:
         *_motor_facts(motion),
         *(_shaft_fact(motion, k) for k in range(len(motion.masses) - 1)),
         *_energy_facts(motion),
-        Fact("error in time (est.)", f"{motion.error:.0e} (relative)", {"error": {"speed": motion.error}}),
+        _error_fact(motion),
         *_event_facts(motion.events),
     )
     return Document(motion.name, facts, tuple(map(str, motion.verdicts)), events_view(motion.events))
+
+
+def _error_fact(motion: TimedMotion) -> Fact:
+    """The estimated errors of the speeds and of the largest moments."""
+    text = f"{motion.error:.0e} of the speeds, {motion.extremes_error:.0e} of the largest moments (relative)"
+    return Fact("error in time (est.)", text, {"error": {"speed": motion.error, "extremes": motion.extremes_error}})
 
 
 def _method_fact(motion: TimedMotion) -> Fact:
@@ -167,16 +173,10 @@ def mean_of(t: Values, values: Values) -> float:
     return float(((values[1:] + values[:-1]) / 2 * np.diff(t)).sum() / time) if time else float(values[0])
 
 
-def _largest(t: Values, values: Values) -> tuple[float, float]:
-    """The value of the largest size and its time."""
-    k = int(np.argmax(np.abs(values)))
-    return float(values[k]), float(t[k])
-
-
 def _motor_facts(motion: TimedMotion) -> list[Fact]:
     """The motor's largest moment, and the root mean square that its heating goes with."""
     moment = motion.motor_moment
-    largest, at = _largest(motion.t, moment)
+    largest, at = motion.largest_moment[:, -1].tolist()
     if not largest:
         return []
     mean, rated = rms(motion.t, moment), motion.rated_moment
@@ -193,7 +193,7 @@ def _motor_facts(motion: TimedMotion) -> list[Fact]:
 def _shaft_fact(motion: TimedMotion, k: int) -> Fact:
     """The largest moment of a shaft, and how many times that of the same motion with rigid shafts it is."""
     name, moment = f"M_{k + 1}_{k + 2}", motion.shaft_moment[k]
-    largest, at = _largest(motion.t, moment)
+    largest, at = motion.largest_moment[:, k].tolist()
     mean = mean_of(motion.t, moment)
     text = f"{motion.masses[k]} to {motion.masses[k + 1]}"
     if k in motion.rigid:

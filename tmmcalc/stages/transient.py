@@ -165,8 +165,9 @@ def _on_motor_shaft(duty: MotorDuty | None, wish: MotorChoice | None, gears: Gea
 def dump(result: TimedMotions) -> Record:
     """Arrays by the names of the fields, those of the first motion under ``motions.0.``."""
     worst = max((motion.error for motion in result.motions), default=0.0)
+    extremes = max((motion.extremes_error for motion in result.motions), default=0.0)
     imbalance = max((motion.imbalance for motion in result.motions), default=0.0)
-    return to_record(result, {"speed": worst, "energy": imbalance})
+    return to_record(result, {"speed": worst, "extremes": extremes, "energy": imbalance})
 
 
 def load(record: Record) -> TimedMotions:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bounding import assert_bounds
+from bounding import assert_bounds, part
 
 from linkage.loops.groups import CLASS_III, CLASS_IV, CLASS_VI, MARK, scene
 from linkage.scenes import with_grid
@@ -140,4 +140,4 @@ def test_estimates_of_some_groups() -> None:
 
 @pytest.mark.slow
 def test_estimates_of_many_groups() -> None:
-    check(range(250), 200)
+    check(range(part(250, 8)), part(200, 10))

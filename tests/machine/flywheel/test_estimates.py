@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bounding import assert_bounds
+from bounding import assert_bounds, part
 
 from machine.drawn import TURN, Drawn
 from machine.exact import WIDE
@@ -38,7 +38,7 @@ def lacking(machine: Drawn, found: Any, delta: float) -> tuple[float, float]:
     return float(abs(off / slope)), speed
 
 
-@pytest.mark.parametrize("count", [10, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [4, pytest.param(part(200, 8), marks=pytest.mark.slow)])
 def test_under_the_motor(count: int) -> None:
     rng, found = np.random.default_rng(22), defaultdict[str, list[tuple[float, float]]](list)
     while len(found["speed"]) < count:
@@ -57,7 +57,7 @@ def test_under_the_motor(count: int) -> None:
         assert_bounds(told, key, scenes=count)
 
 
-@pytest.mark.parametrize("count", [10, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [4, pytest.param(part(200, 8), marks=pytest.mark.slow)])
 def test_under_forces_of_position(count: int) -> None:
     """The inertias of all methods by their own formulas."""
     rng, told = np.random.default_rng(24), list[tuple[float, float]]()

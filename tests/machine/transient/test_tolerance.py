@@ -7,9 +7,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from machine.transient.scenes import at, cycle
+from machine.transient.scenes import run as driven
 from tmmcalc import load_spec
 from tmmcalc.errors import AccuracyError
+from tmmcalc.machine.motors.characteristics import parabolic
 from tmmcalc.machine.transient.methods import Method
+from tmmcalc.machine.transient.model import Drive, Mass
+from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.simulate import simulate
 from tmmcalc.machine.transient.task import beginning
 from tmmcalc.pipeline.runner import run
@@ -56,3 +61,19 @@ def test_what_cannot_be_reached_is_an_error() -> None:
     assert run(coarse, target="transient", tolerance=1e-2).results["transient"].motions[0].error < 1e-2
     with pytest.raises(AccuracyError, match=r"transient: the estimated error of (speed|energy) is"):
         run(coarse, target="transient", tolerance=1e-9)
+
+
+@pytest.mark.parametrize("lag", [1e-4, 1e-2])
+def test_a_steep_motor_that_lags_is_followed_as_far_as_rounding_allows(lag: float) -> None:
+    """The moment of such a motor is rounded to more than the tolerance of a step: that is no reason to refuse."""
+    motor = parabolic(100.0, 10.0, 10.003)
+    load = cycle(lambda p: -50 - 20 * np.cos(p), lambda p: 0.1 * (1 + np.sin(2 * p)), speed=10.0)
+    drive = Drive((Mass(1.0),), (), motor, load, None, lag)
+    times = np.linspace(0.02, 0.08, 7).tolist()
+    finest, usual = (
+        driven(drive, Scenario("held", 0.1, speed=10.0), "collocation", times, tolerance=tolerance)
+        for tolerance in (1e-13, 1e-11)
+    )
+    apart = np.abs(finest.omega[0, at(finest, times)] - usual.omega[0, at(usual, times)])
+    assert np.max(apart) <= 10 * (finest.error + usual.error)
+    assert finest.error < 1e-11

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bounding import assert_bounds
+from bounding import assert_bounds, part
 from mpmath import mp
 
 from machine.vibration.devices import amplitudes, equations, natural, random_device
@@ -71,7 +71,7 @@ def _held(scenes: int) -> None:
             for name, estimate, error in found:
                 pairs[name].append((estimate, error))
     for name, each in pairs.items():
-        assert_bounds(each, name, scenes=scenes * 2 // 3 if scenes > 100 else 5)
+        assert_bounds(each, name, scenes=scenes // 2)
 
 
 def test_estimates_of_some_devices() -> None:
@@ -80,4 +80,4 @@ def test_estimates_of_some_devices() -> None:
 
 @pytest.mark.slow
 def test_estimates() -> None:
-    _held(320)
+    _held(part(320, 8))

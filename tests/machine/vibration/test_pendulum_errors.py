@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from bounding import assert_bounds
+from bounding import assert_bounds, part
 from mpmath import mp
 
 from machine.vibration.rods import frequency, random_pendulum, torsion, whirl
@@ -66,4 +66,4 @@ def test_estimates_of_stiff_rods() -> None:
 @pytest.mark.slow
 def test_estimates() -> None:
     """Two rods in three spin."""
-    _held(400, 3e-2)
+    _held(part(400, 8), 3e-2)

@@ -185,8 +185,13 @@ class Collocation:
         shorter = self._solved(t - found.t, np.array(self._origin), guess)
         self.t, self._jacobian, self._inverse = keep
         if shorter is None:
-            raise AccuracyError(
-                f"the steps do not settle at t = {t:.9g} s", where="transient motion", value=t, remedy="another method"
-            )
+            return self._read(found, (t - found.t) / found.h)
         works = np.array(self._origin[m:]) + shorter.h * self._rule.primitive[-1] @ shorter.rates[:, m:]
         return [*(shorter.y + shorter.grown[-1]).tolist(), *works.tolist()]
+
+    def _read(self, step: _Solved, part: float) -> State:
+        """The state by the polynomial of a step at a part of it: where a shorter one is lost in rounding."""
+        m, rule = len(self._weights), self._rule
+        rates = rule.interpolation(part * rule.points) @ step.rates[:, m:]
+        works = np.array(self._origin[m:]) + part * step.h * rule.primitive[-1] @ rates
+        return [*(step.y + self._along(step, np.array([part]))[0]).tolist(), *works.tolist()]

@@ -42,20 +42,23 @@ def second(method: str, tolerance: float) -> float:
     return tolerance * (FINER if tolerance > COARSES.get(method, COARSE) else COARSER)
 
 
-def left(found: Transient, other: Transient, tolerance: float, allowed: float) -> float:
-    """Estimated relative error of the speeds under a ``tolerance``, from the run with that of `second`.
+def left(found: Transient, other: Transient, tolerance: float, allowed: float) -> tuple[float, float]:
+    """Estimated relative errors of speeds and largest moments under a ``tolerance``, from the run of `second`.
 
     ``allowed`` is the error of the speeds that the tolerance allows in a step, relative to the largest.
     """
-    difference = _difference(found, other, instants_of(found, FEW), found)
+    differences = _difference(found, other, instants_of(found, FEW), found), _moments(found, other)
     rounding = EPS * math.sqrt(found.counters["steps"]) + (NEWTON * allowed if found.method == "collocation" else 0.0)
     if second(found.method, tolerance) < tolerance:
-        return RESERVE * (rounding + MARGIN * difference)
-    return RESERVE * (rounding + difference * SCALED / COARSER ** POWERS.get(found.method, POWER))
+        factor = MARGIN
+    else:
+        factor = SCALED / COARSER ** POWERS.get(found.method, POWER)
+    speeds, moments = (RESERVE * (rounding + factor * difference) for difference in differences)
+    return speeds, moments
 
 
-def missed(found: Transient, controlled: Transient) -> float:
-    """Estimated relative error of the speeds: of the difference between two runs, and of the better one itself.
+def missed(found: Transient, controlled: Transient) -> tuple[float, float]:
+    """Estimated relative errors of speeds and largest moments: what two runs differ by, and that of the better one.
 
     Raises `AccuracyError` where the difference is as large as the speeds, so that ``found`` is no result.
     """
@@ -69,7 +72,15 @@ def missed(found: Transient, controlled: Transient) -> float:
             limit=1.0,
             remedy="take smaller steps, or step control (leave the step out), or an implicit method",
         )
-    return error + controlled.error
+    return error + controlled.error, MARGIN * _moments(found, controlled) + controlled.extremes_error
+
+
+def _moments(one: Transient, other: Transient) -> float:
+    """Largest relative difference of the largest moments."""
+    own, others = np.abs(one.largest_moment[0]), np.abs(other.largest_moment[0])
+    sizes = np.maximum(own, others)
+    off = np.abs(own - others)[sizes > 0] / sizes[sizes > 0]
+    return float(off.max(initial=0.0))
 
 
 def _difference(one: Transient, other: Transient, times: list[float], scale: Transient) -> float:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from operator import itemgetter
 from typing import NamedTuple
 
+from tmmcalc.machine.transient.peaks import Point, settled
 from tmmcalc.machine.transient.steppers import Stepper
-from tmmcalc.machine.transient.steps import State
+from tmmcalc.machine.transient.steps import Derivative, State
 
 ITERATIONS = 60
 SAME = 8  # units in the last place of the time within which two events happen at once
@@ -65,12 +67,14 @@ def _hit(watch: Watch, stepper: Stepper) -> Hit | None:
     return None
 
 
-def extreme(stepper: Stepper, component: int) -> tuple[float, State] | None:
-    """Where a component turns back within the last step, from the cubic of its ends, and the state there."""
-    if stepper.rate0[component] * stepper.rate[component] >= 0:
+def extreme(stepper: Stepper, f: Derivative, component: int) -> tuple[Point, State] | None:
+    """Where a component turns back within the last step, and a state beside it."""
+    i = component
+    if stepper.rate0[i] * stepper.rate[i] >= 0:
         return None
-    t = _middle(stepper, component)
-    return t, stepper.to(t)
+    ends = Point(stepper.t0, stepper.y0[i], stepper.rate0[i]), Point(stepper.t, stepper.y[i], stepper.rate[i])
+    found, _, y = settled(stepper, f, itemgetter(i), ends, _middle(stepper, i))
+    return found, y
 
 
 def _middle(stepper: Stepper, component: int) -> float:

@@ -49,6 +49,7 @@ class Transient:
     load_work: Values  # (S,)
     brake_work: Values  # (S,) not positive
     shaft_loss: Values  # (S,) work of the shafts' damping, not positive
+    largest_moment: Values  # (2, N) of largest size and its time: of the shafts, last of the motor [N*m], [s]
     turning: Values  # (3, P) time, angle and speed of the crank where its speed is locally largest or smallest
     step_error: Values | None  # (S,) largest error of angle, speed, moment estimated in the step to t (Merson)
     events: tuple[Event, ...]  # in the order of time
@@ -60,4 +61,5 @@ class Transient:
     rigid: tuple[int, ...]  # shafts that were taken as rigid
     imbalance: float  # largest |energy - initial energy - works| over the largest energy turned over [-]
     error: float  # estimated relative error of the speeds [-]
+    extremes_error: float  # the same of the largest moments
     counters: dict[str, int]  # steps, rejected, evaluations, pieces

@@ -23,7 +23,7 @@ from tmmcalc.machine.transient.results import End, Event
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.setup import Sizes
 from tmmcalc.machine.transient.steppers import Stepper
-from tmmcalc.machine.transient.steps import State
+from tmmcalc.machine.transient.steps import Derivative, State
 from tmmcalc.machine.transient.ways import Ways
 
 CHATTER = 100  # pieces without progress in time
@@ -180,7 +180,7 @@ class Run:
                 else:
                     self._pass(hit, watches)
             self._land(halts)
-            self._turn()
+            self._turn(f)
             self._rows_between(regime)
             self._row(regime, stepper.error)
             self._check_budget()
@@ -201,11 +201,11 @@ class Run:
             if hit.watch.component >= 0:
                 self.y[hit.watch.component] = hit.watch.level
 
-    def _turn(self) -> None:
+    def _turn(self, f: Derivative) -> None:
         """Keep a local extreme of the crank's speed that the last step passed."""
-        found = extreme(self.stepper, self._crank)
-        if found and found[0] <= self.t:
-            self.turning.append((found[0], found[1][0], found[1][self._crank]))
+        found = extreme(self.stepper, f, self._crank)
+        if found and found[0].t <= self.t:
+            self.turning.append((found[0].t, found[1][0], found[0].value))
 
     def _watches(self, regime: Regime, stretch: Stretch) -> list[Watch]:
         """What can happen in a regime."""

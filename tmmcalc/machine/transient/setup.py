@@ -17,6 +17,8 @@ from tmmcalc.machine.transient.scenario import Scenario
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
 
+ROUNDED = 32 * math.ulp(1.0)  # of a speed in the equations of a step, with room for Newton to tell that it has settled
+
 
 class Sizes(NamedTuple):
     """The sizes on the crank's shaft that tolerances are relative to."""
@@ -114,10 +116,14 @@ def sizes(drive: Drive, system: System, scenario: Scenario, profile: Profile) ->
 
 
 def allowed(system: System, size: Sizes, tolerance: float) -> list[float]:
-    """Error allowed in one step, of every component of the state."""
+    """Error allowed in one step, of every component of the state; of a lagging moment no less than can be told.
+
+    The speed is rounded, and the motor's slope makes of that a moment which no step resolves.
+    """
     twists = [tolerance * size.moment / c if c else tolerance for c in system.chain.stiffness]
     rates = [tolerance * size.speed] * system.layout.groups
-    lag = [tolerance * size.moment] * system.layout.lag
+    fall = abs(system.slope(size.speed)) if system.slope is not None else 0.0
+    lag = [max(tolerance * size.moment, ROUNDED * fall * size.speed)] * system.layout.lag
     return [tolerance, *twists, *rates, *lag, *[tolerance * size.energy] * WORKS]
 
 

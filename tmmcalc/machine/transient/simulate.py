@@ -10,11 +10,13 @@ from typing import NamedTuple, cast
 import numpy as np
 
 from tmmcalc.errors import AccuracyError
+from tmmcalc.machine.transient.between import Found
 from tmmcalc.machine.transient.choice import plan
 from tmmcalc.machine.transient.collocation import Collocation
 from tmmcalc.machine.transient.compared import FEW, instants_of, missed, second
 from tmmcalc.machine.transient.compared import left as left_of
 from tmmcalc.machine.transient.equations import System
+from tmmcalc.machine.transient.largest import largest_moments
 from tmmcalc.machine.transient.levels import RUNAWAY, Limits
 from tmmcalc.machine.transient.methods import Method, MethodName, habit
 from tmmcalc.machine.transient.model import Drive
@@ -54,11 +56,12 @@ def simulate(
     aim = method.error
     for _ in range(RETRIES):
         found, guess = _integrated(drive, scenario, method, instants, aim)
-        left = _left(found, guess, method) if method.compared else guess.error
-        if left <= method.error or not aim or guess.tolerance <= FINEST:
+        left, moments = _left(found, guess, method) if method.compared else (guess.error, guess.error)
+        worst = max(left, moments + found.extremes_error)
+        if worst <= method.error or not aim or guess.tolerance <= FINEST:
             break
-        aim *= AIMED * method.error / left
-    return replace(found, error=max(found.error, left))
+        aim *= AIMED * method.error / worst
+    return _told(found, left, moments)
 
 
 class _Guess(NamedTuple):
@@ -69,14 +72,20 @@ class _Guess(NamedTuple):
     allowed: float  # error of the speeds in a step, relative to the largest
 
 
-def _left(found: Transient, guess: _Guess, method: Method) -> float:
-    """Relative error of the speeds that the steps leave, from a second run; where that fails what is guessed."""
+def _told(found: Transient, speeds: float, moments: float) -> Transient:
+    """The motion with the errors that its steps leave of the speeds and of the largest moments."""
+    error = max(found.error, speeds)
+    return replace(found, error=error, extremes_error=max(error, moments) + found.extremes_error)
+
+
+def _left(found: Transient, guess: _Guess, method: Method) -> tuple[float, float]:
+    """Relative error of speeds and largest moments that steps leave, by a second run; where it fails as guessed."""
     tolerance, times = second(found.method, guess.tolerance), instants_of(found, FEW)
     other = Method(cast(MethodName, found.method), tolerance=tolerance, budget=method.budget)
     try:
         again, _ = _integrated(found.drive, found.scenario, other, times, 0.0, frozenset(found.rigid))
     except AccuracyError:
-        return guess.error
+        return guess.error, guess.error
     return left_of(found, again, guess.tolerance, guess.allowed)
 
 
@@ -84,10 +93,10 @@ def _in_fixed_steps(drive: Drive, scenario: Scenario, method: Method, instants: 
     """The motion in fixed steps, its error from a second run with step control if the method asks for it."""
     found, guess = _integrated(drive, scenario, method, instants, 0.0)
     if not method.compared:
-        return replace(found, error=max(found.error, guess.error))
+        return _told(found, guess.error, guess.error)
     better = Method(budget=method.budget, error=BETTER * method.error, compared=False)
     controlled = simulate(drive, scenario, better, instants_of(found))
-    return replace(found, error=missed(found, controlled))
+    return _told(found, *missed(found, controlled))
 
 
 def _integrated(
@@ -109,6 +118,7 @@ def _integrated(
     run = Run(system, ways, scenario, stepper, _limits(drive, scenario, system, size), size, method.budget)
     end = run.go(initial(system, scenario, ways.of(math.copysign(1.0, scenario.speed))), instants)
     found = curves(drive, system, ways, run.rows, brake_mass(drive, scenario))
+    moments = largest_moments(drive, found, run)
     imbalance, given = _imbalance(found), drive.cycle.error if drive.cycle else 0.0
     largest = float(np.abs(found.omega / np.array(system.chain.ratio)[:, None]).max()) or size.speed
     allowance = (tolerance or 0.0) * size.speed / largest
@@ -121,6 +131,7 @@ def _integrated(
         load_work=found.works[1],
         brake_work=found.works[2],
         shaft_loss=found.works[3],
+        largest_moment=np.array([(each.value, each.time) for each in moments]).T,
         turning=np.array(run.turning).reshape(-1, 3).T,
         events=tuple(run.events),
         end=end,
@@ -131,6 +142,7 @@ def _integrated(
         rigid=tuple(sorted(chosen.rigid)),
         imbalance=imbalance,
         error=max(chosen.ripple / largest, given),
+        extremes_error=_gap(moments),
         counters={
             "steps": run.steps,
             "rejected": stepper.rejected,
@@ -139,6 +151,11 @@ def _integrated(
         },
     )
     return motion, guess
+
+
+def _gap(moments: list[Found]) -> float:
+    """What interpolation may miss of the largest moments, relative to each."""
+    return max(each.gap / abs(each.value) if each.gap else 0.0 for each in moments)
 
 
 def _control(method: Method, name: str, system: System, aim: float) -> tuple[float | None, float]:

@@ -110,8 +110,8 @@ def _rigid_moments(drive: Drive, scenario: Scenario) -> tuple[float, ...]:
     if all(shaft.stiffness == math.inf for shaft in drive.shafts):
         return ()
     rigid = replace(drive, shafts=tuple(replace(shaft, stiffness=math.inf) for shaft in drive.shafts))
-    moments = simulate(rigid, scenario, Method(compared=False)).shaft_moment
-    return tuple(np.abs(moments).max(axis=1).tolist())
+    moments = simulate(rigid, scenario, Method(compared=False)).largest_moment[0, :-1]
+    return tuple(np.abs(moments).tolist())
 
 
 def _motion(

@@ -32,6 +32,7 @@ class TimedMotion:
     load_work: Values  # (S,) [J]
     brake_work: Values  # (S,) [J]
     shaft_loss: Values  # (S,) [J]
+    largest_moment: Values  # (2, N) of largest size and its time: of the shafts, last of the motor [N*m], [s]
     turning: Values  # (3, P) time, angle, speed of the crank at the local extremes of its speed
     step_error: Values | None  # (S,) estimated in the step to t (Merson)
     events: tuple[Event, ...]
@@ -43,6 +44,7 @@ class TimedMotion:
     rigid: tuple[int, ...]
     imbalance: float  # of the energy [-]
     error: float  # estimated relative error of the speeds [-]
+    extremes_error: float  # the same of the largest moments
     counters: dict[str, int]
 
 
