@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from bounding import RATE, USEFUL
 
 from machine.transient.scenes import constant, cycle, kloss, line, run
 from machine.transient.test_estimates import drawn
@@ -115,10 +116,10 @@ def test_cubics_that_turn_back() -> None:
     assert turnings(Point(0.0, 0.0, 0.0), Point(1.0, 1.0, 2.0)) == []
 
 
-def sample(seed: int, count: int) -> None:
-    """Random drives against a run with a tolerance a thousand times finer: its largest values, 300 instants."""
-    rng, done, bounds = np.random.default_rng(seed), 0, []
-    while done < count:
+def sample(seed: int, count: int) -> list[tuple[float, float]]:
+    """Estimates and true errors of random drives, by a run with a tolerance a thousand times finer."""
+    rng, told = np.random.default_rng(seed), list[tuple[float, float]]()
+    while len(told) < count:
         drive, scenario = drawn(rng)
         times = np.linspace(0, scenario.duration, 302)[1:-1].tolist()
         try:
@@ -128,18 +129,21 @@ def sample(seed: int, count: int) -> None:
             continue  # the truth is too dear
         if found.rigid:
             continue
-        done += 1
         own, exact = (np.abs(motion.largest_moment[0]) for motion in (found, fine))
         rows = np.vstack((fine.shaft_moment, fine.motor_moment))
         assert np.all(np.abs(rows).max(axis=1) <= own * (1 + found.extremes_error))
-        bounds.append(np.max(np.abs(own - exact) / np.where(exact > 0, exact, 1.0)) <= found.extremes_error)
-    assert np.mean(bounds) >= 0.99
+        told.append((found.extremes_error, float(np.max(np.abs(own - exact) / np.where(exact > 0, exact, 1.0)))))
+    return told
 
 
 def test_random_drives() -> None:
-    sample(11, 4)
+    assert all(estimate >= error for estimate, error in sample(11, 4))
 
 
 @pytest.mark.slow
 def test_many_random_drives() -> None:
-    sample(29, 120)
+    """Below 1e-12 the truth itself is not known better, so there the estimates are judged as bounds alone."""
+    estimates, errors = np.array(sample(29, 200)).T
+    assert np.mean(estimates >= errors) >= RATE
+    seen = errors > 1e-12
+    assert np.median(estimates[seen] / errors[seen]) < USEFUL

@@ -75,7 +75,7 @@ class _Guess(NamedTuple):
 def _told(found: Transient, speeds: float, moments: float) -> Transient:
     """The motion with the errors that its steps leave of the speeds and of the largest moments."""
     error = max(found.error, speeds)
-    return replace(found, error=error, extremes_error=max(error, moments) + found.extremes_error)
+    return replace(found, error=error, extremes_error=moments + found.extremes_error)
 
 
 def _left(found: Transient, guess: _Guess, method: Method) -> tuple[float, float]:
