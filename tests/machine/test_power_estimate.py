@@ -116,4 +116,4 @@ def test_estimates_of_some_powers() -> None:
 
 @pytest.mark.slow
 def test_estimates_of_many_powers() -> None:
-    check(range(part(300, 4)), part(200, 4))
+    check(range(part(300, 2)), part(200, 2))  # ratios of the peak scatter: the median of fewer does not tell

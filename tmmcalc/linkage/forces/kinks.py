@@ -76,18 +76,24 @@ def cut(panels: Panels, places: list[float], fixed: Iterable[float] | None = Non
     """The panels with an edge at every place, but for places at an edge or at another place.
 
     Edges that are not ``fixed`` (None: all are) move to a place that is near to them: most were put for it, by a guess.
+    What is near to a place of the same pass is another kink, and gets its own edge.
     """
     old, span = panels.edges, float(panels.edges[-1] - panels.edges[0])
     edges = old.tolist()
     held = set(edges) if fixed is None else {edges[0], edges[-1], *fixed}
+    taken = set[float]()
     for place in sorted(places):
         k = int(np.searchsorted(edges, place))
         near = k if edges[k] - place < place - edges[k - 1] else k - 1
         gap = abs(edges[near] - place)
-        if gap > SLIVER * span:
+        apart = SAME if edges[near] in taken else SLIVER
+        if gap > apart * span:
             edges.insert(k, place)
         elif gap > SAME * span and edges[near] not in held:
             edges[near] = place
+        else:
+            place = edges[near]
+        taken.add(place)
     finer = Panels(np.array(edges), panels.order)
     before, after = (list(pairwise(each)) for each in (old.tolist(), edges))
     known, left = set(before), set(after)

@@ -6,6 +6,7 @@ float the errors of the kinematics stand for it.
 
 Work is an integral by Gauss's rule, exact to twice the degree of a panel. The coefficients of a smooth function fall by
 as much from one half of that degree to the next; near a kink they do not fall, and the last ones stand for the rest.
+A kink that lies beside its edge shows in neither: there the polynomials of both sides miss each other.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.linkage.forces.kinks import SLIVER
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.reduction.causes import Causes, Sample
 from tmmcalc.linkage.reduction.inertia import slope_size
@@ -63,15 +65,16 @@ def estimate(causes: Causes, found: Solved, scale: float, kinematics: ErrorEstim
     inner = off[:, -on.count * POINTS :].reshape(len(off), on.count, POINTS)
     values = found.values * np.concatenate((np.ones(3), causes.powers))[:, None, None]
     missed, turned = on.left_out(values) / sizes, np.abs(inner).mean(axis=2) / sizes
-    mean = np.max((turned + MEAN * missed) @ on.width) / causes.scene.travel.period
-    works = SUMMED * turnover + _work(on, values[3:], inner[3:])
+    gaps, areas = _beside(on, values)
+    mean = np.max((turned + MEAN * missed) @ on.width + areas / sizes[:, 0]) / causes.scene.travel.period
+    works = SUMMED * turnover + _work(on, values[3:], inner[3:]) + areas[3:]
     error = ReductionError(
         inertia=float(worst[0]),
         slope=float(worst[1]),
         moment=float(np.max(worst[2:])),
         functions=EPS + float(mean),
-        between=float(np.max(worst) + np.max(missed)),
-        work=float(np.max(works, initial=0.0) / (np.max(turnover, initial=0.0) or 1.0)),
+        between=float(np.max(worst) + max(np.max(missed), np.max(gaps / sizes[:, 0]))),
+        work=max(float(np.max(works, initial=0.0) / (np.max(turnover, initial=0.0) or 1.0)), EPS),
     )
     return error, works
 
@@ -103,6 +106,19 @@ def _work(on: Panels, parts: Real, off: Real) -> Real:
     each = off * on.width[:, None] / POINTS
     rounding = np.abs(each.sum(axis=(1, 2))) + SCATTER * np.sqrt((each**2).sum(axis=(1, 2)))
     return np.asarray(rounding + _beyond(parts) @ on.width)
+
+
+def _beside(on: Panels, values: Real) -> tuple[Real, Real]:
+    """What functions (F, K, N) miss by kinks beside their edges: the largest of a value (F,), the integral (F,).
+
+    The slope changes by D; at d from the edge the polynomials differ by D d, and their triangle is missed. What is
+    more than a kink within a sliver is a jump, whose place is known.
+    """
+    limits, slopes = on.ends(values), on.ends(on.slope(values))
+    gap, bend = (np.abs(low[:, 1:] - high[:, :-1]) for low, high in (limits, slopes))
+    near = gap <= bend * SLIVER * (on.edges[-1] - on.edges[0])
+    gap, bend = np.where(near, gap, 0.0), np.where(near & (bend > 0), bend, 1.0)
+    return np.max(gap, axis=1, initial=0.0), np.asarray((gap**2 / (2 * bend)).sum(axis=1))
 
 
 def _beyond(parts: Real) -> Real:
