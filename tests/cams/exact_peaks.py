@@ -25,7 +25,8 @@ EXACT = SimpleNamespace(
     sign=mp.sign, where=lambda if_, then, other: then if if_ else other,
 )  # fmt: skip
 GRID = 201  # points of a piece
-CLOSE = 1e-5  # of the largest: pieces whose best value is no further below the best of all are looked at closely
+CLOSE = 1e-3  # of the largest: crests of the grid no further below the best of all are looked at closely
+NOISE = 1e-12  # of the largest: what is no crest but rounding
 GOLD = (mp.sqrt(5) - 1) / 2
 
 
@@ -69,19 +70,30 @@ def _extreme(program, f, sign, kinds, breaks):
             rows.append((piece, begin, end, x, values))
     best = max(float(np.max(values)) for *_, values in rows)
     size = max(float(np.max(np.abs(values))) for *_, values in rows)
-    found = [_closer(program, f, sign, *row) for row in rows if np.max(row[-1]) >= best - CLOSE * size]
+    found = [
+        _closer(program, f, sign, *row, k)
+        for *row, values in rows
+        for k in _crests(values, NOISE * size)
+        if values[k] >= best - CLOSE * size
+    ]
     value, phi = max(found, key=lambda each: each[0])
     return sign * value, phi
 
 
-def _closer(program, f, sign, piece, begin, end, x, values):
-    """The largest value in 50 digits near the largest of a grid."""
+def _crests(values, noise):
+    """Where a grid is higher than beside, on both sides or at an end; its highest point is one in any case."""
+    rise = np.diff(values)
+    up, down = np.append(True, rise > noise), np.append(rise < -noise, True)
+    return {int(np.argmax(values)), *np.flatnonzero(up & down).tolist()}
+
+
+def _closer(program, f, sign, piece, begin, end, x, k):
+    """The largest value in 50 digits near a point of a grid."""
     nudge = (end - begin) * mpf(10) ** -40  # on its own side of a break
 
     def g(phi):
         return sign * at(program, f, min(max(phi, begin + nudge), end - nudge), piece)
 
-    k = int(np.argmax(values))
     low, high = mpf(x[max(k - 1, 0)]), mpf(x[min(k + 1, GRID - 1)])
     low, high = max(low, begin), min(high, end)
     tried = [(g(each), each) for each in (low, mpf(x[k]), high)]

@@ -71,6 +71,15 @@ def test_a_largest_value_beside_the_common_edge_of_two_panels(place: float) -> N
     assert float(largest(values)[0]) == pytest.approx(0, abs=1e-15)
 
 
+def test_a_largest_value_between_nodes_that_are_lower_than_those_of_a_dwell() -> None:
+    """The crest is 0 between two nodes; the dwell lies between it and the nodes."""
+    t = ended().points
+    middle = (t[8] + t[9]) / 2
+    values = np.stack((-((t - middle) ** 2), np.full_like(t, -((t[8] - middle) ** 2) / 2)))
+    for both in (values, values[::-1]):
+        assert float(largest(both[None])[0]) == pytest.approx(0, abs=1e-15)
+
+
 @pytest.mark.parametrize(("friction", "key"), [(0.1, ""), (0.0, "_f0")])
 def test_least_step_height_of_the_case(friction: float, key: str) -> None:
     found, _ = search(scene_of(roller_task(friction), ROLLER, "rise"), Optimum())

@@ -18,7 +18,9 @@ from tmmcalc.cams.optimum.results import ACTIVE, Choice
 from tmmcalc.cams.optimum.scene import Phases, Scene, scene_of
 from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors
 from tmmcalc.cams.task import CamTask
+from tmmcalc.cams.wide import wide
 
+CONVEX = 3  # number of the constraint of a flat face that the motion alone decides
 DENSER = 2  # nodes for each one of the search
 NEAR = 1e-7  # of S0 + H2: step of the differences
 
@@ -28,18 +30,35 @@ def optimum_errors(
 ) -> Errors:
     """Estimates of the margins, absolute, at the sizes chosen and at the lowest, and of the least H2, relative."""
     denser, loads = scene_of(task, follower, phases, DENSER), loads_of(task)
-    held = exact_spring(task, loads, scene.spring)
-    rounded = (FLOOR + spring_miss(scene.spring, held)) * _cancelled(scene)
-    missed = [_missed(_at(scene, each), _at(denser, each), rounded) for each in (chosen, least)]
-    return {"margins": max(missed), "height": _height(denser, least)}
-
-
-def _cancelled(scene: Scene) -> Values:
-    """What the rounding of margins (k,) grows by: the slip is largest where P is a small rest of inertia and spring."""
+    unit = FLOOR + spring_miss(scene.spring, exact_spring(task, loads, scene.spring))
+    rounded = unit * _cancelled(scene, least)
     if scene.follower.kind == "flat":
-        return np.ones(1)
+        rounded[[each.number == CONVEX for each in least.checks]] += MARGIN * _bent(task, scene) / least.start
+    missed = [_missed(_at(scene, each), _at(denser, each), rounded) for each in (chosen, least)]
+    return {"margins": max(missed), "height": _height(denser, least, rounded)}
+
+
+def _cancelled(scene: Scene, least: Choice) -> Values:
+    """What the rounding of margins (k,) grows by, as P is a rest of inertia and spring.
+
+    The slip is largest where P is small, the pressure in the guide where P |S'| is large.
+    """
     pressed = scene.spring.preload + scene.spring.stiffness * np.abs(scene.motion[0])
+    if scene.follower.kind == "flat":
+        slide = np.abs(scene.motion[1])
+        carried = 1 + float(np.max(pressed * slide) / np.max(np.abs(scene.load) * slide))
+        return np.array([1.0 if each.number == CONVEX else carried for each in least.checks])
     return np.array([1 + float(np.max(pressed / np.abs(scene.load))), *[1.0] * (len(NUMBERS) - 1)])
+
+
+def _bent(task: CamTask, scene: Scene) -> float:
+    """By what rounding of the motion moves dS + S'' [m] where it is least, at the nodes of its panel."""
+    nodes = scene.phi.reshape(scene.panels, -1)
+    found = (scene.motion[0] + scene.motion[2]).reshape(nodes.shape)
+    k = int(np.argmin(np.min(found, axis=1)))
+    piece = task.program.piece(np.full(nodes.shape[1], np.mean(nodes[k])))
+    exact = task.program.wider.at(wide(nodes[k]), piece)
+    return float(np.max(np.abs(found[k] - (exact[0] + exact[2]))))
 
 
 def _missed(found: Values, denser: Values, rounded: Values) -> float:
@@ -60,8 +79,8 @@ def _margins(scene: Scene, x: Values) -> Values:
     return np.maximum(found, -1.0)
 
 
-def _height(scene: Scene, least: Choice) -> float:
-    """The least H2 with the margins of the denser nodes."""
+def _height(scene: Scene, least: Choice, rounded: Values) -> float:
+    """The least H2 with the margins of the denser nodes, or with their rounding."""
     x = np.array([least.start, least.roller, least.height])
     value = _margins(scene, x)
     held = np.flatnonzero(np.abs(value) < ACTIVE)
@@ -72,5 +91,5 @@ def _height(scene: Scene, least: Choice) -> float:
     steps = near * np.eye(3)[free]
     slope = np.array([(_margins(scene, x + each) - _margins(scene, x - each))[held] / (2 * near) for each in steps])
     price, *_ = np.linalg.lstsq(slope, np.eye(3)[2][free], rcond=None)
-    moved = float(np.abs(price) @ np.abs(value[held]))
-    return max(MARGIN * moved / least.height, FLOOR)
+    missed = np.maximum(MARGIN * np.abs(value), rounded)[held]
+    return max(float(np.abs(price) @ missed) / least.height, FLOOR)

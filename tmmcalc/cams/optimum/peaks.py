@@ -24,6 +24,7 @@ ORDERS = np.arange(1.0, TERMS + 1)
 FEW = 100  # functions whose series are cheaper one by one
 MANY = 1000  # functions at a time: their series then stay in the cache
 TINY = 1e-300
+RISE = 0.02  # of what a function varies by on a panel: a crest is no further above the highest node (parabola: 0.009)
 SAME = 1e-12  # values of neighbouring panels at their edge that are one
 
 
@@ -61,23 +62,57 @@ class Crest(NamedTuple):
 
 
 def crest(values: Values) -> Crest:
-    """The crests of functions (B, K, N + 2) on K panels; the last goes on in the first.
+    """The crests of functions (B, K, N + 2) on K panels; the last goes on in the first."""
+    count, _, nodes = values.shape
+    row = np.arange(count)
+    panel, node = np.divmod(np.argmax(values.reshape(count, -1), axis=1), nodes)
+    found, (rows, panels, tops) = _begun(values, row, panel, node), _rivals(values, panel)
+    if not rows.size:
+        return found
+    each = np.unique(rows)
+    rows, panels, tops = (np.append(old[each], new) for old, new in ((row, rows), (panel, panels), (node, tops)))
+    high, _ = peak(_begun(values, rows, panels, tops))
+    order = np.lexsort((high, rows))
+    best = order[np.append(rows[order][1:] != rows[order][:-1], True)]
+    panel[each], node[each] = panels[best], tops[best]
+    return _begun(values, row, panel, node)
+
+
+def _rivals(values: Values, panel: Indices) -> tuple[Indices, Indices, Indices]:
+    """Function, panel and node (m,) of crests that may rise above the highest nodes, on panels (B,)."""
+    count, panels, nodes = values.shape
+    tops = np.maximum.reduceat(values.ravel(), np.arange(0, values.size, nodes)).reshape(count, panels)
+    top = tops[np.arange(count), panel]
+    near = tops >= (top - RISE * (top - np.min(values.reshape(count, -1), axis=1)))[:, None]
+    near[np.arange(count), panel] = False
+    rows, others = np.nonzero(near)
+    held = values[rows, others]
+    at, high = np.argmax(held, axis=1), tops[rows, others]
+    beside = np.argmax(values[rows, (others + 1) % panels], axis=1) == 0
+    inside = ((at > 0) & (at < nodes - 1)) | ((at == nodes - 1) & beside)
+    rise = RISE * (high - np.min(held, axis=1))
+    able = inside & (rise > SAME * np.abs(high)) & (high + rise >= top[rows])
+    return rows[able], others[able], at[able]
+
+
+def _begun(values: Values, row: Indices, panel: Indices, node: Indices) -> Crest:
+    """The crests of functions ``row`` at nodes of panels, each (m,).
 
     A function that rises beyond a panel goes on in the next one, unless it jumps between them.
     """
-    count, panels, nodes = values.shape
-    panel, node = np.divmod(np.argmax(values.reshape(count, -1), axis=1), nodes)
-    held, rises = values[np.arange(count), panel], np.ones(count, bool)
+    _, panels, nodes = values.shape
+    panel, node = panel.copy(), node.copy()
+    held, rises = values[row, panel], np.ones(len(row), bool)
     ends = np.flatnonzero((node == 0) | (node == nodes - 1))
     at = node[ends]
     way, other = np.where(at > 0, 1, -1), nodes - 1 - at
     slope = np.einsum("mn,mn->m", held[ends], ended(nodes - 2).slope[at]) * way
     beside = (panel[ends] + way) % panels
-    here, there = held[ends, at], values[ends, beside, other]
+    here, there = held[ends, at], values[row[ends], beside, other]
     on = (slope > 0) & (np.abs(there - here) <= SAME * np.abs(here))
     rises[ends] = on | (slope < 0)
     moved = ends[on]
-    panel[moved], node[moved], held[moved] = beside[on], other[on], values[moved, beside[on]]
+    panel[moved], node[moved], held[moved] = beside[on], other[on], values[row[moved], beside[on]]
     return Crest(held, panel, node, rises)
 
 

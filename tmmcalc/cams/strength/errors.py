@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.rounding import Errors, chosen, nearer, relative, steep
 from tmmcalc.cams.strength.kernels import flat_radius
 from tmmcalc.cams.strength.results import Margin, Rolling, ShaftFound
+from tmmcalc.cams.strength.roller import factors, pin_of
 from tmmcalc.cams.strength.rows import Rows, rows_of
 from tmmcalc.cams.strength.work import Case
 from tmmcalc.cams.wide import wide
@@ -55,21 +57,32 @@ def strength_errors(
         least,
         *steep(at.points.phi, at.points.motion),
     )
-    exact = _exact(case, of, rolling, wide_points(case.task, case.loads, at.points, at.piece, which))[0].named()
+    there, turns = _widened(case, of, rolling)
+    again = wide_points(case.task, case.loads, at.points, at.piece, which)
+    exact = rows_of(there, turns, again, state(of, again)).named()
     errors = {
         name: relative(values[which], exact[name], float(np.max(np.abs(values)))) for name, values in found.items()
     }
-    return errors | {"extremes": max(_extremes(case, of, rolling, margins, shaft))}
+    return errors | {"extremes": max(_extremes(there, of, turns, margins, shaft))}
 
 
-def _exact(case: Case, of: Carried, rolling: Rolling | None, at: Points) -> tuple[Rows, State]:
-    now = state(of, at)
-    return rows_of(case, rolling, of.follower, wide(case.loads), at, now), now
+def _widened(case: Case, of: Carried, rolling: Rolling | None) -> tuple[Case, Rolling | None]:
+    """Data of the case and constants of the slip, its pin by the largest R itself, in extended precision."""
+    given = replace(case.task, requirements=wide(case.needs), guide=wide(case.task.guide))
+    there = replace(case, task=given, loads=wide(case.loads), follower=of.follower)
+    if rolling is None:
+        return there, None
+    pressing = np.abs(state(of, at_sides(case.task, case.loads, np.array([case.pressing.place]))).contact)
+    largest = pressing[int(np.argmin(np.abs(pressing - case.pressing.size)))]
+    known = case.needs.pin is not None or case.needs.pin_pressure is not None
+    found = factors(there, pin_of(there.needs, largest) if known else None)
+    return there, rolling if found is None else Rolling(*found, rolling.slipping)
 
 
 def _extremes(
     case: Case, of: Carried, rolling: Rolling | None, margins: tuple[Margin, ...], shaft: ShaftFound | None
 ) -> Iterator[float]:
+    """Of a case and a rolling in extended precision."""
     bend, pressing = case.bend, case.pressing
     stressed = [each for each in margins if each.value is not None and each.phi is not None]
     known = [each for each in stressed if each.symbol in OF_ROWS or each.constraint == 8]
@@ -77,12 +90,13 @@ def _extremes(
     if shaft is not None and shaft.moment_phi is not None:
         phi.append(shaft.moment_phi)
     at = at_sides(case.task, case.loads, np.array(phi))
-    rows, now = _exact(case, of, rolling, at)
+    now = state(of, at)
+    rows = rows_of(case, rolling, at, now)
 
     def there(values: Values, k: int) -> Values:
         return values.reshape(2, -1)[:, k]
 
-    shape = flat_radius(at.motion, wide(case.follower.start)) if case.flat else rows.curvature
+    shape = flat_radius(at.motion, case.follower.start) if case.flat else rows.curvature
     size = max(abs(bend.least), abs(bend.largest))
     yield nearer([bend.least], there(shape, 0), size)
     yield nearer([bend.largest], there(shape, 1), size)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
+from tmmcalc.cams.forces.kernels import Number
 from tmmcalc.cams.strength.kernels import (
     HERTZ,
     cylinder,
@@ -18,6 +20,7 @@ from tmmcalc.cams.strength.results import OPEN, Margin, RollerUnit, Rolling
 from tmmcalc.cams.strength.shape import judged, stressed
 from tmmcalc.cams.strength.slipping import largest_slip, slipping
 from tmmcalc.cams.strength.work import Case, contact_square, curved
+from tmmcalc.cams.task import Requirements
 
 SLIP = "|C1 + C2 A/|R|| <= 1 (5.72)"
 CONTACT = "0.418 sqrt(E_n R/b (1/(rho - r2) + 1/r2)) (5.90)"
@@ -32,10 +35,13 @@ def roller_unit(case: Case) -> RollerUnit | None:
         return None
     if needs.pin is None and needs.pin_pressure is None:
         return None
-    pin = needs.pin
-    if pin is None:
-        pin = float(pin_radius(case.pressing.size, needs.pin_pressure or 1.0, needs.pin_ratio))
+    pin = float(pin_of(needs, case.pressing.size))
     return RollerUnit(pin, needs.pin is not None, needs.roller_ratio * pin)
+
+
+def pin_of(needs: Requirements, contact: Number) -> Any:
+    """r0 [m] as given, or by the pressure of the largest |R| [N] on it."""
+    return pin_radius(contact, needs.pin_pressure or 1.0, needs.pin_ratio) if needs.pin is None else needs.pin
 
 
 def unit_margins(case: Case, unit: RollerUnit | None) -> Iterator[Margin]:
@@ -56,27 +62,32 @@ def unit_margins(case: Case, unit: RollerUnit | None) -> Iterator[Margin]:
 
 def rolling_of(case: Case, unit: RollerUnit | None) -> Rolling | None:
     """C1, C2 and where the roller slips; None without data."""
-    needs = case.needs
     if unit is not None and not unit.fits(case.follower.roller):
         return None
-    inertia = _inertia(case, unit)
-    if needs.rolling_arm is None or needs.roller_friction is None or inertia is None or not case.follower.roller:
+    found = factors(case, None if unit is None else unit.pin)
+    if found is None:
         return None
-    friction, roller = needs.roller_friction, case.follower.roller
-    pin = unit.pin if unit else 0.0
-    c1 = float(resisting(needs.rolling_arm, needs.pin_friction or 0.0, pin, friction, roller))
-    c2 = inertia * case.loads.speed**2 / (friction * roller**2)
+    c1, c2, inertia = map(float, found)
     return Rolling(c1, c2, inertia, slipping(case, c1, c2))
 
 
-def _inertia(case: Case, unit: RollerUnit | None) -> float | None:
-    """Of the roller: given, or of a hollow cylinder."""
-    needs = case.needs
-    if needs.roller_inertia is not None:
-        return needs.roller_inertia
-    if needs.width is None or unit is None:
+def factors(case: Case, pin: Number | None) -> tuple[Any, Any, Any] | None:
+    """C1, C2 [N/m] and the inertia J [kg*m^2] of the roller on a pin of radius r0 [m]; None without data."""
+    needs, roller = case.needs, case.follower.roller
+    inertia = _inertia(case, pin)
+    if needs.rolling_arm is None or needs.roller_friction is None or inertia is None or not roller:
         return None
-    return float(cylinder(needs.width, needs.roller_density, case.follower.roller, unit.pin))
+    arm, held, friction = needs.rolling_arm, 0.0 if pin is None else pin, needs.roller_friction
+    c1 = resisting(arm, needs.pin_friction or 0.0, held, friction, roller)
+    return c1, inertia * case.loads.speed**2 / (friction * roller**2), inertia
+
+
+def _inertia(case: Case, pin: Number | None) -> Any:
+    """Of the roller: given, or of a hollow cylinder; None without data."""
+    needs = case.needs
+    if needs.roller_inertia is not None or needs.width is None or pin is None:
+        return needs.roller_inertia
+    return cylinder(needs.width, needs.roller_density, case.follower.roller, pin)
 
 
 def slip_margin(case: Case, unit: RollerUnit | None, rolling: Rolling | None) -> Margin:

@@ -6,7 +6,6 @@ from dataclasses import fields
 
 import numpy as np
 
-from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.forces.state import State
 from tmmcalc.cams.forces.turn import Points
@@ -15,7 +14,6 @@ from tmmcalc.cams.strength.carriers import bending_of, pressure_of
 from tmmcalc.cams.strength.kernels import contact_stress, flat_stress, reduced_moment, slip
 from tmmcalc.cams.strength.results import Rolling
 from tmmcalc.cams.strength.work import Case, curved, spun
-from tmmcalc.cams.task import Loads
 from tmmcalc.records import record
 
 
@@ -38,10 +36,10 @@ class Rows:
         return {name: values for name, values in every.items() if values is not None}
 
 
-def rows_of(case: Case, rolling: Rolling | None, follower: Follower, loads: Loads, at: Points, now: State) -> Rows:
-    """The rows at points with the forces there; ``follower`` and ``loads`` are those of the case."""
-    kappa = curved(follower, at.motion)
-    run = spun(case.task, loads, follower, at, now.contact)
+def rows_of(case: Case, rolling: Rolling | None, at: Points, now: State) -> Rows:
+    """The rows at points with the forces there."""
+    kappa = curved(case.follower, at.motion)
+    run = spun(case.task, case.loads, case.follower, at, now.contact)
     touching = np.abs(now.contact) > 0 if case.grooved else now.contact > 0
     return Rows(
         curvature=kappa,

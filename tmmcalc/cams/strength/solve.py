@@ -50,7 +50,7 @@ def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None =
     rows = forces.positions if forces else task.positions
     points = at_rows(task, loads, rows)
     now = state(case.course.carried, points)
-    found = rows_of(case, rolling, follower, loads, points, now)
+    found = rows_of(case, rolling, points, now)
     bend = case.bend
     sharpest = 1 / bend.largest if bend.largest > 0 else None
     return CamStrength(
