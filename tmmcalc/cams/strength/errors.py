@@ -49,12 +49,14 @@ def strength_errors(
     found = at.rows.named()
     slipping = at.rows.slip if at.rows.slip is not None else np.zeros(1)
     least = 1 / (np.abs(at.state.contact) + TINY)
+    pressed = least if at.rows.stress is None else np.where(at.rows.stress > 0, least, 0.0)  # stresses go as its root
     which = chosen(
         len(at.points.phi),
         at.rows.curvature,
         slipping,
         at.state.contact,
         least,
+        pressed,
         *steep(at.points.phi, at.points.motion),
     )
     there, turns = _widened(case, of, rolling)
