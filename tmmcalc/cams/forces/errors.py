@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from tmmcalc.cams.forces.widespring import exact_carried, exact_spring, spring_e
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.pressure import terms
 from tmmcalc.cams.program import TURN
-from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, chosen, nearer, relative, sides, steep
+from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, chosen, joints, nearer, relative, sides, steep
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.cams.wide import wide
 
@@ -25,6 +26,19 @@ def wide_points(task: CamTask, loads: Loads, points: Points, piece: Indices, whi
     phi = wide(points.phi[on])
     motion = task.program.wider.at(phi, piece[on])
     return Points(phi, motion, points.sense[on], wide(points.force[on]), acceleration(task, wide(loads), phi, motion))
+
+
+def moved_points(task: CamTask, loads: Loads, at: Points) -> Points:
+    """Points (m,) of extended precision, off by the rounding of the laws' coefficients, which that precision shares."""
+    program = task.program
+    off = joints(program) * np.max(np.abs(program.sampled), axis=(1, 2))
+    motion = at.motion + np.where(at.motion != 0, off[:, None], 0.0)
+    return replace(at, motion=motion, acceleration=acceleration(task, wide(loads), at.phi, motion))
+
+
+def apart(one: Values, other: Values, size: float) -> float:
+    """The largest difference over a size."""
+    return float(np.max(np.abs(one - other), initial=0.0)) / size if size else 0.0
 
 
 def at_sides(task: CamTask, loads: Loads, phi: Values) -> Points:
@@ -51,11 +65,11 @@ def force_errors(
     again = wide_points(task, loads, points, task.positions.piece, which)
     follower, held = course.carried.follower, exact_spring(task, loads, spring)
     of = exact_carried(task, follower, loads, held)
-    exact = state(of, again)
-    errors = {
-        name: relative(found[which], true, float(np.max(np.abs(found))))
-        for name, found, true in _rows(course, now, exact)
-    }
+    exact, moved = state(of, again), state(of, moved_points(task, loads, again))
+    errors = {}
+    for (name, found, true), (_, _, off) in zip(_rows(course, now, exact), _rows(course, now, moved), strict=True):
+        size = float(np.max(np.abs(found)))
+        errors[name] = relative(found[which], true, size) + apart(off, true, size)
     if of.follower.kind == "oscillating":
         found = pivot_force(follower, points.motion[:, which], now.contact[which], now.sine[which], now.cosine[which])
         true = pivot_force(of.follower, again.motion, exact.contact, exact.sine, exact.cosine)

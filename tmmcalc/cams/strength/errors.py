@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from tmmcalc.cams.forces.errors import at_sides, wide_points
+from tmmcalc.cams.forces.errors import apart, at_sides, moved_points, wide_points
 from tmmcalc.cams.forces.results import SpringFound
 from tmmcalc.cams.forces.state import Carried, State, state
 from tmmcalc.cams.forces.turn import Points
@@ -61,10 +61,12 @@ def strength_errors(
     )
     there, turns = _widened(case, of, rolling)
     again = wide_points(case.task, case.loads, at.points, at.piece, which)
-    exact = rows_of(there, turns, again, state(of, again)).named()
-    errors = {
-        name: relative(values[which], exact[name], float(np.max(np.abs(values)))) for name, values in found.items()
-    }
+    moved = moved_points(case.task, case.loads, again)
+    exact, off = (rows_of(there, turns, points, state(of, points)).named() for points in (again, moved))
+    errors = {}
+    for name, values in found.items():
+        size = float(np.max(np.abs(values)))
+        errors[name] = relative(values[which], exact[name], size) + apart(off[name], exact[name], size)
     return errors | {"extremes": max(_extremes(there, of, turns, margins, shaft))}
 
 
