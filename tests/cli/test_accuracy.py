@@ -92,6 +92,21 @@ def test_a_scene_without_a_choice_of_methods(cli: Cli) -> None:
     assert not Path("a.svg").exists()
 
 
+def test_a_stage_without_a_solution_ends_only_what_reads_it(cli: Cli) -> None:
+    holding = ("--set", "mechanism.links[id=3].points.C[0]='1289.963 mm'")  # friction in the guide holds the ram
+    code, out, err = cli("accuracy", str(CONFIGS / "shaper.toml"), *holding, *FAST)
+    assert code == 3
+    assert "studied" in out
+    assert "kinematics: velocities" in out
+    assert "balance" in out
+    assert "without a result" in out
+    assert "forces, reduction" in out
+    assert "self-locking" in err
+    code, out, err = cli("accuracy", str(CONFIGS / "shaper.toml"), *holding, "--stage", "forces", *FAST)
+    assert (code, out) == (3, "")
+    assert "self-locking" in err
+
+
 @pytest.mark.parametrize(
     ("flags", "said"),
     [

@@ -26,8 +26,9 @@ def solve_accuracy(
 ) -> Accuracy:
     """Error against run time of every method of a stage, or of all stages that the scene has.
 
-    ``tell`` is called with a few words whenever a stage is begun and one of its studies is done. Raises `UsageError`
-    for a stage that has no choice of methods or that the scene leaves out, and what a stage itself raises.
+    ``tell`` is called with a few words whenever a stage is begun and one of its studies is done. Of all stages one
+    without a solution ends only the study of those that read it, and is told in ``failures``. Raises `UsageError` for a
+    stage that has no choice of methods or that the scene leaves out, and what a stage raises that is asked for.
     """
     clock = clock or Clock()
     if stage is not None and stage in STAGES and stage not in SUBJECTS:
@@ -36,11 +37,11 @@ def solve_accuracy(
         )
     running = plan(spec, stage).running
     asked = [name for name in running if name in SUBJECTS and stage in (None, name)]
-    results = run(spec, target=stage).results
+    ran = run(spec, target=stage, keep_going=stage is None)
     studies: list[Study] = []
     ladders: list[Ladder] = []
-    for name in asked:
-        scene = Scene(resolve(STAGES[name].inputs)(spec), results, clock)
+    for name in (name for name in asked if name in ran.outcomes):
+        scene = Scene(resolve(STAGES[name].inputs)(spec), ran.results, clock)
         if tell is not None:
             tell(f"{name}: methods are run")
         for part in resolve(SUBJECTS[name])(scene):
@@ -50,7 +51,8 @@ def solve_accuracy(
     studied = {study.stage for study in studies} | {ladder.stage for ladder in ladders}
     return Accuracy(
         tuple(studies),
-        tuple(name for name in running if name not in SUBJECTS and stage is None),
+        tuple(name for name in ran.outcomes if name not in SUBJECTS and stage is None),
         tuple(ladders),
-        tuple(name for name in asked if name not in studied),
+        tuple(name for name in asked if name in ran.outcomes and name not in studied),
+        ran.failures,
     )

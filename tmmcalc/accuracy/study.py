@@ -10,8 +10,10 @@ rounding unit, which is as near as two numbers in double precision can be told a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import field
 
+from tmmcalc.errors import TmmError
 from tmmcalc.records import record
 
 FLOOR = 2.0**-53
@@ -114,12 +116,13 @@ class Ladder:
 
 @record
 class Accuracy:
-    """The studies of a scene, ladders of stiffness, and the stages of it that have no choice of method."""
+    """The studies of a scene, ladders of stiffness, and the stages of it that could not be studied."""
 
     studies: tuple[Study, ...]
     without: tuple[str, ...]  # stages with one method only
     ladders: tuple[Ladder, ...] = ()
     settled: tuple[str, ...] = ()  # stages whose choice this scene leaves no room for
+    failures: Mapping[str, TmmError] = field(default_factory=dict)  # of stages without a result
 
 
 def pareto(points: Sequence[Point]) -> tuple[Point, ...]:

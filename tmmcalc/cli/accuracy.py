@@ -10,7 +10,7 @@ import typer
 
 from tmmcalc.cli.messages import note_written, say
 from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
-from tmmcalc.cli.work import Job, check_picture, check_place, check_tolerance, show, title
+from tmmcalc.cli.work import Job, check_picture, check_place, check_tolerance, raise_failures, show, title
 
 if TYPE_CHECKING:
     from tmmcalc.accuracy.study import Accuracy
@@ -67,7 +67,8 @@ def command(
     """Error against run time: every method of the stages, beside a reference that is proved better.
 
     Errors are the largest over all positions, relative to the largest magnitude of the quantity; times are medians.
-    The order is that observed: error ~ step^order. No stage files are read or written.
+    The order is that observed: error ~ step^order. No stage files are read or written. A stage without a solution
+    ends only the study of those that read it.
 
     Example: tmmcalc accuracy my.toml --stage motion --plot motion.svg
     """
@@ -95,6 +96,7 @@ def command(
     for file in (out, drawn):
         if file is not None and not quiet:
             note_written(file)
+    raise_failures(result.failures)
 
 
 def _document(result: Accuracy, heading: str, form: Format, tolerance: float | None) -> Document:

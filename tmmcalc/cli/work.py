@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cli.messages import say, show_damage, show_error, show_event, whoever_reads
 from tmmcalc.cli.options import Format
-from tmmcalc.errors import LimitError, UsageError
+from tmmcalc.errors import LimitError, TmmError, UsageError
 from tmmcalc.records import record
 
 TURNS = 100  # that an angle of a drawing may have
@@ -117,7 +117,7 @@ class Job:
         """What comes after the document: where the files are, and the errors."""
         if result.files and not self.quiet:
             say(f"files in {self.folder}: {', '.join(file.name for file in result.files)}", "dim")
-        _raise(result)
+        raise_failures(result.failures)
         self.check_warnings(document)
 
     def check_warnings(self, document: Document) -> None:
@@ -130,9 +130,9 @@ class Job:
             )
 
 
-def _raise(result: RunResult) -> None:
+def raise_failures(failures: Mapping[str, TmmError]) -> None:
     """The errors of stages without a result: the first ends the command, the others are said before it."""
-    errors = list(result.failures.values())
+    errors = list(failures.values())
     for error in errors[1:]:
         show_error(error)
     if errors:

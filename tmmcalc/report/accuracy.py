@@ -34,6 +34,7 @@ def accuracy_document(result: Accuracy, title: str, tolerance: float | None = No
 def _unstudied(result: Accuracy) -> Iterator[tuple[str, Sequence[str]]]:
     yield "one method only", result.without
     yield "no choice in this scene", result.settled
+    yield "without a result", tuple(result.failures)
 
 
 def _listed(label: str, names: Iterable[str]) -> Fact:

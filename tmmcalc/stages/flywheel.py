@@ -101,7 +101,8 @@ def dump(result: Flywheel) -> Record:
     """Arrays by the names of the fields: the picture and the regime with the flywheel."""
     errors = {"inertia": result.error}
     if result.required is not None:
-        errors["speed"] = result.required.regime.error
+        of_regime = result.required.regime.errors
+        errors |= {"speed": of_regime.speed, "fluctuation": of_regime.fluctuation}
     return to_record(result, errors)
 
 
