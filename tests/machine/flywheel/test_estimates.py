@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bounding import assert_bounds, part
+from bounding import RATE, assert_bounds, part
 
 from machine.drawn import TURN, Drawn
 from machine.exact import WIDE
@@ -27,15 +27,15 @@ TANGENT = tuple(rule for rule in METHODS if rule.find is rule.draw)  # those tha
 APART = 1e-4  # relative step of the inertia from which its derivative is taken
 
 
-def lacking(machine: Drawn, found: Any, delta: float) -> tuple[float, float]:
-    """True relative error of the inertia under the motor, and of the speeds with it."""
+def lacking(machine: Drawn, found: Any, delta: float) -> tuple[float, float, float]:
+    """True relative error of the inertia under the motor, of the speeds with it, and of their unevenness."""
     machine.constant = found.inertia
     exact = machine.exact(found.regime)
     machine.constant = found.inertia * (1 + APART)
     more = machine.exact(found.regime)
     off, slope = np.log(exact.delta / WIDE(delta)), np.log(more.delta / exact.delta) / np.log1p(WIDE(APART))
     speed = missed(found.regime.omega_at(THETA), exact.at(exact.omega, THETA), exact.omega)
-    return float(abs(off / slope)), speed
+    return float(abs(off / slope)), speed, missed(found.regime.delta, exact.delta, exact.delta)
 
 
 @pytest.mark.parametrize("count", [4, pytest.param(part(200, 8), marks=pytest.mark.slow)])
@@ -48,11 +48,14 @@ def test_under_the_motor(count: int) -> None:
             wheel = required_inertia(machine.cycle, machine.motor, delta, machine.constant, machine.lag)
             if not wheel.needed or machine.bends(wheel.regime):
                 continue
-            inertia, speed = lacking(machine, wheel, delta)
+            inertia, speed, fluctuation = lacking(machine, wheel, delta)
         except (TmmError, RuntimeError):
             continue
         found["inertia"].append((wheel.error, inertia))
         found["speed"].append((wheel.regime.error, speed))
+        found["fluctuation"].append((wheel.regime.errors.fluctuation, fluctuation))
+    # the unevenness is told as that of every regime is, and its usefulness held there
+    assert np.mean([told >= error for told, error in found.pop("fluctuation")]) >= RATE
     for key, told in found.items():
         assert_bounds(told, key, scenes=count)
 
