@@ -15,9 +15,12 @@ from bounding import RATE, assert_bounds
 
 from machine.drawn import TURN, Drawn
 from machine.exact import WIDE, Exact
+from machine.motion import cycle_of
 from tmmcalc.errors import TmmError
+from tmmcalc.machine.motors.characteristics import Straight
 from tmmcalc.machine.positional import positional
 from tmmcalc.machine.regime import Regime
+from tmmcalc.machine.steady import driven
 
 THETA = np.linspace(0, 6.28, 97)
 Pairs = dict[str, list[tuple[float, float]]]
@@ -179,7 +182,7 @@ class ConstantAt:
 def kept_at_mean(machine: Drawn, regime: Regime) -> Exact:
     """The exact motion under the constant moment that keeps the mean speed."""
     moment = WIDE(float(regime.driving.flat[0]))
-    for _ in range(4):
+    for _ in range(8):
         machine.motor = ConstantAt(moment)
         exact = machine.exact(regime)
         low, high = exact.extremes()
@@ -202,3 +205,14 @@ def test_resistance_under_a_constant_moment(count: int) -> None:
         for key, pair in compared(regime, kept_at_mean(machine, regime)).items():
             found[key].append(pair)
     check(found, count)
+
+
+@pytest.mark.parametrize("drive", ["motor", "positional"])
+@pytest.mark.parametrize("load", [0.0, -20.0])
+def test_of_an_even_speed_the_errors_are_those_of_what_cancels(drive: str, load: float) -> None:
+    """Nothing but rounding is left of delta and eps: an estimate relative to that would refuse every tolerance."""
+    cycle = cycle_of(lambda x: (0.5 + 0 * x, 0 * x, load + 0 * x))
+    regime = positional(cycle, 1.0, 10.0) if drive == "positional" else driven(cycle, 1.0, Straight(300.0, 10.0))
+    assert regime.delta < 1e-14
+    assert np.max(np.abs(regime.acceleration)) < 1e-11
+    assert regime.errors.largest < 1e-12

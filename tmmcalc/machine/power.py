@@ -11,6 +11,7 @@ which its loads put more work than a drive. Weights and springs give back over a
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -19,6 +20,7 @@ from tmmcalc.errors import NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor
 from tmmcalc.machine.motors.plausibility import Curve, contradictions, curve_of
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.numerics.panels import Values
 from tmmcalc.records import record
 
@@ -27,7 +29,6 @@ if TYPE_CHECKING:
 
 LOSSES = ("friction", "damper")
 STORES = ("weight", "spring")
-EPS = float(np.finfo(float).eps)
 READ = 4 * EPS  # rounding of a value that is read between the points of a panel
 NOTHING = 1e-12  # work below this part of the turnover is none
 
@@ -121,18 +122,11 @@ def solve_power(
     moment = moment_at(cycle, cycle.speed) - cycle.balancing
     (least, least_at), (largest, largest_at) = cycle.panels.extremes(moment)
     time = cycle.period / cycle.speed
-    total = driving + resisting + losses
-    total = total if abs(total) > NOTHING * scale else 0.0
+    left = driving + resisting + losses
+    total = left if abs(left) > NOTHING * scale else 0.0
     mean_power = abs(total) / time
-    efficiency = _efficiency(driving, resisting, losses, total)
-    turnover = math.fsum(max(part.turnover, abs(part.work)) for part in parts) or 1.0
-    off, lost = (math.fsum(p.error for p in parts if p.kind in kinds) for kinds in (("load",), LOSSES))
-    of_ratio = _of_ratio(driving if total > 0 else -resisting, losses, total, (off, lost)) if efficiency else 0.0
-    error = PowerError(
-        math.fsum(part.error for part in parts) / turnover,
-        of_ratio,
-        _of_peak(cycle, moment, (least_at, largest_at, 0.0), rounding),
-    )
+    efficiency = _efficiency(driving, resisting, total)
+    of_peak = _of_peak(cycle, moment, (least_at, largest_at, 0.0), rounding)
     return Power(
         machine=_kind(driving, total) if loads else "idle",
         parts=parts,
@@ -151,7 +145,9 @@ def solve_power(
         transmission=transmission,
         motor_power=mean_power / transmission if total <= 0 and not cycle.balancing else None,
         duty=None,
-        error=error,
+        error=PowerError(
+            _of_work(parts), _of_ratio(parts, driving, resisting, total, left) if efficiency else 0.0, of_peak
+        ),
         counters={"panels": len(cycle.panels.edges) - 1},
         speed=cycle.speed,
         sense=sense,
@@ -164,19 +160,28 @@ def _kind(driving: float, total: float) -> Literal["working", "engine"]:
     return "engine" if driving > max(-total, 0.0) else "working"
 
 
-def _efficiency(driving: float, resisting: float, losses: float, total: float) -> float | None:
+def _efficiency(driving: float, resisting: float, total: float) -> float | None:
     """Useful work over work put in: (3.37) where work is left over, (3.36) where it is lacking."""
     useful = -resisting + max(total, 0.0)
     return useful / (driving + max(-total, 0.0)) if useful > 0 else None
 
 
-def _of_ratio(own: float, losses: float, total: float, off: tuple[float, float]) -> float:
+def _of_work(parts: Sequence[WorkPart]) -> float:
+    """Relative error of all works against the sum of their turnovers."""
+    return math.fsum(part.error for part in parts) / (math.fsum(max(p.turnover, abs(p.work)) for p in parts) or 1.0)
+
+
+def _of_ratio(parts: Sequence[WorkPart], driving: float, resisting: float, total: float, left: float) -> float:
     """Relative error of the efficiency A_c/(A_c + A_F), or (A_d + A_F)/A_d: as far as the losses take it from 1.
 
-    ``own`` is |A_c| or A_d; ``off`` are the errors of the works of the loads and of the losses [J].
+    Where the work that is ``left`` counts as none the loads may differ by it, and by their errors.
     """
-    other = own + losses if total > 0 else own - losses
-    return 2 * EPS + (off[0] * abs(losses) / own + off[1]) / other
+    off, lost = (math.fsum(p.error for p in parts if p.kind in kinds) for kinds in (("load",), LOSSES))
+    losses = math.fsum(part.work for part in parts if part.kind in LOSSES)
+    if not total:
+        return 2 * EPS + (abs(left) + off + lost) / driving
+    own = driving if total > 0 else -resisting
+    return 2 * EPS + (off * abs(losses) / own + lost) / (own + losses if total > 0 else own - losses)
 
 
 def _of_peak(cycle: Cycle, moment: Values, at: tuple[float, ...], rounding: float) -> float:

@@ -77,6 +77,7 @@ def regime_of(
     *,
     fall: Values | float = 0.0,
     own: float = 0.0,
+    lags: bool = False,
     ringing: float = 1.0,
     excess: Excess | None = None,
 ) -> Regime:
@@ -84,10 +85,10 @@ def regime_of(
 
     ``missing`` (K,) is what is left out of omega, or of the ``excess`` that it was solved for, relative, beside
     rounding and errors of the cycle's own data; ``fall`` is the slope of the motor's moment over the speed (K, N),
-    ``own`` the relative error of a moment that does not follow from the speed, ``ringing`` how far such a moment swings
-    up what is rounded.
+    ``own`` the relative error of a moment that does not follow from the speed; where that ``lags``, ``ringing`` is how
+    far it swings up what is rounded.
     """
-    on = cycle.panels
+    on, above = cycle.panels, excess is not None
     excess = excess or _excess(omega)
     extremes = on.extremes(excess.w)
     (low, low_at), (high, high_at) = extremes
@@ -105,7 +106,9 @@ def regime_of(
     share = float(np.max(cycle.inertia) / np.min(inertia)) / 2
     regulation = min(abs(np.log(max(abs(mu), LOST))) for mu in multipliers) or 1.0
     astray = abs(float(surplus)) + cycle.error * float(turnover)
-    solved = Solved(missing, excess, fall, own, astray / (regulation * kinetic), ringing, float(regulation))
+    solved = Solved(
+        missing, excess, fall, own, astray / (regulation * kinetic), ringing, float(regulation), lags, above
+    )
     at = Balance(driving, load, cycle.slope * omega * omega / 2, inertia)
     acceleration, inaccurate = accelerations(cycle, omega, at, solved)
     mean, total_time, period = (high + low) / 2, float(time[-1]), cycle.period

@@ -11,15 +11,14 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.numerics.gauss import rule
+from tmmcalc.numerics.extended import EPS
+from tmmcalc.numerics.gauss import ORDER, rule
 from tmmcalc.numerics.panels import Extreme, Values
 from tmmcalc.records import record
 
-EPS = float(np.finfo(float).eps)
-INTERPOLATION = 4e-15  # relative rounding of a function carried from one set of points to another
+INTERPOLATION = ORDER * EPS  # of a function carried from one set of points to another: a rounding for each point
 ROUNDED = 8 * EPS  # of a solution
 STORED = 2 * EPS  # of a result: its last operations
-FED_BACK = 4.0  # roundings that a motor adds to a speed which it holds
 TERMS = 4  # roundings of each term of a sum of moments: functions carried to the panels, products
 
 
@@ -53,10 +52,12 @@ class Solved(NamedTuple):
     missing: Values  # (K,) of the solution, relative to the size of the excess
     excess: Excess
     fall: Values | float  # (K, N) dM_d/domega of the motor, 0 where its moment does not follow the speed
-    driving: float  # relative error of a driving moment that is a state of its own
+    driving: float  # relative error of a driving moment that does not follow from the speed
     level: float  # relative error of the level of the speed
     ringing: float  # how far a motor that lags swings up what is rounded
     regulation: float  # how far a motor follows in a cycle, -ln of the multiplier
+    lags: bool  # whether the motor does
+    above: bool  # whether the excess alone was solved for, so that the whole speed was not rounded in its equations
 
     @property
     def off(self) -> Values:
@@ -77,8 +78,9 @@ def accelerations(cycle: Cycle, omega: Values, at: Balance, solved: Solved) -> t
     """Angular acceleration (K, N) [rad/s^2] and its relative error, panel by panel by the better of both ways."""
     w, off = solved.excess.w, solved.off[:, None]
     slope = np.abs(cycle.viscous) + (2 * np.abs(cycle.quadratic) + np.abs(cycle.slope)) * omega
+    sides = np.abs(at.driving) + np.abs(at.load) + np.abs(at.rising)
     data = cycle.error * (np.abs(at.load) + np.abs(at.rising))
-    rounding = TERMS * EPS * (np.abs(at.driving) + np.abs(at.load) + np.abs(at.rising))
+    rounding = TERMS * EPS * sides
     moved = np.abs(solved.fall) * off + slope * (off + EPS * omega) + solved.driving * np.max(np.abs(at.driving))
     by_moments, by_slope = (at.driving + at.load - at.rising) / at.inertia, omega * cycle.panels.slope(w)
     reach = np.sum(np.abs(rule(cycle.panels.order).slope), axis=1) / cycle.panels.width[:, None]
@@ -86,7 +88,8 @@ def accelerations(cycle: Cycle, omega: Values, at: Balance, solved: Solved) -> t
     better = np.max(of_slope, axis=1) < np.max(of_moments, axis=1)
     found = np.where(better[:, None], by_slope, by_moments)
     error = np.max(np.where(better[:, None], of_slope, of_moments) + data / at.inertia)
-    return found, _relative(float(error), float(np.max(np.abs(found))))
+    made_of = np.max((np.abs(solved.fall) * omega + sides) / at.inertia)
+    return found, _relative(float(error), float(np.max(np.abs(found))), float(made_of))
 
 
 def regime_errors(
@@ -103,20 +106,21 @@ def regime_errors(
     local = float(np.max(solved.off)) / fastest
     drive = float(np.max(np.abs(solved.fall) * (solved.off[:, None] + solved.level * fastest)))
     largest = float(np.max(np.abs(at.driving)))
-    # of a solution for the excess alone rounding is that of its equations, of the whole speed that of two numbers and
-    # of what a motor that follows makes of the rounding of its moment
-    fed_back = EPS / 2 * min(max(solved.regulation, 1.0), FED_BACK)
-    rounding = solved.ringing * (ROUNDED if local < ROUNDED / 2 else fed_back)
+    held = float(np.max(np.abs(solved.fall))) * fastest
+    # of a solution for the excess alone rounding is that of its equations, of the whole speed that of two numbers, and
+    # of what a motor that follows makes of the roundings of its moment
+    fed_back = EPS / 2 * min(max(solved.regulation, 1.0), TERMS)
+    rounding = solved.ringing * (ROUNDED if solved.above else fed_back)
     lost = float(np.sum(solved.missing * cycle.panels.width)) / cycle.period * excess.size / fastest
-    # where a motor lags what is missing anywhere swings on; else it dies within its panel
-    swung = lost * fastest if solved.driving else 0.0
+    # what is missing anywhere goes on until regulation takes it; where a motor lags it swings on
+    carried = lost * fastest / (1.0 if solved.lags else max(solved.regulation, 1.0))
     near = _near(cycle, solved.missing, low_at) + _near(cycle, solved.missing, high_at)
     apart = near + 2 * (cycle.error * share + rounding)
     return RegimeErrors(
         speed=max(local, ROUNDED) + inexact + solved.level,
         acceleration=min(eps + STORED + inexact, 1.0),
-        moment=_relative(drive + solved.driving * largest, largest) + STORED,
-        fluctuation=_relative(apart * excess.size + swung, high - low) + STORED + 2 * solved.level,
+        moment=_relative(drive + solved.driving * largest, largest, held) + STORED,
+        fluctuation=_relative(apart * excess.size + carried, high - low, fastest) + STORED + 2 * solved.level,
         time=lost + inexact + solved.level + 2 * STORED,
     )
 
@@ -128,6 +132,6 @@ def _near(cycle: Cycle, missing: Values, place: float) -> float:
     return float(np.max(missing[np.clip(sides, 0, cycle.panels.count - 1)]))
 
 
-def _relative(error: float, size: float) -> float:
-    """An error over a size; one where nothing but the error is left."""
-    return min(error / size, 1.0) if size > 0 else float(error > 0)
+def _relative(error: float, size: float, made_of: float) -> float:
+    """An error over a size; where the error is all that is left, over what that is made of."""
+    return error / size if error < size else error / made_of if error < made_of else float(error > 0)

@@ -25,9 +25,8 @@ if TYPE_CHECKING:
 
 WHERE = "steady motion"
 NOTHING = 1e-13  # moment of the load, against what the motor gives at standstill by its slope, that is none
-LOSS = (
-    1e3  # moment of the whole speed by the motor's slope, over that which accelerates: digits worth a second solution
-)
+# moment of the whole speed by the motor's slope, over that which accelerates: digits worth a second solution
+LOSS = 1e3
 INDIFFERENT = 1e-13  # change of the moment over the speed itself, against the moment
 
 
@@ -126,6 +125,7 @@ def _regime(machine: OneMass, orbit: Orbit) -> Regime:
         counters,
         fall=motor.slope(omega),
         own=float(np.max(last.missing[1])) if machine.lag else 0.0,
+        lags=machine.lag > 0,
         ringing=_ringing(machine, motor.slope(omega)),
         excess=excess,
     )

@@ -8,17 +8,19 @@ from tmmcalc.errors import AccuracyError, NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import UNDRIVEN, ConstantInertia, Driver
 from tmmcalc.machine.flywheel.comparison import Comparison, Row, compared
-from tmmcalc.machine.flywheel.curve import energy_curve, nodal_work
+from tmmcalc.machine.flywheel.curve import nodal_work
 from tmmcalc.machine.flywheel.placement import Wheel, wheels
 from tmmcalc.machine.flywheel.positional import FlywheelMethod, on_nodes
 from tmmcalc.machine.flywheel.rim import Rim
 from tmmcalc.machine.flywheel.trials import RequiredInertia, Trial
 from tmmcalc.machine.flywheel.wittenbauer import EnergyMass, energy_mass
 from tmmcalc.machine.model import FlywheelTask
+from tmmcalc.machine.power import moment_at
 from tmmcalc.machine.verdicts import Verdict
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.records import record
 
-ROUNDING = 8e-15  # of the intercepts of a tangent, relative to work and energy: a sum over panels, read between points
+ROUNDING = 4 * EPS  # of the intercepts of a tangent, relative to what they are summed up from
 BOOK = 1  # place of the textbook's method among all
 
 
@@ -150,8 +152,8 @@ def flywheel_of(
 
 def _inexact(cycle: Cycle, inertia: float, delta: float, speed: float) -> float:
     """Relative error of the inertia by the exact tangents: of two intercepts, beside their difference."""
-    curve, square = energy_curve(cycle, speed), speed * speed
-    turned = float(np.max(np.abs(curve.work))) + float(np.max(cycle.inertia)) * square / 2 * (1 + delta)
+    square, moment = speed * speed, np.abs(moment_at(cycle, speed))
+    turned = float(cycle.panels.total(moment)) + float(np.max(cycle.inertia)) * square / 2 * (1 + delta)
     return (cycle.error + ROUNDING) * turned / (abs(inertia) * delta * square) if inertia else 0.0
 
 

@@ -114,7 +114,7 @@ def _steep(found: Regimes) -> Flags:
     """Machines whose acceleration is so small a difference of moments that the speed has to be solved again alone."""
     m, omega = found.machines, found.omega
     inside = (m.width > 0)[..., None]
-    left = np.abs(found.driving + found.load - m.slope * omega * omega / 2)
+    left = np.abs(found.acceleration) * m.inertia
     fall = np.abs(np.broadcast_to(m.motor.slope(omega), omega.shape)) * omega
     most = (np.max(v, axis=(1, 2), where=inside, initial=0.0) for v in (fall, left))
     steep, small = most
