@@ -5,13 +5,13 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
+from bounding import assert_bounds, part
 from mpmath import mp, mpc, mpf
 
-from tests.bounding import assert_bounds, part
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.own import of_accelerations
 from tmmcalc.cams.program import Phase, Program
-from tmmcalc.cams.wide import WIDER
+from tmmcalc.numerics.extended import WIDER
 
 mp.dps = 50
 HALF = mpf(1) / 2

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from mpmath import mp, mpf
 
-from tests.cams.exact import motion_at
-from tests.cams.exact_peaks import EXACT, crossing, extremes
+from cams.exact import motion_at
+from cams.exact_peaks import EXACT, crossing, extremes
 from tmmcalc.cams.program import Phase, Program
 
 SIDES = {"A": 1, "B": -1}  # theta at k = 0, in parts of beta_0

@@ -12,7 +12,7 @@ from types import SimpleNamespace
 import numpy as np
 from mpmath import mp, mpf
 
-from tests.cams.exact import motion_at
+from cams.exact import motion_at
 
 PLAIN = SimpleNamespace(
     mpf=float, pi=np.pi, sqrt=np.sqrt, sin=np.sin, cos=np.cos, tan=np.tan, atan2=np.arctan2, hypot=np.hypot,

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from mpmath import mp, mpf
 
-from tests.cams.exact import motion_at
-from tests.cams.exact_peaks import EXACT
+from cams.exact import motion_at
+from cams.exact_peaks import EXACT
 
 
 def curve(lib, follower, phi, motion):

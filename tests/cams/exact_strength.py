@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from mpmath import mp, mpf
 
-from tests.cams.exact_peaks import EXACT, extremes
-from tests.cams.exact_rims import bend_of, curve
+from cams.exact_peaks import EXACT, extremes
+from cams.exact_rims import bend_of, curve
 
 
 class Judged:

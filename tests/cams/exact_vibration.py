@@ -9,7 +9,7 @@ from functools import cached_property
 
 from mpmath import mp, mpf
 
-from tests.cams.exact import OWN, POLYNOMIALS, SINE, TRAPEZOID, law_at
+from cams.exact import OWN, POLYNOMIALS, SINE, TRAPEZOID, law_at
 
 
 def second(law):

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from tests.cams.scenes import KINDS, random_cam
+from cams.scenes import KINDS, random_cam
 from tmmcalc.cams.speed import TURN, Speed
 from tmmcalc.cams.task import Force, Guide, Loads, Spring
 from tmmcalc.numerics.panels import panels
@@ -38,7 +38,7 @@ def waved(random, omega):
 
 def random_loaded(random, kind=None):
     """A task with loads, its follower, and its speed where that varies."""
-    from tests.cams.exact_peaks import PLAIN
+    from cams.exact_peaks import PLAIN
 
     task, follower = random_cam(random, kind or str(random.choice(KINDS)))
     turns, h, omega = follower.kind == "oscillating", task.program.stroke, 10 ** random.uniform(0, 2.5)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from math import radians
 
 import numpy as np
+from bounding import FLOOR
 
-from tests.bounding import FLOOR
-from tests.cams.exact import SCENES, judge, random_program
+from cams.exact import SCENES, judge, random_program
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask
 from tmmcalc.errors import NoSolutionError, SingularityError

@@ -11,7 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import tmmcalc
-from tests.cams.optimum_scene import roller_task
+from cams.optimum_scene import roller_task
 from tmmcalc.cams.elastic import ElasticResult, solve_elastic
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.catalogue import LAWS

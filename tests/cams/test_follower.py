@@ -5,7 +5,7 @@ from math import radians
 import numpy as np
 import pytest
 
-from tests.cams.turns import turn
+from cams.turns import turn
 from tmmcalc.cams.follower import Follower, contact_path, curvature
 
 PHI = np.radians([0.0, 11.0, 35.0, 58.0, 75.0, 101.0, 133.0, 200.0, 301.0])

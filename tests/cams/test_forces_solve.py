@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.cams.turns import overshooting, task_of
+from cams.turns import overshooting, task_of
 from tmmcalc.cams.follower import Follower, contact_path
 from tmmcalc.cams.forces.columns import force_columns
 from tmmcalc.cams.forces.results import CamForces

@@ -7,7 +7,7 @@ from math import degrees, radians
 import numpy as np
 import pytest
 
-from tests.cams.indexing_scene import CASES, PAPER
+from cams.indexing_scene import CASES, PAPER
 from tmmcalc.cams.indexing import solve_indexing
 from tmmcalc.cams.indexing.bounds import bounds, largest_ratio, least_ratio, start_pressure
 from tmmcalc.cams.indexing.choice import most_rollers

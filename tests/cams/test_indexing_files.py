@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.cams.indexing_scene import SCENES, task
+from cams.indexing_scene import SCENES, task
 from tmmcalc.cams.indexing import solve_indexing
 from tmmcalc.cams.indexing.columns import indexing_columns
 from tmmcalc.cams.indexing.laws import StepLaw, step_law
@@ -132,7 +132,7 @@ def test_documents_print_what_was_found() -> None:
 
 def test_pictures() -> None:
     pytest.importorskip("matplotlib")
-    from tests.cams.test_law_profile_pictures import texts
+    from cams.test_law_profile_pictures import texts
     from tmmcalc.report.pictures.cams.indexing import indexing_figure
     from tmmcalc.report.pictures.page import picture
 

@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from tests.cams.indexing_scene import SCENES, law_at, task
+from cams.indexing_scene import SCENES, law_at, task
 from tmmcalc.cams.indexing import solve_indexing
 from tmmcalc.cams.indexing.bounds import bounds, largest_step, least_step
 from tmmcalc.cams.indexing.choice import choose_ratio

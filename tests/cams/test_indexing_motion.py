@@ -9,7 +9,7 @@ import pytest
 from scipy.interpolate import make_interp_spline
 from scipy.optimize import fsolve
 
-from tests.cams.indexing_scene import SCENES, law_at, roller_at
+from cams.indexing_scene import SCENES, law_at, roller_at
 from tmmcalc.cams.indexing import solve_indexing
 from tmmcalc.cams.indexing.flanks import Flank
 from tmmcalc.cams.indexing.outline import outline, stretches

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.cams.turns import task_of, turn
+from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.lawresult import solve_law
 from tmmcalc.cams.profile import solve_profile

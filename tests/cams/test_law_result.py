@@ -6,7 +6,7 @@ from math import pi, radians
 import numpy as np
 import pytest
 
-from tests.cams.turns import overshooting, task_of, turn
+from cams.turns import overshooting, task_of, turn
 from tmmcalc.cams.lawresult import LawResult, law_columns, solve_law
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.constants import constants

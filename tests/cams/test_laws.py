@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from tests.cams.turns import turn
+from cams.turns import turn
 from tmmcalc.cams.laws.catalogue import LAWS, TITLES, law_of
 from tmmcalc.cams.laws.constants import constants
 from tmmcalc.cams.laws.own import of_coefficients

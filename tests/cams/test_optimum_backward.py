@@ -6,8 +6,8 @@ from math import radians
 import numpy as np
 import pytest
 
-from tests.cams.optimum_scene import roller_task
-from tests.cams.turns import overshooting
+from cams.optimum_scene import roller_task
+from cams.turns import overshooting
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.optimum.extremes import extremes

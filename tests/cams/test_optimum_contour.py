@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.cams.optimum_scene import CASES, flat_task, roller_task
+from cams.optimum_scene import CASES, flat_task, roller_task
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.optimum.contour import Contour, contour
 from tmmcalc.cams.optimum.march import crossed

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.cams.optimum_scene import flat_task, roller_task
+from cams.optimum_scene import flat_task, roller_task
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.optimum.game import with_law
 from tmmcalc.cams.optimum.results import CamOptimum

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.cams.optimum_scene import CASES, flat_task, roller_task
+from cams.optimum_scene import CASES, flat_task, roller_task
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.optimum.game import MOST, with_law
 from tmmcalc.cams.optimum.least import least_height
@@ -297,8 +298,8 @@ def test_no_scipy_in_an_ordinary_run() -> None:
     import sys
 
     code = (
-        "import sys; from tests.cams.optimum_scene import roller_task; from tmmcalc.cams.follower import Follower; "
+        "import sys; from cams.optimum_scene import roller_task; from tmmcalc.cams.follower import Follower; "
         "from tmmcalc.cams.optimum.solve import solve_optimum; "
         "solve_optimum(roller_task(), Follower('translating', 0.06)); assert 'scipy' not in sys.modules"
     )
-    subprocess.run([sys.executable, "-c", code], check=True)
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=Path(__file__).parents[1])

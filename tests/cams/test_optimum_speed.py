@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.cams.optimum_scene import roller_task
+from cams.optimum_scene import roller_task
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.optimum.game import with_law
 from tmmcalc.cams.optimum.margins import NUMBERS, judge

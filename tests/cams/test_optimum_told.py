@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tests.cams.optimum_scene import roller_task, turn
+from cams.optimum_scene import roller_task, turn
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.forces.solve import solve_forces

@@ -4,9 +4,9 @@ from math import degrees
 
 import numpy as np
 import pytest
+from spec.camscenes import cam
 
-from tests.cams.turns import task_of
-from tests.spec.camscenes import cam
+from cams.turns import task_of
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pressure import check_reach, solve_pressure
 from tmmcalc.cams.profile import solve_profile

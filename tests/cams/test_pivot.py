@@ -6,7 +6,7 @@ from math import pi, radians, sqrt
 import numpy as np
 import pytest
 
-from tests.cams.turns import task_of, turn
+from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pivot import highest, pivot_room
 from tmmcalc.cams.profile import solve_profile

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.cams.turns import task_of, turn
+from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower, contact_path
 from tmmcalc.cams.laws.law import polynomial
 from tmmcalc.cams.pressure import Pressure, pressure, pressure_columns, solve_pressure

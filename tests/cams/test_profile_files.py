@@ -8,8 +8,8 @@ from math import pi, radians
 import numpy as np
 import pytest
 
-from tests.cams.test_law_result import same
-from tests.cams.turns import task_of, turn
+from cams.test_law_result import same
+from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.profile import Profile, solve_profile
 from tmmcalc.cams.profile.columns import polar_angle, profile_columns

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.cams.turns import overshooting, turn
+from cams.turns import overshooting, turn
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.program import Phase, Program, of_step, of_steps, positions
 

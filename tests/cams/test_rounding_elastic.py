@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from tests.cams.exact import missed
-from tests.cams.exact_vibration import Steady, residual
-from tests.cams.scenes import briefly, judged, random_cam, some
+from cams.exact import missed
+from cams.exact_vibration import Steady, residual
+from cams.scenes import briefly, judged, random_cam, some
 from tmmcalc.cams.elastic import solve_elastic
 from tmmcalc.cams.task import Elastic, Loads, Spring
 

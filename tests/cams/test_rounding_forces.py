@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from tests.cams.exact import missed, motion_at
-from tests.cams.exact_forces import Loaded
-from tests.cams.exact_peaks import EXACT, extremes
-from tests.cams.loaded import random_loaded
-from tests.cams.scenes import briefly, judged, some
+from cams.exact import missed, motion_at
+from cams.exact_forces import Loaded
+from cams.exact_peaks import EXACT, extremes
+from cams.loaded import random_loaded
+from cams.scenes import briefly, judged, some
 from tmmcalc.cams.forces.solve import solve_forces
 
 FEW = 1

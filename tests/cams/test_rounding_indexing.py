@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from tests.cams.exact import missed, motion_at
-from tests.cams.exact_indexing import SIDES, Wheel
-from tests.cams.exact_peaks import EXACT
-from tests.cams.scenes import briefly, judged, some
+from cams.exact import missed, motion_at
+from cams.exact_indexing import SIDES, Wheel
+from cams.exact_peaks import EXACT
+from cams.scenes import briefly, judged, some
 from tmmcalc.cams.indexing import solve_indexing
 from tmmcalc.cams.indexing.laws import step_law
 from tmmcalc.cams.indexing.task import IndexingTask

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import pytest
 
-from tests.cams.exact import missed, motion_at, random_own
-from tests.cams.exact_peaks import extremes
-from tests.cams.scenes import briefly, judged, random_cam, some
+from cams.exact import missed, motion_at, random_own
+from cams.exact_peaks import extremes
+from cams.scenes import briefly, judged, random_cam, some
 from tmmcalc.cams.lawresult import solve_law
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.program import Phase, Program
@@ -37,7 +37,7 @@ def _extremes_missed(program, found):
         size = max(abs(low[0]), abs(high[0]))
         for each in found.extremes:
             if each.order == order:
-                off = min(abs(each.value - low[0]), abs(each.value - high[0]))
+                off = abs(each.value - (high[0] if each.value > 0 else low[0]))
                 yield float(off / size) if size else float(off)
 
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from tests.cams.exact import law_at, missed, motion_at, pitch_at
-from tests.cams.scenes import KINDS, random_cam, some
+from cams.exact import law_at, missed, motion_at, pitch_at
+from cams.scenes import KINDS, random_cam, some
 from tmmcalc.cams.follower import contact_path, curvature
 from tmmcalc.cams.laws.catalogue import LAWS
 

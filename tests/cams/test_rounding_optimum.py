@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from tests.cams.exact import random_program
-from tests.cams.exact_forces import Loaded
-from tests.cams.exact_peaks import extremes
-from tests.cams.exact_strength import Judged
-from tests.cams.optimum_scene import flat_task, roller_task
-from tests.cams.scenes import briefly, judged
+from cams.exact import random_program
+from cams.exact_forces import Loaded
+from cams.exact_peaks import extremes
+from cams.exact_strength import Judged
+from cams.optimum_scene import flat_task, roller_task
+from cams.scenes import briefly, judged
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.optimum import flat
 from tmmcalc.cams.optimum.checks import choice_of

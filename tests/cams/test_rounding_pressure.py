@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from tests.cams.exact import missed, motion_at, theta_at
-from tests.cams.exact_peaks import at, crossing, edges_of, extremes
-from tests.cams.scenes import briefly, judged, random_cam, some
+from cams.exact import missed, motion_at, theta_at
+from cams.exact_peaks import at, crossing, edges_of, extremes
+from cams.scenes import briefly, judged, random_cam, some
 from tmmcalc.cams.pressure import solve_pressure
 from tmmcalc.cams.program import TURN
 

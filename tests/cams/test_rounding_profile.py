@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from tests.cams.exact import missed, motion_at
-from tests.cams.exact_peaks import EXACT, at, crossing, extremes
-from tests.cams.exact_rims import away_of, bend_of, crossing_at, neck_at, offset_of, placed
-from tests.cams.scenes import KINDS, briefly, judged, random_cam, some
+from cams.exact import missed, motion_at
+from cams.exact_peaks import EXACT, at, crossing, extremes
+from cams.exact_rims import away_of, bend_of, crossing_at, neck_at, offset_of, placed
+from cams.scenes import KINDS, briefly, judged, random_cam, some
 from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.program import TURN
 

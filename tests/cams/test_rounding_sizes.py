@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from tests.cams.exact import motion_at, random_program
-from tests.cams.exact_peaks import extremes
-from tests.cams.exact_rims import bend_of
-from tests.cams.scenes import briefly, judged
-from tests.cams.test_rounding_pressure import of_theta
+from cams.exact import motion_at, random_program
+from cams.exact_peaks import extremes
+from cams.exact_rims import bend_of
+from cams.scenes import briefly, judged
+from cams.test_rounding_pressure import of_theta
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pressure import reached
 from tmmcalc.cams.synthesis import oscillating, roller

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from tests.cams.exact import missed, motion_at
-from tests.cams.exact_forces import Loaded
-from tests.cams.exact_peaks import EXACT
-from tests.cams.exact_strength import Judged
-from tests.cams.loaded import random_loaded
-from tests.cams.scenes import briefly, judged, some
+from cams.exact import missed, motion_at
+from cams.exact_forces import Loaded
+from cams.exact_peaks import EXACT
+from cams.exact_strength import Judged
+from cams.loaded import random_loaded
+from cams.scenes import briefly, judged, some
 from tmmcalc.cams.strength.solve import solve_strength
 from tmmcalc.cams.task import Requirements
 

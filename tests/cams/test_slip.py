@@ -6,7 +6,7 @@ from math import pi, radians
 import numpy as np
 import pytest
 
-from tests.cams.turns import turn
+from cams.turns import turn
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.forces.turn import at_angles

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.cams.turns import overshooting, task_of
+from cams.turns import overshooting, task_of
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.notes import force_notes
 from tmmcalc.cams.forces.results import Reserve

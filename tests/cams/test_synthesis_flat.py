@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.cams.turns import task_of, turn
+from cams.turns import task_of, turn
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits

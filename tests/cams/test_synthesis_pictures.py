@@ -5,7 +5,7 @@ from math import radians
 import numpy as np
 import pytest
 
-from tests.cams.turns import task_of, turn
+from cams.turns import task_of, turn
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits, Loads
 

@@ -6,7 +6,7 @@ from math import pi, radians
 import numpy as np
 import pytest
 
-from tests.cams.turns import overshooting, task_of, turn
+from cams.turns import overshooting, task_of, turn
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pressure import reached
 from tmmcalc.cams.profile import solve_profile

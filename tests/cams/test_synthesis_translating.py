@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.cams.turns import task_of, turn
+from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower, contact_path, curvature
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.pressure import reached

@@ -43,6 +43,37 @@ def test_tidy_rows_for_programs(cli: Cli) -> None:
     assert all(float(r["seconds"]) > 0 for r in rows if not r["failed"])
 
 
+def test_rows_name_the_tolerances_that_they_are_the_cheapest_for(cli: Cli) -> None:
+    def cheapest(*flags: str) -> dict[str, list[str]]:
+        code, out, _ = cli("accuracy", "my.toml", "--stage", "kinematics", "-f", "csv", *flags, *FAST)
+        assert code == 0
+        found: dict[str, list[str]] = {}
+        for row in csv.DictReader(io.StringIO(out)):
+            for tolerance in row["cheapest"].split():
+                assert float(row["error"]) <= float(tolerance)
+                found.setdefault(row["quantity"], []).append(tolerance)
+        return found
+
+    for four in cheapest().values():
+        assert sorted(four) == ["1e-03", "1e-06", "1e-09", "1e-12"]
+    assert cheapest("--tolerance", "1.44e-6")["velocities"] == ["1.44e-06"]
+
+
+def test_a_tolerance_keeps_its_digits(cli: Cli) -> None:
+    code, out, _ = cli("accuracy", "my.toml", "--stage", "kinematics", "--tolerance", "1.44e-6", *FAST)
+    assert code == 0
+    assert "cheapest for 1.44e-06" in out
+    code, out, _ = cli("accuracy", "my.toml", "--stage", "kinematics", "--tolerance", "1.44e-6", "-f", "json", *FAST)
+    assert json.loads(out)["kinematics: velocities"]["cheapest_1.44e-06"]["error"] <= 1.44e-6
+
+
+def test_every_column_of_the_table_is_documented(cli: Cli) -> None:
+    _, out, _ = cli("accuracy", "my.toml", "--stage", "kinematics", "-f", "csv", *FAST)
+    page = (CONFIGS.parent / "docs" / "files.md").read_text(encoding="utf-8")
+    part = page.split("## Table of `accuracy`")[1].split("\n## ")[0]
+    assert [name for name in out.splitlines()[0].split(",") if f"`{name}`" not in part] == []
+
+
 def test_methods_that_never_reach_a_tolerance_say_so(cli: Cli) -> None:
     code, out, _ = cli("accuracy", "my.toml", "--stage", "kinematics", "--tolerance", "1e-9", *FAST)
     assert code == 0
@@ -118,6 +149,7 @@ def test_a_stage_without_a_solution_ends_only_what_reads_it(cli: Cli) -> None:
         (("--plot", "a.gif"), "no picture format"),
         (("--plot", "none/a.svg"), "no folder"),
         (("-o", "none/a.txt"), "no folder"),
+        (("-o", "a.svg", "--plot", "./a.svg"), "would be written twice"),
     ],
 )
 def test_what_is_refused(cli: Cli, flags: tuple[str, ...], said: str) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.conftest import Cli
+from cli.conftest import Cli
 
 SPEC = """
 [project]

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.conftest import Cli
+from cli.conftest import Cli
 
 SPEC = """
 [project]

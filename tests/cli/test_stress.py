@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from tmmcalc.stress import shipped
-from tmmcalc.stress.results import FAULT, Ladder, Met, Rung, Stress
+from tmmcalc.stress import linkage, shipped
+from tmmcalc.stress.results import DISPUTED, FAULT, Ladder, Met, Rung, Stress
 
 from .conftest import CONFIGS, Cli
 
@@ -54,6 +54,7 @@ def test_picture(cli: Cli, suffix: str) -> None:
         (("my.toml", "--ladder", "cusp"), "no cam"),
         (("my.toml", "--stage", "kinematic"), "kinematics"),
         (("my.toml", "--plot", "a.txt"), "format"),
+        (("my.toml", "-o", "a.svg", "--plot", "a.svg"), "a.svg would be written twice"),
         (("none.toml",), "there is no file"),
         (("--ladder", "scale"), "no spec is named"),
     ],
@@ -93,16 +94,66 @@ def test_a_fault_ends_with_exit_code_1(cli: Cli, monkeypatch: pytest.MonkeyPatch
     assert "warning: scale, x 1: forces: forces.error is no finite number" in " ".join(out.split())
 
 
-def test_every_stage_on_every_rung_in_a_file(cli: Cli) -> None:
-    code, out, err = cli("stress", "my.toml", "--ladder", "direction", "--stage", "kinematics", "-o", "stress.csv")
-    assert code == 0
-    assert "wrote stress.csv" in err
-    assert "direction of turning" in out
-    rows = list(csv.DictReader(io.StringIO(Path("stress.csv").read_text(encoding="utf-8"))))
-    assert {row["stage"] for row in rows} == {"structure", "kinematics"}
+@pytest.mark.parametrize("form", ["csv", "json", "toml", "table"])
+def test_the_tables_in_a_file_and_not_printed(cli: Cli, form: str) -> None:
+    asked = ("stress", "my.toml", "--ladder", "direction", "--stage", "kinematics", "-f", form)
+    _, printed, _ = cli(*asked)
+    code, out, err = cli(*asked, "-o", "stress.out")
+    assert (code, out) == (0, "")
+    assert "wrote stress.out" in err
+    assert Path("stress.out").read_text(encoding="utf-8") == printed
+
+
+def test_numbers_keep_their_digits(cli: Cli, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(linkage, "DISTANCES", (1.0, 1e-8, 0.0))
+    ladders = "--ladder", "dead-point", "--ladder", "direction"
+    _, out, _ = cli("stress", "my.toml", *ladders, "--stage", "kinematics", "-f", "json")
+    whole: dict[str, Any] = json.loads(out)
+    assert all(isinstance(value, float) for value in whole["columns"]["at worst"])
+    (part,) = (value for name, value in whole.items() if name.startswith("dead-point"))
+    _, out, _ = cli("stress", "my.toml", *ladders, "--stage", "kinematics", "-f", "csv")
+    rows = [row for row in csv.DictReader(io.StringIO(out)) if row["ladder"] == "dead-point"]
+    told = {rung["setting"]: rung["condition"] for rung in part["rungs"] if "condition" in rung}
+    assert told == {row["setting"]: float(row["condition"]) for row in rows if row["condition"]}
+    assert part["columns"]["1/regularity"][: len(told)] == list(told.values())
+    errors = {met["error"] for rung in part["rungs"] for met in rung["met"] if "error" in met}
+    assert errors == {float(row["error"]) for row in rows if row["error"]}
+    assert any(len(f"{error!r}") > 10 for error in errors)
+
+
+def test_a_folder_that_is_not_there(cli: Cli) -> None:
     code, out, err = cli("stress", "my.toml", "-o", "nowhere/stress.csv")
     assert (code, out) == (2, "")
     assert "there is no folder nowhere" in err
+
+
+def test_a_fault_in_the_twin_alone_ends_with_exit_code_1(cli: Cli, monkeypatch: pytest.MonkeyPatch) -> None:
+    def unwritten(document: object) -> None:
+        raise ValueError("no such unit")
+
+    monkeypatch.setattr(linkage, "DISTANCES", (1.0,))
+    monkeypatch.setattr("tmmcalc.stress.run.twin", unwritten)
+    code, out, _ = cli("stress", "my.toml", "--ladder", "dead-point", "--stage", "kinematics")
+    assert code == 1
+    assert "twin: in other units: ValueError: no such unit" in " ".join(out.split())
+
+
+def test_disputed_results_are_told(cli: Cli, monkeypatch: pytest.MonkeyPatch) -> None:
+    met = Met("forces", DISPUTED, message="in other units: dead point", skipped=("all (no result)",))
+    found = Stress((Ladder("scale", "units", "s", "itself", (Rung("x 1", 1.0, None, (met,)),)),), ())
+    monkeypatch.setattr("tmmcalc.stress.run.solve_stress", lambda *_: found)
+    code, out, _ = cli("stress", "my.toml")
+    assert code == 0
+    for words in (
+        "forces on scale: refused by the equivalent scene",
+        "x 1: forces is disputed, in other units: dead point",
+        "x 1: not compared in forces: all (no result)",
+        "forces: disputed",
+    ):
+        assert words in " ".join(out.split())
+    _, out, _ = cli("stress", "my.toml", "-f", "csv")
+    (row,) = csv.DictReader(io.StringIO(out))
+    assert (row["status"], row["told"], row["skipped"]) == ("disputed", "no", "all (no result)")
 
 
 def test_the_table_on_top_has_what_is_lost_and_who_tells(cli: Cli) -> None:

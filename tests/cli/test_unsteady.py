@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.conftest import CONFIGS, Cli
+from cli.conftest import CONFIGS, Cli
 
 SPECS = ("crane-luffing", "tipper", "manipulator", "manipulator-angular", "manipulator-direct")
 

@@ -4,8 +4,8 @@ from math import degrees, radians
 
 import numpy as np
 import pytest
+from cams.turns import task_of, turn
 
-from tests.cams.turns import task_of, turn
 from tmmcalc.cams.pressure import solve_pressure
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits

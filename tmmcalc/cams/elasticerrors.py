@@ -15,9 +15,10 @@ import numpy as np
 from tmmcalc.cams.laws.law import Law, Values
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.response import SPAN, Course, kicks_of, residual
-from tmmcalc.cams.rounding import EPS, FLOOR, MARGIN, Errors, relative
+from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, relative
 from tmmcalc.cams.speed import Speed
 from tmmcalc.cams.wide import wide
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.numerics.panels import Panels
 
 FEW = 6  # panels integrated again

@@ -9,8 +9,9 @@ import numpy as np
 from tmmcalc.cams.laws.constants import LawConstants
 from tmmcalc.cams.laws.law import ORDERS, Law, Values
 from tmmcalc.cams.program import Positions, Program
-from tmmcalc.cams.rounding import EPS, Errors, again, chosen, law_joints, nearer, relative, sides, steep
+from tmmcalc.cams.rounding import Errors, again, chosen, law_joints, nearer, relative, sides, steep
 from tmmcalc.cams.wide import wide
+from tmmcalc.numerics.extended import EPS
 
 NAMES = ("displacement", "velocity", "acceleration", "jerk")
 

@@ -174,7 +174,7 @@ def reached(task: CamTask, follower: Follower, intervals: bool = True) -> tuple[
 
 def halved(dense: Panels) -> Panels:
     """The panels in halves: a whole period of a harmonic is then good to rounding."""
-    return dense.split(np.ones(dense.count, bool))
+    return dense.halved()
 
 
 def on_phase(program: Program, dense: Panels, values: Values, kind: str) -> tuple[Panels, Values]:

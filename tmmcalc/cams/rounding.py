@@ -16,12 +16,12 @@ import numpy as np
 
 from tmmcalc.cams.laws.law import ORDERS, Indices, Law, Values
 from tmmcalc.cams.program import SAME, Positions, Program
-from tmmcalc.cams.wide import WIDER, wide
+from tmmcalc.cams.wide import wide
+from tmmcalc.numerics.extended import CHAIN, EPS, WIDER
 
 CHOSEN = 48  # rows computed again
 MARGIN = 6.0  # factor for the rows left out
-EPS = float(np.finfo(float).eps)
-FLOOR = MARGIN * EPS if WIDER else 64 * EPS
+FLOOR = MARGIN * EPS if WIDER else CHAIN
 APART = 1e-3  # of a central difference in extended precision
 FIRST = np.array([-1, 9, -45, 0, 45, -9, 1]) / np.longdouble(60)
 SECOND = np.array([2, -27, 270, -490, 270, -27, 2]) / np.longdouble(180)

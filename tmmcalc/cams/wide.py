@@ -7,7 +7,6 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-WIDER = float(np.finfo(np.longdouble).eps) < float(np.finfo(float).eps) / 100  # the platform has such a float
 KINDS = {"f": np.longdouble, "c": np.clongdouble}
 
 Given = TypeVar("Given")

@@ -7,10 +7,10 @@ import pytest
 
 pytest.importorskip("matplotlib")
 
+from cams.turns import task_of, turn
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
 
-from tests.cams.turns import task_of, turn
 from tmmcalc.cams.pressure import solve_pressure
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 import numpy as np
 
@@ -19,6 +18,8 @@ from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, chosen, joints, nearer,
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.cams.wide import wide
 
+MOVED = 3  # y, y', y'', of which forces are made
+
 
 def wide_points(task: CamTask, loads: Loads, points: Points, piece: Indices, which: Indices | None = None) -> Points:
     """Some of the points on the pieces of the motion (n,), their motion in extended precision; all by default."""
@@ -29,16 +30,22 @@ def wide_points(task: CamTask, loads: Loads, points: Points, piece: Indices, whi
 
 
 def moved_points(task: CamTask, loads: Loads, at: Points) -> Points:
-    """Points (m,) of extended precision, off by the rounding of the laws' coefficients, which that precision shares."""
-    program = task.program
+    """Points (m,) of extended precision, y, y' and y'' moved in turn (3 m,) by the rounding of the laws' coefficients.
+
+    Extended precision shares that rounding.
+    """
+    program, m = task.program, len(at.phi)
     off = joints(program) * np.max(np.abs(program.sampled), axis=(1, 2))
-    motion = at.motion + np.where(at.motion != 0, off[:, None], 0.0)
-    return replace(at, motion=motion, acceleration=acceleration(task, wide(loads), at.phi, motion))
+    step = np.where(at.motion != 0, off[:, None], 0.0)
+    motion = np.concatenate([at.motion + step * (np.arange(len(off)) == k)[:, None] for k in range(MOVED)], axis=1)
+    phi, sense, force = np.tile((at.phi, at.sense, at.force), MOVED)
+    return Points(phi, motion, sense, force, acceleration(task, wide(loads), phi, motion))
 
 
-def apart(one: Values, other: Values, size: float) -> float:
-    """The largest difference over a size."""
-    return float(np.max(np.abs(one - other), initial=0.0)) / size if size else 0.0
+def shift(moved: Values, exact: Values, size: float) -> float:
+    """By how much rows (3 m,) at `moved_points` differ from those (m,) at the points, in sum, over a size."""
+    apart = np.sum(np.abs(moved.reshape(MOVED, -1) - exact), axis=0)
+    return float(np.max(apart, initial=0.0)) / size if size else 0.0
 
 
 def at_sides(task: CamTask, loads: Loads, phi: Values) -> Points:
@@ -69,7 +76,7 @@ def force_errors(
     errors = {}
     for (name, found, true), (_, _, off) in zip(_rows(course, now, exact), _rows(course, now, moved), strict=True):
         size = float(np.max(np.abs(found)))
-        errors[name] = relative(found[which], true, size) + apart(off, true, size)
+        errors[name] = relative(found[which], true, size) + shift(off, true, size)
     if of.follower.kind == "oscillating":
         found = pivot_force(follower, points.motion[:, which], now.contact[which], now.sine[which], now.cosine[which])
         true = pivot_force(of.follower, again.motion, exact.contact, exact.sine, exact.cosine)

@@ -12,8 +12,9 @@ from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName
 from tmmcalc.cams.indexing.results import Cam, FlankTable, PressureReached
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.profile.offsets import frame
-from tmmcalc.cams.rounding import APART, EPS, FLOOR, MARGIN, Errors, chosen, crest, nearer, relative, root_error, slopes
+from tmmcalc.cams.rounding import APART, FLOOR, MARGIN, Errors, chosen, crest, nearer, relative, root_error, slopes
 from tmmcalc.cams.wide import wide
+from tmmcalc.numerics.extended import EPS
 
 SAMPLES = 33  # of a law, for its size
 NEAR = 1e-12  # of the step: an angle between two pieces of the law

@@ -16,7 +16,7 @@ import numpy as np
 from tmmcalc.cams.forces.kernels import Guided
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.checks import closure
-from tmmcalc.cams.optimum.guide import TALL, Held, Range, masked, solved
+from tmmcalc.cams.optimum.guide import NEVER, TALL, Held, Range, masked, solved
 from tmmcalc.cams.optimum.margins import NAMES, SLACK
 from tmmcalc.cams.optimum.peaks import crest, largest, peak
 from tmmcalc.cams.optimum.relax import bought
@@ -74,9 +74,9 @@ def lengths(scene: Scene) -> Callable[[Values], Range]:
 
     def held(limit: Values) -> Range:
         """R <= limit."""
-        return solved(lever, 1 - force / np.maximum(limit, 1 / TALL), scene.panels)
+        return solved(lever, 1 - force / np.maximum(limit, NEVER), scene.panels)
 
-    every = held(np.full((1, 1), TALL))
+    every = held(np.full((1, 1), np.inf))
     if need.guide_pressure is not None and guide.stem is not None and guide.land is not None:
         pressed = couple / (need.guide_pressure * 2 * guide.land * guide.stem)
         every = every.meet(solved(lever + pressed, np.ones((1, len(slide))), scene.panels))
@@ -100,7 +100,7 @@ def _shafted(scene: Scene, start: Values, held: Held) -> Range:
     size = np.floor(start / WHOLE + ROUNDING).astype(int)
     least = int(size.min())
     seen = np.flatnonzero(np.bincount(size - least))
-    radius, limit = WHOLE * (least + seen[:, None]), np.full((1, 1), TALL)
+    radius, limit = WHOLE * (least + seen[:, None]), np.full((1, 1), np.inf)
     if need.span is not None and need.deflection is not None:
         limit = radius**4 * 12 * pi * need.young * need.deflection / need.span**3
     if need.span is not None and need.bending is not None:

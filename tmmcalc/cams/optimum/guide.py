@@ -84,7 +84,7 @@ def _ranges(scene: Scene, start: Values, roller: Values) -> dict[int, Range]:
         """R <= limit."""
         return solved(lever, useful - force / np.maximum(limit, NEVER))
 
-    every = held(np.full((1, 1), TALL))
+    every = held(np.full((1, 1), np.inf))
     found = {3: masked(convex >= -SLACK), 4: masked(concave >= -SLACK), **dict.fromkeys(SINGLE[2:], every)}
     pin = None if need.pin is None else np.full((1, 1), need.pin)
     if need.pin_pressure is not None:

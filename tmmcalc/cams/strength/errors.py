@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from tmmcalc.cams.forces.errors import apart, at_sides, moved_points, wide_points
+from tmmcalc.cams.forces.errors import at_sides, moved_points, shift, wide_points
 from tmmcalc.cams.forces.results import SpringFound
 from tmmcalc.cams.forces.state import Carried, State, state
 from tmmcalc.cams.forces.turn import Points
@@ -66,7 +66,7 @@ def strength_errors(
     errors = {}
     for name, values in found.items():
         size = float(np.max(np.abs(values)))
-        errors[name] = relative(values[which], exact[name], size) + apart(off[name], exact[name], size)
+        errors[name] = relative(values[which], exact[name], size) + shift(off[name], exact[name], size)
     return errors | {"extremes": max(_extremes(there, of, turns, margins, shaft))}
 
 

@@ -14,11 +14,11 @@ from tmmcalc.gears.model import Values
 from tmmcalc.numerics.extended import PI
 from tmmcalc.records import record
 
-TINY = 1e-12  # [normal module] radius of curvature of an involute that does not reach so far down
+LEAST_RADIUS = 1e-12  # [normal module] radius of curvature of an involute that does not reach so far down
 
 
 @record
-class Side:
+class ExactSide:
     """One wheel; scalars are longdoubles."""
 
     reference: Any
@@ -32,7 +32,7 @@ class Exact:
     """The constants of a frame from the data of its task alone; scalars are longdoubles."""
 
     frame: Frame
-    sides: tuple[Side, Side]
+    sides: tuple[ExactSide, ExactSide]
     sine: Any  # of alpha_t
     level: Any  # inv(alpha_t)
     pitch: Any  # p_bt
@@ -88,14 +88,14 @@ def exact_of(frame: Frame) -> Exact:
     angle = np.arctan(np.tan(np.longdouble(rack.angle)) / np.cos(helix))
     sine, level = np.sin(angle), involute_extended(angle)
 
-    def side(wheel: Wheel) -> Side:
+    def side(wheel: Wheel) -> ExactSide:
         reference = wheel.teeth / (2 * np.cos(helix))
         least = np.longdouble(rack.straight) - reference * sine**2
-        return Side(reference, reference * np.cos(angle), least, PI / (2 * wheel.teeth) + level)
+        return ExactSide(reference, reference * np.cos(angle), least, PI / (2 * wheel.teeth) + level)
 
     sides = side(frame.task.first), side(frame.task.second)
     return Exact(frame, sides, sine, level, PI / np.cos(helix) * np.cos(angle), np.tan(helix))
 
 
 def _curvature(radius: Long, base: Any) -> Long:
-    return np.sqrt(np.maximum((radius - base) * (radius + base), np.longdouble(TINY) ** 2))
+    return np.sqrt(np.maximum((radius - base) * (radius + base), np.longdouble(LEAST_RADIUS) ** 2))
