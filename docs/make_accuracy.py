@@ -13,8 +13,8 @@ from pathlib import Path
 from tmmcalc import load_spec
 from tmmcalc.accuracy.measure import Clock
 from tmmcalc.accuracy.solve import solve_accuracy
-from tmmcalc.accuracy.study import Accuracy, Ladder, Series, Study, pareto
-from tmmcalc.report.accuracy import called
+from tmmcalc.accuracy.study import Accuracy, Ladder, Series, Study
+from tmmcalc.report.accuracy import TOLERANCES, called, told
 from tmmcalc.report.pictures import draw_accuracy
 
 HOME = Path(__file__).parent
@@ -27,14 +27,15 @@ SCENES = {
     "gears-single-planets": "Planetary train",
     "cam-translating": "Cam with a translating roller follower",
 }
-TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
 MIDDLE = 1e-6  # tolerance for which the methods are named that never reach it
 ABOVE = 0.25  # part of the order by theory that the observed one may lack without a word
+SETTLED = "Without a choice of methods in this scene:"
 HEAD = """# Accuracy
 
 Every method that the program has for a stage, with its error against a reference and its run time, on ready specs.
 Errors are the largest over all positions, relative to the largest magnitude of the quantity. The reference of each
-study is proved better than what it judges: it says how, and its own error. Times are medians on {cores} cores;
+study says how it was found, and its own error. The best of all are those settings that no other beats in both time and
+the error that they and all finer ones of their method keep. Times are medians on {cores} cores;
 their ratios are what matters. `make accuracy` writes this page afresh, `tmmcalc accuracy my.toml` does it for a spec.
 """
 
@@ -51,9 +52,10 @@ def _scene(name: str, heading: str) -> str:
     picture = HOME / "accuracy" / f"{name}.svg"
     picture.parent.mkdir(exist_ok=True)
     draw_accuracy(result, picture, heading)
-    told = [f"## {heading}\n", f"`configs/{name}.toml`\n", f"![error over run time](accuracy/{name}.svg)\n"]
+    begun = [f"## {heading}\n", f"`configs/{name}.toml`\n", f"![error over run time](accuracy/{name}.svg)\n"]
     parts = [_study(study) for study in result.studies] + [_ladder(ladder) for ladder in result.ladders]
-    return "\n".join((*told, _orders(result), *parts))
+    settled = [f"{SETTLED} {', '.join(result.settled)}.\n"] if result.settled else []
+    return "\n".join((*begun, *settled, _orders(result), *parts))
 
 
 def _tell(words: str) -> None:
@@ -74,8 +76,8 @@ def _rows(result: Accuracy) -> Iterator[str]:
         for series in study.series:
             if series.expected is not None and series.order is not None:
                 why = series.note if _lacks(series) else ""
-                told = f"{series.expected:.3g} | {series.order:.2f} | {why} |"
-                yield f"| {study.stage} | {study.quantity} | {series.method} | {told}"
+                orders = f"{series.expected:.3g} | {series.order:.2f} | {why} |"
+                yield f"| {study.stage} | {study.quantity} | {series.method} | {orders}"
 
 
 def _lacks(series: Series) -> bool:
@@ -84,28 +86,26 @@ def _lacks(series: Series) -> bool:
 
 def _study(study: Study) -> str:
     """The front of a study: what no other setting beats in both error and time."""
-    points = [point for series in study.series for point in series.points]
-    best = {id(point): series for series in study.series for point in series.points}
     rows = [
-        f"| {called(best[id(point)], point)} | {point.error:.1e} | {(point.seconds or 0.0) * 1e3:.3g} |"
-        for point in pareto(points)
+        f"| {called(series, point)} | {point.error:.1e} | {(point.seconds or 0.0) * 1e3:.3g} |"
+        for series, point in study.front
     ]
     reference = f"Reference: {study.reference.name}, error {study.reference.error:.1e}."
-    told = " ".join((reference, *_missed(study)))
+    words = " ".join((reference, *_missed(study)))
     return "\n".join(
-        (f"### {study.stage}: {study.quantity}\n", told, "", "| best of all | error | time, ms |", "|---|---|---|",
+        (f"### {study.stage}: {study.quantity}\n", words, "", "| best of all | error | time, ms |", "|---|---|---|",
          *rows, "")
     )  # fmt: skip
 
 
 def _missed(study: Study) -> Iterator[str]:
-    """Tolerances that no method reaches, and the methods that come to none of the middle one."""
-    missed = [f"{tolerance:.0e}" for tolerance in TOLERANCES if study.cheapest(tolerance) is None]
+    """Tolerances that no method keeps, and the methods that come to none of the middle one."""
+    missed = [told(tolerance) for tolerance in TOLERANCES if study.cheapest(tolerance) is None]
     if missed:
-        yield f"No method reaches {', '.join(missed)}."
+        yield f"No method keeps {', '.join(missed)}."
     never = [series.method for series in study.series if series.cheapest(MIDDLE) is None]
     if never and len(never) < len(study.series):
-        yield f"At no setting below {MIDDLE:.0e}: {', '.join(never)}."
+        yield f"No setting keeps {told(MIDDLE)} of: {', '.join(never)}."
 
 
 def _ladder(ladder: Ladder) -> str:

@@ -69,7 +69,25 @@ def test_rows_for_programs_hold_studies_and_ladders() -> None:
     assert tuple(table.headers) == TOLD
     rows = list(zip(*table.columns, strict=True))
     assert len(rows) == 5 + 2 * len(LADDER.rungs)
+    assert [row[-1] for row in rows[:5]] == ["1e-03", "1e-06 1e-09", "", "", "1e-03 1e-06 1e-09 1e-12"]
+    asked = tidy_document(ALL, "All", 1e-2).table
+    assert asked is not None
+    assert list(asked.columns[-1][:5]) == ["", "", "1e-02", "", "1e-02"]
     assert {row[4] for row in rows} >= {"fine", "broken", "choice of the program, collocation", "fixed step of 0.01 s"}
+
+
+def test_tolerances_keep_their_digits() -> None:
+    facts = accuracy_document(ALL, "All", 1.44e-6).parts[0].facts
+    assert {fact.label for fact in facts} >= {"cheapest for 1.44e-06", "never 1.44e-06"}
+    assert "cheapest_1.44e-06" in {key for fact in facts for key in fact.values}
+
+
+def test_what_is_near_by_chance_is_told_so() -> None:
+    lucky = Series("table", (Point("a", 1.0, 1e-16, 1e-4), Point("b", 0.5, 1e-3, 2e-4), Point("c", 0.2, 1e-4, 3e-4)))
+    part = accuracy_document(Accuracy((Study("s", "q", EXACT, (lucky,)),), ()), "One", 1e-6).parts[0]
+    facts = {fact.label: fact.text for fact in part.facts}
+    assert facts["cheapest for 1e-06"] == "none reaches it"
+    assert facts["never 1e-06"] == "table: 1.0e-16 at best, a, by chance: finer ones miss it"
 
 
 def test_what_never_reaches_a_tolerance_says_so() -> None:

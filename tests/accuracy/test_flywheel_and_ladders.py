@@ -2,52 +2,46 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from tmmcalc import load_spec
 from tmmcalc.accuracy.ladder import ASKED, STIFFNESSES, ladders
-from tmmcalc.accuracy.measure import Clock
 from tmmcalc.accuracy.solve import solve_accuracy
-from tmmcalc.accuracy.study import Series, Study
 from tmmcalc.machine.transient.task import beginning
 from tmmcalc.pipeline.runner import run
 from tmmcalc.report.accuracyladder import ladder_document
 from tmmcalc.stages import transient
 
-CONFIGS = Path(__file__).parents[2] / "configs"
-ONCE = Clock(repeats=1, budget=0.0)
-
-
-def _series(study: Study, name: str) -> Series:
-    return next(series for series in study.series if series.method == name)
-
-
-def _errors(series: Series) -> list[float]:
-    return [point.error for point in series.points if point.error is not None]
+from .scenes import CONFIGS, ONCE, errors_in, errors_of, series_of, studies_of
 
 
 def test_flywheel_under_a_motor() -> None:
     for study in solve_accuracy(load_spec(CONFIGS / "piston-pump.toml"), "flywheel", ONCE).studies:
         assert study.reference.error < 1e-12
-        assert max(_errors(_series(study, "search"))) < 2e-9
-        bisection = _series(study, "bisection")
+        assert max(errors_of(study, "search")) < 2e-9
+        bisection = series_of(study, "bisection")
         assert bisection.order == pytest.approx(1.0, abs=0.2)
-        assert _errors(bisection)[-1] < 1e-10
-        corrections = _errors(_series(study, "correction (3.60)"))
+        assert errors_in(bisection)[-1] < 1e-10
+        corrections = errors_of(study, "correction (3.60)")
         assert corrections == sorted(corrections, reverse=True)
-        assert min(_errors(_series(study, "tangents, exact"))) > 0.1, "the slip of the motor is left out"
+        assert min(errors_of(study, "tangents, exact")) > 0.1, "the slip of the motor is left out"
 
 
 def test_flywheel_under_forces_of_position() -> None:
     studies = solve_accuracy(load_spec(CONFIGS / "press.toml"), "flywheel", ONCE).studies
     assert {study.quantity for study in studies} == {"constant inertia needed", "unevenness reached"}
     for study in studies:
-        assert max(_errors(_series(study, "tangents, exact"))) < 1e-13
+        assert max(errors_of(study, "tangents, exact")) < 1e-13
         delta = 0.1 / 2  # of the speeds; the textbook drops its square
-        assert max(_errors(_series(study, "tangents, book"))) < delta**2
-        assert _series(study, "table, book").order == pytest.approx(1.2, abs=0.2), "the load of the press jumps"
+        assert max(errors_of(study, "tangents, book")) < delta**2
+        assert series_of(study, "table, book").order == pytest.approx(1.2, abs=0.2), "the load of the press jumps"
+
+
+def test_each_quantity_has_the_error_of_its_own_reference() -> None:
+    """Where the allowed unevenness is tiny, an inertia to rounding leaves more of it than that."""
+    inertia, delta = studies_of("extreme/delta-tiny", "flywheel").values()
+    assert delta.reference.error >= inertia.reference.error
+    assert delta.reference.error > 1e-12 > inertia.reference.error
 
 
 @pytest.mark.slow

@@ -7,44 +7,26 @@ from itertools import pairwise
 import mpmath as mp
 import pytest
 
-from tmmcalc import load_spec
-from tmmcalc.accuracy.measure import Clock
 from tmmcalc.accuracy.pair import TERMS
-from tmmcalc.accuracy.solve import solve_accuracy
-from tmmcalc.accuracy.study import FLOOR, Series, Study
+from tmmcalc.accuracy.study import FLOOR
 
-from .test_machine_subjects import CONFIGS
-
-ONCE = Clock(repeats=1, budget=0.0)
-
-
-def _studies(name: str, stage: str) -> dict[str, Study]:
-    found = solve_accuracy(load_spec(CONFIGS / f"{name}.toml"), stage, ONCE)
-    return {study.quantity: study for study in found.studies}
-
-
-def _series(study: Study, name: str) -> Series:
-    return next(series for series in study.series if series.method == name)
-
-
-def _errors(series: Series) -> list[float]:
-    return [point.error for point in series.points if point.error is not None]
+from .scenes import errors_in, errors_of, series_of, studies_of
 
 
 @pytest.mark.parametrize("name", ["pair-spur", "pair-helical"])
 def test_inverses_of_the_involute(name: str) -> None:
-    for study in _studies(name, "pair").values():
+    for study in studies_of(name, "pair").values():
         assert study.reference.error < 1e-18
-        for point in _series(study, "bisection").points:  # within the bracket, anywhere in it
+        for point in series_of(study, "bisection").points:  # within the bracket, anywhere in it
             assert (point.error or 0.0) < 3 * point.size + 1e-15
-        newton = _errors(_series(study, "Newton (4.57)"))
+        newton = errors_of(study, "Newton (4.57)")
         assert newton[-1] < 1e-14
         quadratic = [later < 40 * former**1.9 for former, later in pairwise(newton)]
         assert all(later or error < 1e-14 for later, error in zip(quadratic, newton[1:], strict=True))
-        fixed, terms = _errors(_series(study, "fixed point")), _errors(_series(study, "series"))
+        fixed, terms = errors_of(study, "fixed point"), errors_of(study, "series")
         assert fixed == sorted(fixed, reverse=True)
         assert terms[-1] < 1e-3 * terms[2]
-        assert _errors(_series(study, "Newton from the right"))[0] < 1e-14
+        assert errors_of(study, "Newton from the right")[0] < 1e-14
 
 
 def test_the_series_of_the_inverse_involute_ends_with_its_next_term() -> None:
@@ -63,34 +45,34 @@ def test_the_series_of_the_inverse_involute_ends_with_its_next_term() -> None:
 
 @pytest.mark.parametrize("name", ["pair-spur", "pair-blocking"])
 def test_rasters_are_of_first_order_and_roots_are_exact(name: str) -> None:
-    area, total = _studies(name, "blocking").values()
-    assert _series(area, "raster").order == pytest.approx(1.0, abs=0.25)
+    area, total = studies_of(name, "blocking").values()
+    assert series_of(area, "raster").order == pytest.approx(1.0, abs=0.25)
     assert area.reference.error < 1e-10
-    edges = _errors(_series(area, "edges between corners"))
+    edges = errors_of(area, "edges between corners")
     assert edges[-1] < 1e-8 < 1e-4 < edges[0]
-    assert _errors(_series(area, "raster"))[-1] > 1e-3
-    assert _errors(_series(total, "edges between corners")) == pytest.approx([FLOOR] * 5, abs=1e-13)
-    assert _errors(_series(total, "lines of constant sum"))[-1] > 1e-4
+    assert errors_of(area, "raster")[-1] > 1e-3
+    assert errors_of(total, "edges between corners") == pytest.approx([FLOOR] * 5, abs=1e-13)
+    assert errors_of(total, "lines of constant sum")[-1] > 1e-4
 
 
 @pytest.mark.parametrize("name", ["pair-spur", "pair-helical"])
 def test_orders_of_drawn_teeth(name: str) -> None:
-    fillet, involute = _studies(name, "profile").values()
-    assert _series(fillet, "positions of the rack").order == pytest.approx(2.0, abs=0.1)
+    fillet, involute = studies_of(name, "profile").values()
+    assert series_of(fillet, "positions of the rack").order == pytest.approx(2.0, abs=0.1)
     for study in (fillet, involute):
-        assert _series(study, "chords").order == pytest.approx(2.0, abs=0.15)
-        assert _series(study, "cubics").order == pytest.approx(4.0, abs=0.35)
+        assert series_of(study, "chords").order == pytest.approx(2.0, abs=0.15)
+        assert series_of(study, "cubics").order == pytest.approx(4.0, abs=0.35)
 
 
 def test_stepping_and_complete_search() -> None:
     """The complete search is never beaten; the textbook's program passes sets over."""
     for name in ("gears-double-planets", "gears-coaxial"):
-        for study in _studies(name, "train").values():
-            complete, stepping = _series(study, "complete search"), _series(study, "textbook's stepping")
-            assert _errors(complete)[-1] == FLOOR
+        for study in studies_of(name, "train").values():
+            complete, stepping = series_of(study, "complete search"), series_of(study, "textbook's stepping")
+            assert errors_in(complete)[-1] == FLOOR
             assert study.reference.error == 0
             for one, other in zip(complete.points, stepping.points, strict=True):
                 if other.error is not None:
                     assert one.error is not None
                     assert one.error <= other.error
-                    assert (one.evaluations or 0) >= (other.evaluations or 0)
+                    assert (one.count or 0) >= (other.count or 0)

@@ -12,7 +12,7 @@ import pytest
 from tmmcalc import NoSolutionError
 from tmmcalc.accuracy.measure import Clock, Way, relative, series
 from tmmcalc.accuracy.order import observed
-from tmmcalc.accuracy.study import FLOOR, Point, Reference, Series, Study, pareto
+from tmmcalc.accuracy.study import FLOOR, Point, Reference, Series, Study
 
 SIZES = [1 / 4, 1 / 8, 1 / 16, 1 / 32, 1 / 64, 1 / 128, 1 / 256, 1 / 512]
 
@@ -71,6 +71,7 @@ def test_errors_are_relative_to_the_largest_and_never_zero() -> None:
     assert relative(exact + np.array([1.0, 0.0]), exact) == pytest.approx(0.01)
     assert relative(exact, exact) == FLOOR
     assert relative(np.zeros(3), np.zeros(3)) == FLOOR
+    assert relative(3.0, 2.0, 10.0) == pytest.approx(0.1)
 
 
 def test_the_median_leaves_the_first_run_out() -> None:
@@ -96,9 +97,41 @@ def test_a_long_run_is_made_once_but_for_the_first_of_a_method() -> None:
 def test_cheapest_and_front() -> None:
     slow, fast, coarse = Point("s", 1, 1e-9, 2.0), Point("f", 1, 1e-8, 1.0), Point("c", 1, 1e-2, 0.1)
     bad, broken = Point("b", 1, 1e-2, 3.0), Point("x", 1, None, None, failed="no")
-    study = Study("s", "q", Reference("r", 0.0), (Series("a", (slow, bad)), Series("b", (fast, coarse, broken))))
+    study = Study("s", "q", Reference("r", 0.0), (Series("a", (bad, slow)), Series("b", (coarse, fast, broken))))
     assert [_point(study, t) for t in (1e-1, 1e-5, 1e-9, 1e-12)] == [coarse, fast, slow, None]
-    assert pareto([slow, fast, coarse, bad, broken]) == (coarse, fast, slow)
+    assert [point for _, point in study.front] == [coarse, fast, slow]
+
+
+def _timed(*errors: float) -> Series:
+    """A method whose settings take ever longer."""
+    return Series("m", tuple(Point(str(k), None, error, 1.0 + k) for k, error in enumerate(errors)))
+
+
+def test_a_setting_near_the_truth_by_chance_counts_as_the_finer_ones_do() -> None:
+    lucky = _timed(1e-2, 1e-16, 1e-3, 1e-4, 1e-5)
+    assert [kept for _, kept in lucky.sure] == [1e-2, 1e-3, 1e-3, 1e-4, 1e-5]
+    assert lucky.cheapest(1e-12) is None
+    assert lucky.cheapest(1e-4) == lucky.points[3]
+    assert lucky.cheapest(1e-3) == lucky.points[1], "it does keep what the finer ones keep"
+    assert lucky.best == lucky.points[1]
+    front = Study("s", "q", Reference("r", 0.0), (lucky,)).front
+    assert [point.setting for _, point in front] == ["0", "1", "3", "4"]
+
+
+def test_rounding_at_the_fine_end_says_nothing_against_coarser_settings() -> None:
+    differences = _timed(1e-2, 1e-4, 1e-6, 1e-5, 1e-3)
+    assert [kept for _, kept in differences.sure] == [1e-2, 1e-4, 1e-6, 1e-5, 1e-3]
+    assert differences.cheapest(1e-5) == differences.points[2]
+    assert differences.cheapest(1e-4) == differences.points[1]
+    assert differences.cheapest(1e-7) is None
+    assert _timed(1e-3, FLOOR, FLOOR, 2 * FLOOR, FLOOR).cheapest(1e-12).setting == "1"
+
+
+def test_a_setting_without_a_size_has_no_order() -> None:
+    ways = [Way(str(n), None, lambda n=n: 10.0**-n) for n in range(1, 6)]
+    found = series("m", ways, lambda x: float(x), Clock(1))
+    assert found.order is None
+    assert found.points[0].size is None
 
 
 def test_a_method_and_its_best_setting() -> None:

@@ -12,6 +12,7 @@ from tmmcalc.batch.reading import task_of
 from tmmcalc.batch.stacked_results import Results
 from tmmcalc.errors import SpecError, TmmError, UsageError
 from tmmcalc.feasibility.judge import Feasibility
+from tmmcalc.spec.loader import Variants
 
 SHAPER = Path(__file__).parents[2] / "configs" / "shaper.toml"
 CRANK = "mechanism.links[id=1].points.A[0]"
@@ -40,7 +41,7 @@ def spec(tmp_path: Path) -> Path:
 def test_a_map_is_that_of_each_point(spec: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     over = [f"{CRANK}=180 mm:220 mm:4", "flywheel.inertia=120:250:4"]
     together = tmmcalc.map_feasibility(spec, over)
-    monkeypatch.setattr(outcomes, "FEW", 1000)
+    monkeypatch.setattr(stacked, "FEW", 1000)
     alone = tmmcalc.map_feasibility(spec, over)
     assert together.failing == alone.failing
     assert together.values == pytest.approx(alone.values, rel=1e-12)
@@ -68,3 +69,12 @@ def test_a_quantity_that_is_not_there_ends_the_map(spec: Path) -> None:
     task = task_of(spec, [f"{CRANK}=180 mm:220 mm:20"], None, ("feasibility",), ())
     with pytest.raises(UsageError, match=r"with mechanism.* tells no 'R_Z'"):
         list(outcomes.outcomes(task))
+
+
+def test_the_text_is_read_once_for_all_points(spec: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    task = task_of(spec, [f"{CRANK}=180 mm:220 mm:3", "mechanism.grid.positions=12"], None, ("feasibility",), ())
+    read: list[str] = []
+    real = Variants.__init__
+    monkeypatch.setattr(Variants, "__init__", lambda self, *given: read.append(given[1]) or real(self, *given))
+    assert len(list(outcomes.outcomes(task))) == 3
+    assert len(read) == 2  # by what chooses the way, and for the points

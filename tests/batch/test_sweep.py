@@ -94,6 +94,33 @@ def test_points_that_broke_are_tried_again(out: Path, tmp_path: Path) -> None:
     assert (again.loaded, again.sheet.failed) == (False, 0)
 
 
+def test_of_a_finished_table_only_what_broke_is_solved_again(out: Path, tmp_path: Path) -> None:
+    task = sweeptoy.task(tmp_path)
+    sweep(task, solve_here, out.with_name("whole.csv"))
+    good = [sweeptoy.row(task, point) for point in range(24)]
+    for broken in (0, 7, 23):  # point 5 has failed and stays so
+        rows = [*good[:broken], Row(broken, "failed 1", "a fault of the program"), *good[broken + 1 :]]
+        sweep(task, lambda task, blocks, rows=rows: iter([rows]), out, fresh=True)
+        met: list[int] = []
+        again = sweep(task, counting(met), out)
+        assert (met, again.loaded, again.resumed) == ([broken], False, 23)
+        assert out.read_bytes() == out.with_name("whole.csv").read_bytes()
+        assert sweep(task, counting(met), out).loaded
+
+
+def test_a_table_and_a_journal_of_one_task_count_each_point_once(out: Path, tmp_path: Path) -> None:
+    task = sweeptoy.task(tmp_path)
+    good = [sweeptoy.row(task, point) for point in range(24)]
+    rows = [Row(0, "failed 1", "a fault of the program"), *good[1:]]
+    sweep(task, lambda task, blocks: iter([rows]), out)
+    met: list[int] = []
+    with pytest.raises(KeyboardInterrupt):
+        sweep(task, counting(met, stop=10), out, fresh=True)
+    told: list[tuple[int, int]] = []
+    again = sweep(task, counting(met), out, told=lambda done, failed: told.append((done, failed)))
+    assert (len(met), again.resumed, again.sheet.failed, told) == (10, 24, 1, [])
+
+
 def test_another_task_or_a_changed_table_is_solved_again(out: Path, tmp_path: Path) -> None:
     sweep(sweeptoy.task(tmp_path), solve_here, out)
     assert not sweep(sweeptoy.task(tmp_path, 26), solve_here, out).loaded

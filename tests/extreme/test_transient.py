@@ -67,7 +67,7 @@ def test_inertia_ratios_on_a_shaft(ratio: float) -> None:
     motion = moved(f"motor.inertia={1.5 * ratio!r}", "shafts[name=shaft]={name='shaft', stiffness=1000, damping=0.5}")
     momentum = 1.5 * ratio * motion.omega[0] + 1.5 * motion.omega[1]
     expected = 1.5 * (1 + ratio) * BEGIN + (DRIVING - LOAD) * motion.t
-    assert momentum == pytest.approx(expected, rel=1e-8 + motion.error * np.max(motion.omega) / BEGIN)
+    assert momentum == pytest.approx(expected, rel=1e-8 + motion.error * float(np.max(motion.omega)) / BEGIN)
 
 
 def test_no_start_and_stall() -> None:

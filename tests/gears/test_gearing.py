@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from gears.network.trains import EXAMPLES, TEETH
 from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.gears.gearing import GearingTask, layout_task, solve_gearing
+from tmmcalc.gears.gearing import solve_gearing
+from tmmcalc.gears.gearingtask import GearingTask, layout_task
 from tmmcalc.gears.network.basic import basic_train
 from tmmcalc.gears.network.builder import bevel_differential, network_of
 from tmmcalc.gears.network.model import FRAME, INTERNAL, Body, Mesh, Network

@@ -21,7 +21,7 @@ from tmmcalc.linkage.balance.schemes import Balance, lanchester, least_squares_c
 from tmmcalc.linkage.balance.shaking import Shaking, crank_angle, inertia_loads, shaking
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.loading import Body
-from tmmcalc.linkage.rounding import WIDER
+from tmmcalc.numerics.extended import WIDER
 
 pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here: the estimate has no reference")
 

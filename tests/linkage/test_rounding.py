@@ -16,8 +16,9 @@ from tmmcalc.linkage.chain import compile_chain
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Trace
 from tmmcalc.linkage.trace import trace
+from tmmcalc.numerics.extended import WIDER
 
-pytestmark = pytest.mark.skipif(not rounding.WIDER, reason="no wider float here: the estimate has no reference")
+pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here: the estimate has no reference")
 KINDS = ("position", "velocity", "acceleration")
 
 

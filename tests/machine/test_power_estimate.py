@@ -16,8 +16,8 @@ from linkage.reduction.drawn import integrals, solved, wide
 
 from tmmcalc.linkage.reduction.causes import Causes
 from tmmcalc.linkage.reduction.results import Reduction
-from tmmcalc.linkage.rounding import WIDER
 from tmmcalc.machine.power import Power
+from tmmcalc.numerics.extended import WIDER
 from tmmcalc.stages.power import solve
 
 pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here: the estimate has no reference")

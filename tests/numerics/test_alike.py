@@ -2,13 +2,26 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
 from tmmcalc.linkage.model import Input, Link
-from tmmcalc.numerics.alike import Alike, MixedError, Rows, alike, groups, numbers, paths, rebuilt, shape_of
+from tmmcalc.numerics.alike import (
+    Alike,
+    MixedError,
+    Rows,
+    SeveralError,
+    alike,
+    groups,
+    numbers,
+    paths,
+    rebuilt,
+    shape_of,
+)
 
 
 class Pair(NamedTuple):
@@ -29,6 +42,26 @@ def test_questions_that_all_answer_alike() -> None:
         assert several > 2
     with pytest.raises(MixedError):
         assert alike([0.0, 1.0]) or 5.0
+
+
+@pytest.mark.parametrize(
+    "asks",
+    [float, int, complex, hash, round, math.sqrt, math.floor, range, "{:g}".format, lambda x: round(x, 2)],
+)
+def test_what_takes_one_number_is_not_given_several(asks: Callable[[Any], Any]) -> None:
+    with pytest.raises(SeveralError):
+        asks(alike([1.0, 2.0]))
+
+
+def test_the_number_of_one_variant_is_plain() -> None:
+    assert type(Rows(alike([1.0, 2.5]))(1)) is float
+    assert type(Rows(alike([1.0, 2j]))(1)) is complex
+
+
+def test_several_of_one_row_are_a_number() -> None:
+    one = Rows(alike([1.0, 2.5]))(np.array([1]))
+    assert (float(one), int(one), complex(one), math.sqrt(one), f"{one:.2f}") == (2.5, 2, 2.5 + 0j, 2.5**0.5, "2.50")
+    assert (round(one), hash(one)) == (2, hash(2.5))
 
 
 def test_one_number_stays_a_number() -> None:

@@ -91,7 +91,7 @@ def _ways(task: Task, fine: Contour) -> dict[str, list[Way]]:
         "raster": [Way(f"{n} x {n}", 1 / n, lambda n=n: _raster(task, fine.strict, window, n)) for n in GRIDS],  # type: ignore[misc]
         "lines of constant sum": [Way(f"{n} lines", 1 / n, lambda n=n: _lines(fine, n)) for n in LINES],  # type: ignore[misc]
         "edges between corners": [
-            Way(f"{n} points", 0.0, lambda n=n: _of(contour(task, fine.strict, pieces=False, points=n)))  # type: ignore[misc]
+            Way(f"{n} points", None, lambda n=n: _of(contour(task, fine.strict, pieces=False, points=n)))  # type: ignore[misc]
             for n in EDGES
         ],
     }

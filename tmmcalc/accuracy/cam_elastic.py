@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.accuracy.measure import Way, relative, series
+from tmmcalc.accuracy.sampled import beside
 from tmmcalc.accuracy.study import Reference, Study
 from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.cams.elastic import ElasticResult
@@ -27,12 +28,12 @@ from tmmcalc.cams.program import TURN, Program
 from tmmcalc.cams.response import Course, kicks_of, steady
 from tmmcalc.cams.speed import Speed, constant_speed
 from tmmcalc.cams.task import CamTask
-from tmmcalc.cams.wide import WIDER, wide
+from tmmcalc.cams.wide import wide
+from tmmcalc.numerics.extended import WIDER
 from tmmcalc.numerics.panels import Panels
 from tmmcalc.stages.camparts import at_speed
 
 POSITIONS = (90, 180, 360, 720, 1440, 2880, 5760)  # of a turn
-BESIDE = 1e-9  # [rad] of an end of a piece of the law: both pieces are meant
 JUMPS = "of order 2 where the acceleration jumps at positions alone; of order 1 where it does between them"
 
 
@@ -58,7 +59,7 @@ def studies(scene: Scene) -> Iterator[Study]:
         "stretch of the train",
         Reference("panels cut in half, in extended precision (64-bit mantissa)", result.error["residual"]),
         (
-            series("exact on panels", [Way("", 1.0, problem.stretch)], error, scene.clock),
+            series("exact on panels", [Way("", None, problem.stretch)], error, scene.clock),
             *(
                 series(name, [Way(f"{n} positions", 1 / n, partial(solve, n)) for n in POSITIONS], error, scene.clock,
                        expected=2.0, note=note)
@@ -104,7 +105,7 @@ class _Problem:
     def given(self, count: int) -> Values:
         """y'' in time (n,) at n positions; at a jump the mean of both limits."""
         phi = TURN * np.arange(count) / count
-        both = [self.program.at(phi, self.program.piece(np.mod(phi + side, TURN)))[2] for side in (-BESIDE, BESIDE)]
+        both = [self.program.at(at, piece)[2] for at, piece in beside(self.program, phi)]
         return np.asarray((both[0] + both[1]) / 2 * self.omega**2)
 
     def by_harmonics(self, count: int) -> Values:

@@ -13,8 +13,8 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.measure import Way, series
-from tmmcalc.accuracy.study import FLOOR, Reference, Study
+from tmmcalc.accuracy.measure import Way, relative, series
+from tmmcalc.accuracy.study import Reference, Study
 from tmmcalc.accuracy.subjects import Scene as Studied
 from tmmcalc.cams.optimum import flat
 from tmmcalc.cams.optimum.least import least_height
@@ -29,6 +29,7 @@ from tmmcalc.stages.camparts import at_speed
 STEPS = (4e-3, 2e-3, 1e-3, 5e-4)  # [m] of S0, r2 and H2
 COARSE = (8e-3, 4e-3, 2e-3, 1e-3)  # [m] of the complete grid
 DENSER = 4
+ROUNDED = "the least H2 rounded up to a step point: an error below the step, anywhere"
 AROUND = 0.25  # of the sizes of the lowest: how far the complete grid reaches
 
 
@@ -46,17 +47,17 @@ def studies(studied: Studied) -> Iterator[Study]:
     reference = Reference(f"the corner on nodes {DENSER} times as dense", found.error["height"])
 
     def error(height: float) -> float:
-        return max(abs(height - exact) / exact, FLOOR)
+        return relative(height, exact)
 
-    corner = [Way("", 1.0, partial(_corner, scene, found))]
+    corner = [Way("", None, partial(_corner, scene, found))]
     steps = [Way(f"{1e3 * s:g} mm", s, partial(_steps, scene, asked, s)) for s in STEPS]
     every = [
         series("exact corner", corner, error, studied.clock),
-        series("whole steps", steps, error, studied.clock, note="the least H2 rounded up to a step point"),
+        series("whole steps", steps, error, studied.clock, note=ROUNDED, stepwise=False),
     ]
     if not _flat(scene):
         grid = [Way(f"{1e3 * s:g} mm", s, partial(_grid, scene, found, s)) for s in COARSE]
-        every.append(series("complete grid about the lowest", grid, error, studied.clock))
+        every.append(series("complete grid about the lowest", grid, error, studied.clock, note=ROUNDED, stepwise=False))
     yield Study("cam_optimum", "least height H2", reference, tuple(every))
 
 

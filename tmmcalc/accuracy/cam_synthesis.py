@@ -3,20 +3,22 @@
 On the sheet the rays of the limits are drawn at the points of n positions of each phase, and the cam's axis is set
 where it is clear of them all. The raster does so on a grid of e and S0; by lines the corner is exact for the positions
 drawn. Under a flat face S0 follows from the least F = dS + S'' of n positions. The reference closes the conditions at
-the angles that hold the sizes in extended precision.
+the angles that hold the sizes in extended precision. The method names these angles; that it passes none over is told
+by many positions, which never ask for more than all. The least F is looked for by brute force.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 from math import hypot, tan
 
 import numpy as np
 
-from tmmcalc.accuracy.cam_rocker import rocker
-from tmmcalc.accuracy.measure import Clock, Way, series
-from tmmcalc.accuracy.study import FLOOR, Reference, Study
+from tmmcalc.accuracy.cam_rocker import MANY, RASTER, rocker
+from tmmcalc.accuracy.measure import Clock, Way, relative, series
+from tmmcalc.accuracy.sampled import beside, of_positions, summit
+from tmmcalc.accuracy.study import Reference, Study
 from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure import limited_phases
@@ -25,15 +27,13 @@ from tmmcalc.cams.synthesis.flat import find
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.synthesis.translating import Line, Lines, least_start, lines_of, nearest
 from tmmcalc.cams.task import CamTask
-from tmmcalc.cams.wide import WIDER, wide
+from tmmcalc.cams.wide import wide
+from tmmcalc.numerics.extended import WIDER
 
 POSITIONS = (6, 12, 24, 48, 96, 192, 384, 768)  # of a phase
 GRIDS = (10, 20, 40, 80, 160, 320, 640)  # squares along the window of the raster
 DRAWN = 96  # positions of a phase on the raster
 WINDOW = 2.0  # of the raster, in least base circles
-SECOND = "of order 2 on the whole: how near to the extreme a position happens to stand"
-
-Find = Callable[[], float]  # of the base circle [m]
 
 
 def studies(scene: Scene) -> Iterator[Study]:
@@ -51,45 +51,37 @@ def studies(scene: Scene) -> Iterator[Study]:
         yield rocker(task, found, scene.clock)
 
 
-def _study(found: Synthesis, quantity: str, exact: np.longdouble, ways: list[tuple[str, list[Way], str]],
-           clock: Clock) -> Study:  # fmt: skip
-    def error(base: float) -> float:
-        return max(float(abs(base - exact) / exact), FLOOR)
-
-    name = "the conditions at the angles that hold the sizes, closed in extended precision (64-bit mantissa)"
-    every = tuple(series(method, own, error, clock, note=note) for method, own, note in ways)
-    return Study("cam_synthesis", quantity, Reference(name, found.error["sizes"]), every)
-
-
 def _stem(task: CamTask, found: Synthesis, clock: Clock) -> Study:
     lines = lines_of(task)
     best = nearest(lines)
+    closed, asked = _exact(task, lines, best), hypot(*nearest(_sampled(task, MANY)))
+    exact = max(closed, np.longdouble(asked))
+
+    def error(base: float) -> float:
+        return relative(base, exact)
 
     def drawn(count: int) -> float:
         return hypot(*nearest(_sampled(task, count)))
 
-    lines_drawn = _sampled(task, DRAWN)
-
     def raster(squares: int) -> float:
-        step = WINDOW * hypot(*best) / squares
+        step, lines_drawn = WINDOW * hypot(*best) / squares, _sampled(task, DRAWN)
         across = step * np.arange(-squares, squares + 1)
         level = step * np.ceil(np.array([max(least_start(lines_drawn, e), 0.0) for e in across.tolist()]) / step)
         return float(np.min(np.hypot(across, level)))
 
-    return _study(
-        found,
+    ways = [Way(f"{n} positions", 1 / n, partial(drawn, n)) for n in POSITIONS]
+    squares = [Way(f"{n} squares", 1 / n, partial(raster, n)) for n in GRIDS]
+    name = f"the lines that the search finds, closed in extended precision; {MANY} positions a phase ask for no more"
+    own = max(found.error["sizes"], float((exact - closed) / exact))
+    return Study(
+        "cam_synthesis",
         "least base circle",
-        _exact(task, lines, best),
-        [
-            ("exact lines of the limits", [Way("", 1.0, lambda: hypot(*nearest(lines_of(task))))], ""),
-            ("lines of n positions", [Way(f"{n} positions", 1 / n, partial(drawn, n)) for n in POSITIONS], SECOND),
-            (
-                f"raster, {DRAWN} positions",
-                [Way(f"{n} squares", 1 / n, partial(raster, n)) for n in GRIDS],
-                "of order 1 down to what the positions miss",
-            ),
-        ],
-        clock,
+        Reference(name, own),
+        (
+            series("exact lines of the limits", [Way("", None, lambda: hypot(*nearest(lines_of(task))))], error, clock),
+            of_positions("lines of n positions", ways, error, clock),
+            series(f"raster, {DRAWN} positions", squares, error, clock, note=RASTER, stepwise=False),
+        ),
     )
 
 
@@ -124,22 +116,31 @@ def _exact(task: CamTask, lines: Lines, best: tuple[float, float]) -> np.longdou
 def _flat(task: CamTask, found: Synthesis, clock: Clock) -> Study:
     convexity = found.convexity
     assert convexity is not None
-    phi = wide(np.array([convexity.least.phi]))
-    sides = task.program.piece(phi - 1e-9), task.program.piece(phi + 1e-9)
-    motions = [task.program.wider.at(phi, piece) for piece in sides]
-    least = min(np.longdouble((motion[0] + motion[2])[0]) for motion in motions)
+
+    def short(phi: Values) -> Values:
+        """S0 (1, m) that convexity asks for, of both sides of an end of a piece of the law the larger."""
+        sides = [task.program.wider.at(at, piece) for at, piece in beside(task.program, wide(phi))]
+        return np.max([task.limits.convex - (motion[0] + motion[2]) for motion in sides], axis=0)[None]
+
+    exact = summit(short, TURN, [convexity.least.phi])
+
+    def error(start: float) -> float:
+        return relative(start, exact.values)
 
     def drawn(count: int) -> float:
         motion = task.program.at(np.linspace(0.0, TURN, count + 1))
         return float(task.limits.convex - np.min(motion[0] + motion[2]))
 
-    return _study(
-        found,
+    ways = [Way(f"{4 * n} positions", 1 / n, partial(drawn, 4 * n)) for n in POSITIONS]
+    return Study(
+        "cam_synthesis",
         "least start distance",
-        wide(task.limits.convex) - least,
-        [
-            ("exact least F", [Way("", 1.0, lambda: find(task)[0])], ""),
-            ("F of n positions", [Way(f"{4 * n} positions", 1 / n, partial(drawn, 4 * n)) for n in POSITIONS], SECOND),
-        ],
-        clock,
+        Reference(
+            "ever finer positions about the least F, in extended precision (64-bit mantissa)",
+            max(found.error["sizes"], exact.short),
+        ),
+        (
+            series("exact least F", [Way("", None, lambda: find(task)[0])], error, clock),
+            of_positions("F of n positions", ways, error, clock),
+        ),
     )

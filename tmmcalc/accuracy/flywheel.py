@@ -18,8 +18,8 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.measure import Way, by_quantity
-from tmmcalc.accuracy.study import FLOOR, Reference, Series, Study
+from tmmcalc.accuracy.measure import Way, by_quantity, relative
+from tmmcalc.accuracy.study import Reference, Series, Study
 from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.machine.cycle import Cycle
@@ -56,17 +56,17 @@ def studies(scene: Scene) -> Iterator[Study]:
     problem = _Problem(cycle, machine.at_hand.total, machine.driver, result.delta, speed)
     exact, own = problem.reference()
     name = "Brent's method" if machine.driver is not None else "exact tangents"
-    reference = Reference(f"{name} on panels cut in half", own)
+    name = f"{name} on panels cut in half"
 
     def missed_inertia(inertia: float) -> float:
-        return max(abs(inertia - exact) / exact, FLOOR)
+        return relative(inertia, exact)
 
     def missed_delta(inertia: float) -> float:
-        return max(abs(problem.reached(inertia) / result.delta - 1), FLOOR)
+        return relative(problem.reached(inertia), result.delta)
 
-    every = zip(*_series(problem, (missed_inertia, missed_delta), scene), strict=True)
-    for quantity, found in zip(("constant inertia needed", "unevenness reached"), every, strict=True):
-        yield Study("flywheel", quantity, reference, found)
+    inertias, deltas = zip(*_series(problem, (missed_inertia, missed_delta), scene), strict=True)
+    yield Study("flywheel", "constant inertia needed", Reference(name, own), inertias)
+    yield Study("flywheel", "unevenness reached", Reference(name, max(own, missed_delta(exact))), deltas)
 
 
 def _speed(result: Flywheel, given: float) -> float:
@@ -79,7 +79,7 @@ class _Problem:
 
     def __init__(self, cycle: Cycle, at_hand: float, driver: Driver | None, delta: float, speed: float) -> None:
         self.cycle, self.at_hand, self.driver, self.delta, self.speed = cycle, at_hand, driver, delta, speed
-        self._finer = onto(cycle, cycle.panels.split(np.ones(cycle.panels.count, bool)))
+        self._finer = onto(cycle, cycle.panels.halved())
         self._reached = self.model(self._finer)
 
     def model(self, cycle: Cycle) -> Model:
@@ -106,7 +106,7 @@ class _Problem:
         else:
             near = self.search()
             exact, rough = (self._root(self.model(cycle), near) for cycle in (self._finer, self.cycle))
-        return exact, max(abs(rough - exact) / exact, FLOOR)
+        return exact, relative(rough, exact)
 
     def _root(self, model: Model, near: float) -> float:
         from scipy.optimize import brentq
@@ -156,13 +156,13 @@ class _Problem:
 def _series(problem: _Problem, errors: tuple[Missed, Missed], scene: Scene) -> Iterator[tuple[Series, ...]]:
     clock, driven = scene.clock, problem.driver is not None
     if driven:
-        yield by_quantity("search", [Way("near rounding", 1.0, problem.search)], errors, clock)
+        yield by_quantity("search", [Way("near rounding", None, problem.search)], errors, clock)
         ways = [Way(f"{n} runs", 2.0**-n, partial(problem.bisected, n)) for n in HALVINGS]
         yield by_quantity("bisection", ways, errors, clock, expected=(1.0, 1.0))
-        ways = [Way(f"{n} runs", 1.0 / n, partial(problem.corrected, n)) for n in RUNS]
+        ways = [Way(f"{n} runs", None, partial(problem.corrected, n)) for n in RUNS]
         yield by_quantity("correction (3.60)", ways, errors, clock, note="it approaches the inertia from below")
     for rule in METHODS:
-        ways = [Way("on panels", 1.0, partial(problem.tangent, rule))]
+        ways = [Way("on panels", None, partial(problem.tangent, rule))]
         yield by_quantity(
             f"tangents, {rule.name}", ways, errors, clock, note=LEFT if driven and rule is METHODS[0] else ""
         )

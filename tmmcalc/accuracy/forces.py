@@ -5,25 +5,24 @@
 
 A pass takes the error by the loop gain of the group, so passes are of first order in it and never settle above one.
 The largest reaction of a table is that of its nearest position: of second order in the step, of first where a load
-jumps.
+jumps. All methods start from the linkage and its loads, and end with the largest reactions.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from tmmcalc.accuracy.measure import Clock, Way, relative, series
-from tmmcalc.accuracy.sampled import SECOND, around
+from tmmcalc.accuracy.sampled import COUNTS, of_positions, on_edges, summit
 from tmmcalc.accuracy.study import FLOOR, Reference, Study
 from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.linkage.forces.forces import solve_forces
-from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
+from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
 from tmmcalc.linkage.forces.results import Forces
-from tmmcalc.linkage.forces.stack import stacked
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.plane import Real
 
@@ -33,7 +32,7 @@ if TYPE_CHECKING:
 
 PASSES = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48)
 SETTLED = 400  # passes after which a group that settles at all has
-COUNTS = (12, 24, 48, 96, 192, 384, 768, 1536)  # positions of a cycle
+EXTENDED = float(np.finfo(np.longdouble).eps)
 CREEPS = "a pass takes the error by the loop gain of the group; above one it never settles"
 
 
@@ -42,7 +41,11 @@ def studies(scene: Scene) -> Iterator[Study]:
     result: Forces = scene.results["forces"]
     mechanism, loading = scene.inputs
     kinematics = scene.results["kinematics"]
-    statics = compile_statics(compile_scene(mechanism, loading, kinematics))
+
+    def compiled() -> Statics:
+        return compile_statics(compile_scene(mechanism, loading, kinematics))
+
+    statics = compiled()
     for plan in reversed(statics.plans):
         if any(post.coefficient > 0 for post in plan.posts):
             yield _friction(statics, plan.group.name, result.theta, scene.clock)
@@ -50,7 +53,7 @@ def studies(scene: Scene) -> Iterator[Study]:
     def exact() -> Real:
         return _largest_found(solve_forces(mechanism, loading, kinematics))
 
-    yield _largest(statics, result, [Way("", 1.0, exact)], scene.clock)
+    yield _largest(compiled, result, Way("", None, exact), scene.clock)
 
 
 def _friction(statics: Statics, name: str, theta: Real, clock: Clock) -> Study:
@@ -66,17 +69,17 @@ def _friction(statics: Statics, name: str, theta: Real, clock: Clock) -> Study:
         return relative(found, exact)
 
     reference = Reference(
-        f"{SETTLED} passes where nothing moves any more ({int(still.sum())} of {len(theta)} positions), elsewhere "
-        "Newton's, which one more pass moves by the error",
+        f"{SETTLED} passes where nothing moves any more ({int(still.sum())} of {len(theta)} positions)"
+        + ("" if still.all() else ", elsewhere Newton's own, which one more pass moves by the error"),
         max(float(np.max(moved)), FLOOR),
     )
-    ways = [Way(f"{n} passes" if n > 1 else "1 pass", 0.0, partial(_passed, cut, len(theta), n)) for n in PASSES]
+    ways = [Way(f"{n} passes" if n > 1 else "1 pass", None, partial(_passed, cut, len(theta), n)) for n in PASSES]
     return Study(
         "forces",
         f"friction in {name}",
         reference,
         (
-            series("Newton", [Way("", 1.0, lambda: _by_newton(cut, len(theta)))], error, clock),
+            series("Newton", [Way("", None, lambda: _by_newton(cut, len(theta)))], error, clock),
             series("passes (3.27), (3.28)", ways, error, clock, note=CREEPS),
         ),
     )
@@ -107,29 +110,41 @@ def _largest_found(result: Forces) -> Real:
     return np.array([pair.force.value for pair in result.pairs])
 
 
-def _largest(statics: Statics, result: Forces, exact: list[Way], clock: Clock) -> Study:
+def _largest(compiled: Callable[[], Statics], result: Forces, exact: Way, clock: Clock) -> Study:
     """|R| of every pair; those where nothing presses are left out."""
+    statics = compiled()
     period = float(statics.scene.travel.period)
 
-    def reactions(theta: Real, side: Real) -> Real:
-        return np.abs(stacked(statics, np.clip(theta, 0.0, period), side, checked=False)[0].reaction)
-
     def tabled(count: int) -> Real:
-        return np.asarray(np.max(reactions(period * np.arange(count + 1) / count, np.ones(count + 1)), axis=1))
+        theta = period * np.arange(count + 1) / count
+        return np.asarray(np.max(_reactions(compiled(), theta, 1.0), axis=1))
 
-    true = np.array([np.max(reactions(*around(pair.force.x))[j]) for j, pair in enumerate(result.pairs)])
-    size = np.where(true > FLOOR * np.max(true), true, np.inf)
+    edges = np.array([0.0, *statics.scene.edges(reversals(statics)), period])
+
+    def reached(theta: Real) -> Real:
+        inside = np.clip(on_edges(theta, edges), 0.0, period)
+        return np.maximum(_reactions(statics, inside, 1.0), _reactions(statics, inside, -1.0))
+
+    true = summit(reached, period, [pair.force.x for pair in result.pairs])
+    size = np.where(true.values > FLOOR * np.max(true.values), true.values, np.inf)
 
     def error(found: Real) -> float:
-        return max(float(np.max(np.abs(found - true) / size)), FLOOR)
+        return relative(found / size, true.values / size, 1.0)
 
+    own = EXTENDED if true.values.dtype == np.longdouble else result.error
     ways = [Way(f"{n} positions", 1 / n, partial(tabled, n)) for n in COUNTS]
     return Study(
         "forces",
         "largest reactions",
-        Reference("places ever closer to every maximum, by the equations themselves", result.error),
+        Reference("ever finer positions about the largest, by the equations themselves", max(own, true.short)),
         (
-            series("extremes on panels", exact, error, clock, note="all of the stage, with its positions"),
-            series("table of n positions", ways, error, clock, expected=2.0, note=SECOND),
+            series("extremes on panels", [exact], error, clock, note="with the positions of the stage"),
+            of_positions("table of n positions", ways, error, clock),
         ),
     )
+
+
+def _reactions(statics: Statics, theta: Real, side: float) -> Real:
+    """|R| (J, n) of every pair from one side, in the precision of theta (n,)."""
+    found = statics.solve(statics.scene.place(theta, side), side).reactions
+    return np.array([np.broadcast_to(np.abs(found[j.name].wrench.force), theta.shape) for j in statics.joints])

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from functools import partial
+from operator import attrgetter
 
 import numpy as np
 
@@ -21,12 +22,14 @@ from tmmcalc.linkage.differentiation import differentiate
 from tmmcalc.linkage.kinematics import crank_length
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.results import Kinematics, Trace
-from tmmcalc.linkage.rounding import WIDER
 from tmmcalc.linkage.trace import trace
+from tmmcalc.numerics.extended import WIDER
 
 STEPS_DEG = (10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.02, 0.002, 2e-4)
 ROUNDED = 6  # decimals of a table on paper
-Quantities = tuple[Plane, Real, Real]  # of points, links and prismatic joints: each measured by its own largest value
+VANISHES = 1e-9  # part of what a quantity is made of: a smaller one is zero but for rounding
+
+Quantity = Callable[[Trace], Plane | Real]  # of points, links or prismatic joints: measured by its own largest value
 
 EXTENDED = float(np.finfo(np.longdouble).eps)
 
@@ -40,8 +43,10 @@ def studies(scene: Scene) -> Iterator[Study]:
     exact = trace(chain, result.x.astype(np.longdouble))
     reference = Reference("the same formulas in extended precision (64-bit mantissa)", EXTENDED)
     yield Study("kinematics", "positions", reference, _positions(chain, result, exact, scene.clock))
-    for quantity, of in (("velocities", _velocities), ("accelerations", _accelerations)):
-        yield Study("kinematics", quantity, reference, _derivatives(chain, result, exact, of, scene.clock))
+    of = _quantities(exact)
+    for quantity, each in (("velocities", of[0]), ("accelerations", of[1])):
+        if each:
+            yield Study("kinematics", quantity, reference, _derivatives(chain, result, exact, each, scene.clock))
 
 
 def _positions(chain: Chain, result: Kinematics, exact: Trace, clock: Clock) -> tuple[Series, ...]:
@@ -49,15 +54,15 @@ def _positions(chain: Chain, result: Kinematics, exact: Trace, clock: Clock) -> 
         return relative(found.r, exact.r)
 
     name = "closed form" if all(group.kind for group in chain.structure.groups) else "Newton from the branch"
-    found = [series(name, [Way("", 1.0, partial(trace, chain, result.x, order=0))], error, clock)]
+    found = [series(name, [Way("", None, partial(trace, chain, result.x, order=0))], error, clock)]
     return (*found, *_splitting(chain, result, error, clock, 0))
 
 
 def _derivatives(
-    chain: Chain, result: Kinematics, exact: Trace, of: Callable[[Trace], Quantities], clock: Clock
+    chain: Chain, result: Kinematics, exact: Trace, of: tuple[Quantity, ...], clock: Clock
 ) -> tuple[Series, ...]:
     def error(found: Trace) -> float:
-        return max(relative(a, b) for a, b in zip(of(found), of(exact), strict=True))
+        return max(relative(each(found), each(exact)) for each in of)
 
     x, unit = result.x, crank_length(chain) or 1.0
     per_degree = math.radians(1.0) if result.turns else float(np.ptp(x)) / 360
@@ -70,8 +75,8 @@ def _derivatives(
         ]
 
     return (
-        series("elimination (closed)", [Way("", 1.0, partial(trace, chain, x))], error, clock),
-        series("projections", [Way("", 1.0, partial(trace, chain, x, solvers.projection))], error, clock),
+        series("elimination (closed)", [Way("", None, partial(trace, chain, x))], error, clock),
+        series("projections", [Way("", None, partial(trace, chain, x, solvers.projection))], error, clock),
         *_splitting(chain, result, error, clock, 2),
         series("central differences", ways(None), error, clock, expected=2.0),
         series(
@@ -95,12 +100,28 @@ def _splitting(
     def solve() -> Trace:
         return trace(split_chain(chain), result.x, order=order)
 
-    return (series("splitting into dyads", [Way("", 1.0, solve)], error, clock),)
+    return (series("splitting into dyads", [Way("", None, solve)], error, clock),)
 
 
-def _velocities(found: Trace) -> Quantities:
-    return found.dr, found.dangle, found.ds
+def _quantities(exact: Trace) -> tuple[tuple[Quantity, ...], tuple[Quantity, ...]]:
+    """Velocities and accelerations of points, links and prismatic joints, without those that are zero but for rounding.
+
+    Such are the acceleration of a driven slider by its own coordinate, and the turning of links that only slide.
+    """
+    length = float(np.ptp(exact.r.real) + np.ptp(exact.r.imag)) or 1.0
+    speed = max(_largest(exact.dr), _largest(exact.ds), length * _largest(exact.dangle))
+    made_of = (speed, speed / length, speed), (speed**2 / length, (speed / length) ** 2, speed**2 / length)
+    names = ("dr", "dangle", "ds"), ("ddr", "ddangle", "dds")
+    velocities, accelerations = (
+        tuple(
+            attrgetter(name)
+            for name, size in zip(order, sizes, strict=True)
+            if _largest(getattr(exact, name)) > VANISHES * size
+        )
+        for order, sizes in zip(names, made_of, strict=True)
+    )
+    return velocities, accelerations
 
 
-def _accelerations(found: Trace) -> Quantities:
-    return found.ddr, found.ddangle, found.dds
+def _largest(values: Plane | Real) -> float:
+    return float(np.max(np.abs(values), initial=0.0))

@@ -20,6 +20,7 @@ import numpy as np
 from tmmcalc.accuracy.measure import Clock, relative
 from tmmcalc.accuracy.order import observed
 from tmmcalc.accuracy.study import Ladder, Reference, Rung
+from tmmcalc.accuracy.timed import STAGES
 from tmmcalc.errors import AccuracyError
 from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Drive
@@ -32,7 +33,6 @@ STIFFNESSES = tuple(10.0**k for k in range(3, 10))  # [N*m/rad]
 LAGS = tuple(10.0**-k for k in range(8))  # [s]
 LONGEST = 0.2  # of the motion that is run on every rung [s]
 ASKED = 0.01  # step of the textbook [s]
-STAGES = 5  # evaluations of a Kutta-Merson step
 REFERENCE = 1e-8  # tolerance of a step of the reference, whose error is of fifth order
 BUDGET = 200_000  # evaluations of the reference
 INSTANTS = 48
@@ -71,7 +71,7 @@ def _ladder(
     scenario: Scenario,
     clock: Clock,
 ) -> Ladder:
-    rungs = tuple(_rung(make(drive, value), value, scenario, clock) for value in values)
+    rungs = tuple(_rung(make(drive, value), value, scenario, clock, fresh=value == values[0]) for value in values)
     return Ladder(
         "transient",
         f"{quantity}, {scenario.name}",
@@ -91,13 +91,13 @@ def _power(values: list[float], limits: list[float]) -> float | None:
     return None if power is None else -power if falls else power
 
 
-def _rung(drive: Drive, value: float, scenario: Scenario, clock: Clock) -> Rung:
+def _rung(drive: Drive, value: float, scenario: Scenario, clock: Clock, fresh: bool) -> Rung:
     instants = np.linspace(0.0, scenario.duration, INSTANTS + 2)[1:-1]
 
     def run(method: Method) -> Transient:
         return simulate(drive, scenario, method, instants.tolist())
 
-    found, seconds, _ = clock.median(lambda: run(Method(compared=False)))
+    found, seconds, _ = clock.median(lambda: run(Method(compared=False)), fresh)
     exact, own = _exact(run, found, instants)
     scales = found.scales
     steps = scales.steps if scales is not None else 1.0
@@ -114,7 +114,7 @@ def _rung(drive: Drive, value: float, scenario: Scenario, clock: Clock) -> Rung:
         rigid=bool(found.rigid),
         evaluations=found.counters["evaluations"],
         seconds=seconds,
-        error=found.error if exact is None else relative(_speeds(found, instants), exact),
+        error=found.error if exact is None else relative(speeds(found, instants), exact),
         reference=own,
     )
 
@@ -127,7 +127,7 @@ def _exact(run: Callable[[Method], Transient], found: Transient, instants: Value
         motion = run(Method("Radau", tolerance=REFERENCE, budget=BUDGET, compared=False))
     except AccuracyError:
         return None, 0.0
-    return _speeds(motion, instants), motion.error
+    return speeds(motion, instants), motion.error
 
 
 def _asked(run: Callable[[Method], Transient], exact: Values | None, instants: Values) -> tuple[float | None, str]:
@@ -136,10 +136,10 @@ def _asked(run: Callable[[Method], Transient], exact: Values | None, instants: V
         motion = run(Method("merson", step=ASKED, compared=False))
     except AccuracyError as fault:
         return None, fault.message
-    return (None if exact is None else relative(_speeds(motion, instants), exact)), ""
+    return (None if exact is None else relative(speeds(motion, instants), exact)), ""
 
 
-def _speeds(motion: Transient, instants: Values) -> Values:
+def speeds(motion: Transient, instants: Values) -> Values:
     """Speeds (N, m) of the masses at the instants; what is at rest stays so."""
     at = np.clip(np.searchsorted(motion.t, instants), 0, len(motion.t) - 1)
     return motion.omega[:, at]

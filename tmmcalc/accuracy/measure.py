@@ -18,26 +18,29 @@ from tmmcalc.records import record
 Found = TypeVar("Found")
 Numbers = Any  # array of numbers (..., n), real or complex
 
-
-SEVERAL = 3  # runs at least that make a median, of what is not long
-LONG = 1.5  # times the budget: a run as long as this is not made again
 USELESS = 1.0  # an error as large as the quantity itself
 WRONG = "the error is as large as the quantity itself"
 
 
 @record
 class Way:
-    """A setting to be measured: its name, its size, and what runs it; ``solve`` returns what ``error`` takes."""
+    """A setting to be measured: its name, its size, and what runs it; ``solve`` returns what ``error`` takes.
+
+    ``count`` tells of a result how much of what costs went into it.
+    """
 
     setting: str
-    size: float
+    size: float | None
     solve: Callable[[], Any]
-    evaluations: Callable[[Any], int] | None = None
+    count: Callable[[Any], int] | None = None
 
 
 @record
 class Clock:
-    """How often a way is run: ``repeats`` times at most, within ``budget`` [s] but for the first few of them."""
+    """How often a way is run: ``repeats`` times at most, and as long as all its runs are within the ``budget`` [s].
+
+    So what takes longer than the budget is run once; its time scatters by little.
+    """
 
     repeats: int = 7
     budget: float = 0.2
@@ -45,18 +48,15 @@ class Clock:
     def median(self, solve: Callable[[], Found], fresh: bool = True) -> tuple[Found, float, int]:
         """The last result, the median time [s] and of how many runs.
 
-        The first run, which imports and allocates, counts only if it is long and the method not ``fresh``.
+        The first run of a ``fresh`` method, which imports and allocates, does not count.
         """
-        began = perf_counter()
-        found = solve()
-        first = perf_counter() - began
-        if first > LONG * self.budget and not fresh:
-            return found, first, 1
         times: list[float] = []
         on = gc.isenabled()
         gc.disable()
         try:
-            while len(times) < self.repeats and (len(times) < self._least(first) or sum(times) < self.budget):
+            if fresh:
+                solve()
+            while not times or (len(times) < self.repeats and sum(times) < self.budget):
                 began = perf_counter()
                 found = solve()
                 times.append(perf_counter() - began)
@@ -65,15 +65,14 @@ class Clock:
                 gc.enable()
         return found, statistics.median(times), len(times)
 
-    def _least(self, first: float) -> int:
-        """Runs that are made whatever they take."""
-        return SEVERAL if first < self.budget else 1
 
+def relative(found: Numbers, exact: Numbers, size: float | None = None) -> float:
+    """Largest difference (..., n) over the ``size``, by default the largest magnitude of the exact values.
 
-def relative(found: Numbers, exact: Numbers) -> float:
-    """Largest difference (..., n) over the largest magnitude of the exact values; `FLOOR` at least."""
+    `FLOOR` at least; the difference itself where the size is 0.
+    """
     found, exact = np.asarray(found), np.asarray(exact)
-    scale = float(np.max(np.abs(exact), initial=0.0))
+    scale = float(np.max(np.abs(exact), initial=0.0)) if size is None else size
     worst = float(np.max(np.abs(found - exact), initial=0.0))
     return max(worst / scale if scale else worst, FLOOR)
 
@@ -90,7 +89,8 @@ def series(
 ) -> Series:
     """Measure a method at all its settings; one that raises a `TmmError` is kept with its reason.
 
-    Unless its settings are ``stepwise``, their sizes being steps, it has no order of convergence.
+    Unless its settings are ``stepwise``, their sizes being steps, it has no order of convergence: not where sizes are
+    tolerances, not beyond every order, and not where chance decides how near a setting comes.
     """
     return by_quantity(method, ways, (error,), clock, expected=(expected,), note=note, stepwise=stepwise)[0]
 
@@ -110,7 +110,7 @@ def by_quantity(
     columns = list(zip(*rows, strict=True)) or [()] * len(errors)
     found = []
     for points, theory in zip(columns, expected or [None] * len(errors), strict=True):
-        told = [(p.size, p.error) for p in points if p.error is not None and stepwise]
+        told = [(p.size, p.error) for p in points if p.size is not None and p.error is not None and stepwise]
         order = observed([size for size, _ in told], [e for _, e in told]) if len(told) > 1 else None
         found.append(Series(method, points, order, theory, note))
     return tuple(found)
@@ -123,7 +123,7 @@ def _points(way: Way, errors: Sequence[Callable[[Any], float]], clock: Clock, fr
     except TmmError as fault:
         failed = fault.message.splitlines()[0]
         return [Point(way.setting, way.size, None, None, failed=failed) for _ in errors]
-    count = way.evaluations(found) if way.evaluations else None
+    count = way.count(found) if way.count else None
     points = []
     for error in errors:
         missed = error(found)

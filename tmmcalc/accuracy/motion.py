@@ -85,9 +85,13 @@ class _Problem:
         """The regime on halved panels."""
         from tmmcalc.machine.onemass import onto
 
-        halved = regime.panels.split(np.ones(regime.panels.count, bool))
         motor = self.driver
-        return driven(onto(self.cycle, halved), self.inertia, motor.characteristic, time_constant=motor.time_constant)
+        return driven(
+            onto(self.cycle, regime.panels.halved()),
+            self.inertia,
+            motor.characteristic,
+            time_constant=motor.time_constant,
+        )
 
     def shot(self, name: MethodName, tolerance: float, start: float) -> Values:
         """By integration of cycles, from ``start`` [rad/s] on, until one repeats."""

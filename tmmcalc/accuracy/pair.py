@@ -64,14 +64,14 @@ def _series(scene: Scene, q: Values, error: Callable[[Values], float]) -> Iterat
         ("Newton (4.57)", _by_newton, NEWTON, "steps"),
     )
     for name, inverse, counts, unit in methods:
-        # a halving halves the bracket, its step; the others have none, and no order by it
-        sizes = [pi / 2 / 2**n if inverse is _by_halving else 0.0 for n in counts]
+        halves = inverse is _by_halving  # the bracket, its step; the others have none, and no order by it
+        sizes = [pi / 2 / 2**n if halves else None for n in counts]
         ways = [
             Way(f"{n} {unit}", size, partial(inverse, q, n), lambda _, n=n: n)  # type: ignore[misc]
             for n, size in zip(counts, sizes, strict=True)
         ]
-        yield series(name, ways, error, scene.clock)
-    own = Way("to rounding", 1.0, lambda: inverse_involute(q))
+        yield series(name, ways, error, scene.clock, expected=1.0 if halves else None)
+    own = Way("to rounding", None, lambda: inverse_involute(q))
     yield series("Newton from the right", [own], error, scene.clock, note="the program's own, safe at every angle")
 
 

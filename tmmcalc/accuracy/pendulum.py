@@ -55,7 +55,7 @@ def _series(task: PendulumTask, count: int, error: Callable[[Values], float], sc
             if n * (degree - 1) >= count
         ]
         yield series(name, ways, error, scene.clock, expected=order)
-    ways = [Way(f"degree {n}", 0.0, partial(_frequencies, task, count, 1, n)) for n in DEGREES if n > count]
+    ways = [Way(f"degree {n}", None, partial(_frequencies, task, count, 1, n)) for n in DEGREES if n > count]
     yield series("one element", ways, error, scene.clock, note=SPECTRAL)
 
 

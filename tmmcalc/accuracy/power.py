@@ -1,7 +1,7 @@
 """Methods for the peaks of power and moment: off a table of n positions, and as extremes on panels.
 
 The moment is that of the loads at the mean speed; where a load jumps between two positions, a table misses the peak by
-what the moment gains up to there. The reference has its panels cut in half.
+what the moment gains up to there. The reference looks for the peaks of the same functions by brute force.
 """
 
 from __future__ import annotations
@@ -11,47 +11,57 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.measure import Way, series
-from tmmcalc.accuracy.sampled import SECOND
-from tmmcalc.accuracy.study import FLOOR, Reference, Study
+from tmmcalc.accuracy.measure import Way, relative, series
+from tmmcalc.accuracy.sampled import COUNTS, of_positions, summit
+from tmmcalc.accuracy.study import Reference, Study
 from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.machine.onemass import onto
 from tmmcalc.machine.power import moment_at
 from tmmcalc.numerics.panels import Values
-
-COUNTS = (6, 12, 24, 48, 96, 192, 384, 768)  # positions of the cycle
 
 
 def studies(scene: Scene) -> Iterator[Study]:
     """The least and the largest reduced moment, which are those of the power over the mean speed."""
     cycle: Cycle = scene.results["reduction"].cycle
-    finer = onto(cycle, cycle.panels.split(np.ones(cycle.panels.count, bool)))
-    exact = _extremes(finer)
-    size = float(np.max(np.abs(exact)))
+    moment = _moment(cycle)
+    size = float(np.max(np.abs(moment)))
     if not size:
         return
 
-    def error(found: Values) -> float:
-        return max(float(np.max(np.abs(found - exact))) / size, FLOOR)
+    def both(theta: Values) -> Values:
+        """The moment downwards and upwards (2, m)."""
+        inside = np.clip(theta, 0.0, cycle.period).astype(float)
+        sides = [cycle.panels.at(moment, inside, before=before) for before in (False, True)]
+        return np.stack((-np.minimum(*sides), np.maximum(*sides)))
+
+    (_, least_at), (_, largest_at) = cycle.panels.extremes(moment)
+    found = summit(both, cycle.period, [least_at, largest_at])
+    exact = found.values * np.array([-1.0, 1.0])
+
+    def error(peaks: Values) -> float:
+        return relative(peaks, exact, size)
 
     def tabled(count: int) -> Values:
-        theta = cycle.period * np.arange(count + 1) / count
-        moment = cycle.panels.at(moment_at(cycle, cycle.speed) - cycle.balancing, theta)
-        return np.array([np.min(moment), np.max(moment)])
+        values = cycle.panels.at(_moment(cycle), cycle.period * np.arange(count + 1) / count)
+        return np.array([np.min(values), np.max(values)])
 
     ways = [Way(f"{n} positions", 1 / n, partial(tabled, n)) for n in COUNTS]
     yield Study(
         "power",
         "least and largest power",
-        Reference("extremes on panels cut in half", max(error(_extremes(cycle)), cycle.error)),
+        Reference("ever finer positions about the peaks of the same functions", max(found.short, cycle.error)),
         (
-            series("extremes on panels", [Way("", 1.0, partial(_extremes, cycle))], error, scene.clock),
-            series("table of n positions", ways, error, scene.clock, expected=2.0, note=SECOND),
+            series("extremes on panels", [Way("", None, partial(_extremes, cycle))], error, scene.clock),
+            of_positions("table of n positions", ways, error, scene.clock),
         ),
     )
 
 
+def _moment(cycle: Cycle) -> Values:
+    """Moment (K, N) of the loads at the mean speed."""
+    return moment_at(cycle, cycle.speed) - cycle.balancing
+
+
 def _extremes(cycle: Cycle) -> Values:
-    (least, _), (largest, _) = cycle.panels.extremes(moment_at(cycle, cycle.speed) - cycle.balancing)
+    (least, _), (largest, _) = cycle.panels.extremes(_moment(cycle))
     return np.array([least, largest])

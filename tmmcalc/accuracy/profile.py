@@ -13,8 +13,8 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.accuracy.measure import Way, series
-from tmmcalc.accuracy.study import FLOOR, Reference, Study
+from tmmcalc.accuracy.measure import Way, relative, series
+from tmmcalc.accuracy.study import Reference, Study
 from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.gears.involute.profile.flank import Flank
 from tmmcalc.gears.meshing.members import members
@@ -41,7 +41,7 @@ def studies(scene: Scene) -> Iterator[Study]:
     reference = Reference("closed forms of fillet and involute", ROUNDING)
 
     def error(missed: float) -> float:
-        return max(missed / flank.tip, FLOOR)
+        return relative(missed, 0.0, flank.tip)
 
     ways = [Way(f"{n} positions", 1 / (n - 1), partial(_crests, flank, n)) for n in POSITIONS]
     drawn = [("chords", _chord, 2.0), ("cubics", _cubic, 4.0)]

@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from tmmcalc.accuracy import inertia
-from tmmcalc.accuracy.measure import Way, series
-from tmmcalc.accuracy.study import FLOOR, Reference, Study
+from tmmcalc.accuracy.measure import Way, relative, series
+from tmmcalc.accuracy.study import Reference, Study
 from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.plane import Real
@@ -55,14 +55,14 @@ def _works(scene: Scene) -> Iterator[Study]:
         shape = which.x.shape
         return works(which.x.ravel(), lambda moments: which.total(moments.reshape(len(moments), *shape)))
 
-    finer = panels.split(np.ones(panels.count, bool))
+    finer = panels.halved()
     exact = on(finer)
     turned = float(np.sum(panels.total(np.abs(result.parts))))  # what the works are measured against
     if not turned:
         return  # nothing but inertia: no work to integrate
 
     def error(found: Real) -> float:
-        return max(float(np.max(np.abs(found - exact))) / turned, FLOOR)
+        return relative(found, exact, turned)
 
     own = error(on(panels))
     period = result.cycle.period
@@ -76,7 +76,7 @@ def _works(scene: Scene) -> Iterator[Study]:
         "work per cycle",
         Reference(f"Gauss on {finer.count} panels of {finer.order} points, each half of a panel of the stage", own),
         (
-            series("Gauss on panels", [Way(f"{panels.count} panels", 1.0, lambda: on(panels))], error, scene.clock),
+            series("Gauss on panels", [Way(f"{panels.count} panels", None, lambda: on(panels))], error, scene.clock),
             series("trapezoid", _ways(equal, _trapezoid), error, scene.clock, note=SPECTRAL),
             series("Simpson", _ways(equal, _simpson), error, scene.clock, expected=SIMPSON_ORDER, note=FOURTH),
         ),

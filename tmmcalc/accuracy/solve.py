@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from tmmcalc.accuracy.measure import Clock
 from tmmcalc.accuracy.study import Accuracy, Ladder, Study
 from tmmcalc.accuracy.subjects import SUBJECTS, Scene
-from tmmcalc.errors import UsageError
+from tmmcalc.errors import TmmError, UsageError
 from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.runner import run
 from tmmcalc.pipeline.stage import resolve
@@ -27,8 +27,9 @@ def solve_accuracy(
     """Error against run time of every method of a stage, or of all stages that the scene has.
 
     ``tell`` is called with a few words whenever a stage is begun and one of its studies is done. Of all stages one
-    without a solution ends only the study of those that read it, and is told in ``failures``. Raises `UsageError` for a
-    stage that has no choice of methods or that the scene leaves out, and what a stage raises that is asked for.
+    without a solution ends only the study of those that read it, and is told in ``failures``, as is one whose reference
+    has no result. Raises `UsageError` for a stage that has no choice of methods or that the scene leaves out, and what
+    a stage raises that is asked for.
     """
     clock = clock or Clock()
     if stage is not None and stage in STAGES and stage not in SUBJECTS:
@@ -40,19 +41,25 @@ def solve_accuracy(
     ran = run(spec, target=stage, keep_going=stage is None)
     studies: list[Study] = []
     ladders: list[Ladder] = []
+    failures = dict(ran.failures)
     for name in (name for name in asked if name in ran.outcomes):
         scene = Scene(resolve(STAGES[name].inputs)(spec), ran.results, clock)
         if tell is not None:
             tell(f"{name}: methods are run")
-        for part in resolve(SUBJECTS[name])(scene):
-            (studies if isinstance(part, Study) else ladders).append(part)
-            if tell is not None:
-                tell(f"{name}: {part.quantity}: done")
+        try:
+            for part in resolve(SUBJECTS[name])(scene):
+                (studies if isinstance(part, Study) else ladders).append(part)
+                if tell is not None:
+                    tell(f"{name}: {part.quantity}: done")
+        except TmmError as fault:  # of a reference: what methods raise stands with their settings
+            if stage is not None:
+                raise
+            failures[name] = fault
     studied = {study.stage for study in studies} | {ladder.stage for ladder in ladders}
     return Accuracy(
         tuple(studies),
         tuple(name for name in ran.outcomes if name not in SUBJECTS and stage is None),
         tuple(ladders),
-        tuple(name for name in asked if name in ran.outcomes and name not in studied),
-        ran.failures,
+        tuple(name for name in asked if name in ran.outcomes and name not in studied | failures.keys()),
+        failures,
     )

@@ -10,7 +10,8 @@ rounding unit, which is as near as two numbers in double precision can be told a
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Mapping
 from dataclasses import field
 
 from tmmcalc.errors import TmmError
@@ -31,14 +32,15 @@ class Reference:
 class Point:
     """One setting of a method: its size (a step, a tolerance), largest relative error, median time [s] of its runs.
 
-    ``failed`` says why it gave no result; the error is None then.
+    ``failed`` says why it gave no result; the error is None then. A setting without a size is one of a kind, or a
+    number of passes, of terms.
     """
 
     setting: str
-    size: float
+    size: float | None
     error: float | None
     seconds: float | None
-    evaluations: int | None = None  # of the functions that cost, where the method counts them
+    count: int | None = None  # of what costs: evaluations of equations, points of a polygon, terms, tooth sets
     failed: str = ""
     runs: int = 0  # that the time is the median of
 
@@ -59,9 +61,24 @@ class Series:
         told = [point for point in self.points if point.error is not None]
         return min(told, key=lambda point: point.error or 0.0) if told else None
 
+    @property
+    def sure(self) -> tuple[tuple[Point, float], ...]:
+        """The settings with a result, each with the error that it and all finer ones keep.
+
+        So what is near the truth by chance counts as its neighbours do. Settings at the fine end whose errors only
+        rise, since rounding takes over, say nothing against the coarser ones.
+        """
+        told = [point for point in self.points if point.error is not None]
+        errors = [point.error or 0.0 for point in told]
+        turn = len(told) - 1
+        while turn > 0 and errors[turn] >= errors[turn - 1]:
+            turn -= 1
+        kept = [max(errors[min(k, turn) : max(k, turn) + 1]) for k in range(len(told))]
+        return tuple(zip(told, kept, strict=True))
+
     def cheapest(self, tolerance: float) -> Point | None:
-        """The setting with the least time among those whose error is within ``tolerance``, if any."""
-        within = [p for p in self.points if p.error is not None and p.seconds is not None and p.error <= tolerance]
+        """The setting with the least time among those that keep ``tolerance``, as all finer ones do, if any."""
+        within = [point for point, kept in self.sure if kept <= tolerance]
         return min(within, key=lambda point: point.seconds or 0.0) if within else None
 
 
@@ -75,10 +92,21 @@ class Study:
     series: tuple[Series, ...]
 
     def cheapest(self, tolerance: float) -> tuple[Series, Point] | None:
-        """The method and setting with the least time among those whose error is within ``tolerance``, if any."""
+        """The method and setting with the least time among those that keep ``tolerance``, if any."""
         found = [(series, series.cheapest(tolerance)) for series in self.series]
         within = [(series, point) for series, point in found if point is not None]
         return min(within, key=lambda each: each[1].seconds or 0.0) if within else None
+
+    @property
+    def front(self) -> tuple[tuple[Series, Point], ...]:
+        """The settings that no other beats in both time and the error that it keeps, by rising time."""
+        told = [(point.seconds or 0.0, kept, series, point) for series in self.series for point, kept in series.sure]
+        best, least = [], math.inf
+        for _, kept, series, point in sorted(told, key=lambda each: each[:2]):
+            if kept < least:
+                best.append((series, point))
+                least = kept
+        return tuple(best)
 
 
 @record
@@ -123,13 +151,3 @@ class Accuracy:
     ladders: tuple[Ladder, ...] = ()
     settled: tuple[str, ...] = ()  # stages whose choice this scene leaves no room for
     failures: Mapping[str, TmmError] = field(default_factory=dict)  # of stages without a result
-
-
-def pareto(points: Sequence[Point]) -> tuple[Point, ...]:
-    """The points that no other beats in both error and time, by rising time."""
-    told = [p for p in points if p.error is not None and p.seconds is not None]
-    best: list[Point] = []
-    for point in sorted(told, key=lambda p: (p.seconds, p.error)):
-        if not best or (point.error or 0.0) < (best[-1].error or 0.0):
-            best.append(point)
-    return tuple(best)

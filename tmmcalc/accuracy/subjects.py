@@ -44,7 +44,7 @@ SUBJECTS: dict[str, str] = {
 
 @record
 class Scene:
-    """What a study starts from: what the stage reads of the spec, the results of its run, the options, the clock."""
+    """What a study starts from: what the stage reads of the spec, the results of its run, the clock."""
 
     inputs: Any  # as the stage's ``inputs`` gives them
     results: Mapping[str, Any]  # by stage, of it and all before it

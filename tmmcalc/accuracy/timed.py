@@ -1,8 +1,4 @@
-"""Equations of motion in time, to be set beside closed forms: step control, fixed steps, and a reference.
-
-The reference is Gragg's and Bulirsch's extrapolation of the midpoint rule in extended precision: its error has even
-powers of the step alone, h = H/2, H/4, H/6, ..., so that each column of Neville's scheme takes two orders more away.
-"""
+"""Equations of motion in time, to be set beside closed forms: methods with step control and with fixed steps."""
 
 from __future__ import annotations
 
@@ -22,7 +18,7 @@ from tmmcalc.records import record
 CONTROLLED = ("RK45", "DOP853", "LSODA", "Radau", "BDF")
 TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10)
 ORDER = 4.0  # of Kutta-Merson
-COLUMNS = 9  # of the extrapolation: order 18
+STAGES = 5  # evaluations of a step of it
 
 Slopes = Callable[[Any, Any], Any]
 
@@ -92,35 +88,4 @@ def _by_merson(start: Start, count: int) -> Run:
     found: Values = np.array(states).T[:, kept]
     if not np.all(np.isfinite(found)):
         raise AccuracyError("fixed steps are unstable", where="accuracy", remedy="a shorter step")
-    return Run(found, 5 * count)
-
-
-def extrapolated(slopes: Slopes, state: Values, instants: Values, parts: int) -> Values:
-    """States (m, n) at equal instants (n,), each step between them in ``parts``; in extended precision."""
-    step = np.longdouble(instants[0]) / parts
-    y, t, states = state.astype(np.longdouble), np.longdouble(0.0), []
-    for _ in instants:
-        for _ in range(parts):
-            y, t = _extrapolated(slopes, t, y, step), t + step
-        states.append(y)
-    return np.array(states).T
-
-
-def _extrapolated(slopes: Slopes, t: np.longdouble, y: Values, whole: np.longdouble) -> Values:
-    """One step by Neville's scheme in the squares of the substeps."""
-    row: list[Values] = []
-    for k in range(1, COLUMNS + 1):
-        new = [_midpoints(slopes, t, y, whole, 2 * k)]
-        for j in range(1, k):
-            ratio = (np.longdouble(k) / (k - j)) ** 2
-            new.append(new[-1] + (new[-1] - row[j - 1]) / (ratio - 1))
-        row = new
-    return row[-1]
-
-
-def _midpoints(slopes: Slopes, t: np.longdouble, y: Values, whole: np.longdouble, count: int) -> Values:
-    h = whole / count
-    before, here = y, y + h * np.asarray(slopes(t, y))
-    for k in range(1, count):
-        before, here = here, before + 2 * h * np.asarray(slopes(t + k * h, here))
-    return here
+    return Run(found, STAGES * count)

@@ -12,8 +12,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from tmmcalc.accuracy.measure import Way, series
-from tmmcalc.accuracy.study import FLOOR, Reference, Series, Study
+from tmmcalc.accuracy.measure import Way, relative, series
+from tmmcalc.accuracy.study import Reference, Series, Study
 from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.gears.columns import ratios
@@ -34,7 +34,7 @@ def studies(scene: Scene) -> Iterator[Study]:
         yield Study(
             "train",
             f"ratio of {request.title}",
-            Reference("complete search in exact fractions", 0.0),
+            Reference("the complete search itself, in exact fractions", 0.0),
             tuple(_series(scene, request, best)),
         )
 
@@ -48,7 +48,7 @@ def _series(scene: Scene, request: Request, best: float) -> Iterator[Series]:
         def error(found: ToothSets) -> float:
             deviation = _deviation(request, found)
             assert deviation is not None  # _found refuses an empty list
-            return max(deviation - best, FLOOR)
+            return relative(deviation, best, 1.0)
 
         yield series(name, _ways(request, method), error, scene.clock)
 
@@ -61,7 +61,7 @@ def _ways(request: Request, method: Callable[[Request], ToothSets]) -> Iterator[
             continue
         smaller = replace(limits, largest=largest, largest_ring=ring)
         asked = replace(request, task=replace(request.task, limits=smaller))
-        yield Way(f"z to {largest}", 0.0, lambda asked=asked: _found(method, asked), len)  # type: ignore[misc]
+        yield Way(f"z to {largest}", None, lambda asked=asked: _found(method, asked), len)  # type: ignore[misc]
 
 
 def _found(method: Callable[[Request], ToothSets], asked: Request) -> ToothSets:

@@ -1,6 +1,7 @@
 """Methods for motions in time: Kutta-Merson and Runge-Kutta with fixed steps, and all methods with step control.
 
-The reference is collocation, an implicit method of order 13, at its finest tolerance; two runs say how good it is.
+The reference is collocation, an implicit method of order 13, at its finest tolerance; another run beside it says how
+good it is, and the other methods, which come as near to it as their tolerances promise, confirm it.
 What is compared are the speeds of all masses at equal instants up to the end of the motion, relative to the largest.
 A method that needs more than the budget of evaluations, or whose step is unstable, is kept with its reason.
 """
@@ -12,7 +13,7 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.ladder import ladders
+from tmmcalc.accuracy.ladder import ladders, speeds
 from tmmcalc.accuracy.measure import Way, relative, series
 from tmmcalc.accuracy.study import Ladder, Reference, Series, Study
 from tmmcalc.accuracy.subjects import Scene
@@ -23,7 +24,6 @@ from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.simulate import simulate
 from tmmcalc.machine.transient.task import beginning
 from tmmcalc.machine.transient.timed import TimedMotion
-from tmmcalc.numerics.panels import Values
 from tmmcalc.stages.shaft import mean_speed
 from tmmcalc.stages.transient import machine_of
 
@@ -53,11 +53,11 @@ def _study(drive: Drive, scenario: Scenario, found: TimedMotion, scene: Scene) -
     def run(method: Method) -> Transient:
         return simulate(drive, scenario, method, instants.tolist())
 
-    first, finest = (_speeds(run(Method("collocation", tolerance=t, compared=False)), instants) for t in FINEST)
+    first, finest = (speeds(run(Method("collocation", tolerance=t, compared=False)), instants) for t in FINEST)
     own = relative(first, finest)
 
     def error(motion: Transient) -> float:
-        return relative(_speeds(motion, instants), finest)
+        return relative(speeds(motion, instants), finest)
 
     name = f"collocation of order 13 at a tolerance of {FINEST[1]:g}, beside {FINEST[0]:g}"
     return Study("transient", f"speeds, {found.name}", Reference(name, own), tuple(_series(run, error, scene)))
@@ -87,9 +87,3 @@ def _fixed(name: MethodName, step: float) -> Method:
 
 def _evaluations(motion: Transient) -> int:
     return motion.counters["evaluations"]
-
-
-def _speeds(motion: Transient, instants: Values) -> Values:
-    """Speeds (N, m) of the masses at the instants; what is at rest stays so."""
-    at = np.clip(np.searchsorted(motion.t, instants), 0, len(motion.t) - 1)
-    return motion.omega[:, at]

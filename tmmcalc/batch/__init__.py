@@ -5,9 +5,11 @@ table.py       a table of variants, a row each
 reading.py     the task from the flags of a user
 quantities.py  what a stage tells of a variant, chosen by name
 points.py      points solved one by one through the pipeline: works for every stage
-stacked.py     points solved together, and why they cannot be; stacked_columns.py values of columns at once,
+content.py     what a task depends on: the files that its spec names, and the hash of all
+preparing.py   what points need to be solved together, or why they cannot be
+stacked.py     points solved together, and in which way they were; stacked_columns.py values of columns at once,
                stacked_results.py results of every variant, stacked_inputs.py what their stages read,
-               stacked_machine.py their steady motions
+               stacked_acting.py which causes act, stacked_machine.py their steady motions
 outcomes.py    the result of one stage at every point
 regions.py     where constraints hold over one or two keys
 choice.py      by which solver, in what blocks, in how many processes

@@ -2,11 +2,11 @@
 
     tmmcalc sweep <hash of the task>
     1c291ca3 [1, ["kinematics.stroke_D[m]"]]
-    5d3f9b1e [0, "ok", "", 1, [0.658], false]
+    5d3f9b1e [0, "ok", "", 1, [0.658], ""]
 
 A line is a checksum and JSON: names with their number; or a point, its status and reason, the number of its names
-(0: none), its values, and whether it was solved alone although the others were solved together. A line that is torn or
-changed is passed over, and its point solved again.
+(0: none), its values, and why it was solved alone if others were solved together. A line that is torn or changed is
+passed over, and its point solved again.
 """
 
 from __future__ import annotations

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from tmmcalc.batch.choice import heavy
-from tmmcalc.batch.stacked import FEW, prepared
+from tmmcalc.batch.choice import chosen
+from tmmcalc.batch.preparing import prepared
+from tmmcalc.batch.stacked import SOLVER
 from tmmcalc.batch.stacked_results import BLOCK, Results
 from tmmcalc.batch.task import Task
 from tmmcalc.errors import TmmError, UsageError
 from tmmcalc.pipeline.runner import run
+
+if TYPE_CHECKING:
+    from tmmcalc.spec.loader import Variants
 
 
 def outcomes(task: Task) -> Iterator[Any | TmmError]:
@@ -19,18 +23,19 @@ def outcomes(task: Task) -> Iterator[Any | TmmError]:
     A faulty spec and a scene without a solution are told. Raises `UsageError` for what no other value of a key would
     mend.
     """
-    together = prepared(task) if task.count >= FEW and not heavy(task) else None
+    together = prepared(task) if chosen(task, 1, 1)[0].solver == SOLVER else None
+    variants = task.variants()
     for first in range(0, task.count, BLOCK):
         block = range(first, min(first + BLOCK, task.count))
-        found = together.results(block) if isinstance(together, Results) else {}
+        found = together.results(block).found if isinstance(together, Results) else {}
         for point in block:
-            yield found[point][task.targets[0]] if point in found else _alone(task, point)
+            yield found[point][task.targets[0]] if point in found else _alone(task, variants, point)
 
 
-def _alone(task: Task, point: int) -> Any | TmmError:
+def _alone(task: Task, variants: Variants, point: int) -> Any | TmmError:
     overrides, (target,) = task.assignments(point), task.targets
     try:
-        return run(task.variants().spec(overrides), target=target).results[target]
+        return run(variants.spec(overrides), target=target).results[target]
     except UsageError as error:
         where = f"{error.where}, with {', '.join(overrides)}" if error.where else f"with {', '.join(overrides)}"
         raise UsageError(error.message, where=where, remedy=error.remedy) from None

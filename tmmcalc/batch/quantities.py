@@ -19,7 +19,7 @@ from tmmcalc.stages.feasibility import columns, facts
 
 Told = Iterator[tuple[str, float]]
 
-_OF_COLUMN = re.compile(rf"(?:(\w+|\*)\.)?({'|'.join(OF)})\((.+)\)(?:\[.*\])?")
+OF_COLUMN = re.compile(rf"(?:(\w+|\*)\.)?({'|'.join(OF)})\((.+)\)(?:\[.*\])?")
 
 
 def told(stage: str, result: Any, patterns: Sequence[str]) -> Told:
@@ -58,7 +58,7 @@ def unmatched(names: Iterable[str], patterns: Sequence[str]) -> str | None:
 
 def others(pattern: str) -> tuple[str, ...]:
     """Patterns of all that could stand in place of one: the same of every column, or all facts."""
-    match = _OF_COLUMN.fullmatch(pattern)
+    match = OF_COLUMN.fullmatch(pattern)
     return (f"{match[1] or '*'}.{match[2]}(*)",) if match else ()
 
 
@@ -78,7 +78,7 @@ def _facts(stage: str, result: Any) -> Told:
 
 def _columns(stage: str, result: Any, patterns: Sequence[str]) -> Told:
     for pattern in patterns:
-        match = _OF_COLUMN.fullmatch(pattern)
+        match = OF_COLUMN.fullmatch(pattern)
         if match and (match[1] or "*") in (stage, "*"):
             of: Any = match[2]
             for name, (value, unit) in columns(Constraint("", stage, column=match[3], of=of), result):
@@ -91,7 +91,7 @@ def _asks_facts(stage: str, patterns: Sequence[str]) -> bool:
         return True
     from tmmcalc.pipeline.stages import STAGES
 
-    named = [p.partition(".")[0] for p in patterns if not _OF_COLUMN.fullmatch(p)]
+    named = [p.partition(".")[0] for p in patterns if not OF_COLUMN.fullmatch(p)]
     return any(fnmatchcase(stage, name) or name not in STAGES for name in named)
 
 

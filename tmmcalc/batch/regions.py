@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from tmmcalc.spec.variants import Axis
 
 MOST = 2  # parameters of a map
+ENDS = 2  # different values of each
 POINTS = 10_000  # of a map
 
 
@@ -31,7 +32,8 @@ def map_feasibility(file: str | Path, over: Sequence[str], overrides: Sequence[s
     path = Path(file)
     text = read_text(path)
     axes = _axes(text, path, over, overrides)
-    task = Task(text, str(path), str(path.parent), tuple(overrides), tuple(axes), targets=("feasibility",))
+    folder = str(path.parent.absolute())  # whoever goes elsewhere meanwhile
+    task = Task(text, str(path), folder, tuple(overrides), tuple(axes), targets=("feasibility",))
     parameters = [Parameter(axis.name, axis.values, tuple(map(axis.assignment, axis.values))) for axis in axes]
     return region_map(parameters, _told(task))
 
@@ -47,7 +49,7 @@ def _axes(text: str, path: Path, over: Sequence[str], overrides: Sequence[str]) 
     data, _ = apply(read_toml(text, str(path)), overrides)
     axes = [axis(each, data) for each in over]
     axes = [replace(each, values=tuple(sorted(set(each.values)))) for each in axes]
-    still = next((each for each in axes if len(each.values) < MOST), None)
+    still = next((each for each in axes if len(each.values) < ENDS), None)
     if still is not None:
         raise UsageError(f"{still.key} does not vary", where="--over", remedy="write two different ends")
     if len({each.key for each in axes}) < len(axes):

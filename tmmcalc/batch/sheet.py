@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import tomllib
+from array import array
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
@@ -55,6 +56,16 @@ def sheet_of(task: Task, rows: Iterable[Row]) -> Sheet:
     keys = (*(name for name, _ in task.labels), *(axis.name for axis in task.axes))
     given = tuple(_given(task, row.point) for row in ordered)
     return Sheet(keys, names, given, values, tuple(r.status for r in ordered), tuple(r.reason for r in ordered))
+
+
+def rows_of(sheet: Sheet) -> Iterator[Row]:
+    """The points of a sheet; how they were solved it does not tell."""
+    shared: dict[tuple[str, ...], tuple[str, ...]] = {}  # a thousand variants have the names of one
+    names = np.array(sheet.names, object)
+    for point, (values, status, reason) in enumerate(zip(sheet.values, sheet.status, sheet.reasons, strict=True)):
+        there = ~np.isnan(values)
+        own = tuple(names[there])
+        yield Row(point, status, reason, shared.setdefault(own, own), array("d", values[there].tolist()))
 
 
 def save(sheet: Sheet, key: str, file: Path) -> None:

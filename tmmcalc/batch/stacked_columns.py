@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from array import array
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.batch.stacked_inputs import Inputs
+from tmmcalc.batch.quantities import OF_COLUMN
+from tmmcalc.batch.stacked_inputs import Inputs, Together
 from tmmcalc.batch.task import OK, Row
 from tmmcalc.feasibility.judge import OF
 
@@ -26,16 +26,6 @@ Flags = NDArray[np.bool_]
 BLOCK = 256  # variants
 STAGES = ("kinematics", "forces", "motion")  # whose columns blocks tell
 OTHERS = {"equilibrium", "virtual", "omega_idle", "omega_textbook"}  # columns that no block tells
-_COLUMN = re.compile(rf"(\w+)\.({'|'.join(OF)})\((.+)\)(?:\[.*\])?")
-_OF: dict[str, Callable[[Values], Values]] = {
-    "max": lambda v: np.max(v, axis=1),
-    "min": lambda v: np.min(v, axis=1),
-    "range": lambda v: np.ptp(v, axis=1),
-    "mean": lambda v: np.mean(v, axis=1),
-    "size": lambda v: np.max(np.abs(v), axis=1),
-    "first": lambda v: v[:, 0],
-    "last": lambda v: v[:, -1],
-}
 
 
 class Asked(NamedTuple):
@@ -51,7 +41,7 @@ def asked(name: str, base: RunResult) -> Asked | None:
     from tmmcalc.linkage.stacked.tables import STROKES
     from tmmcalc.machine.stacked.figures import FIGURES
 
-    column = _COLUMN.fullmatch(name)
+    column = OF_COLUMN.fullmatch(name)
     if column is not None:
         return Asked(*column.groups()) if column[1] in STAGES and column[3] not in OTHERS else None
     stage, _, fact = name.rpartition("[")[0].partition(".") if name.endswith("]") else name.partition(".")
@@ -74,14 +64,14 @@ class Columns:
         self._names, self._asked = tuple(asked), tuple(asked.values())
         self._tracked = any(each.column.startswith(("angle_", "S_")) for each in self._asked)
 
-    def rows(self, points: range) -> dict[int, Row]:
+    def rows(self, points: range) -> Together[Row]:
         """Rows of those points of a block that are solved together."""
-        found: dict[int, Row] = {}
-        for which, (values, clear) in self._inputs.parts(points, self._block):
+        found, apart = dict[int, Row](), dict[int, str]()
+        for which, (values, clear) in self._inputs.parts(points, self._block, apart):
             clear = clear & np.all(np.isfinite(values), axis=1)
             for place, row in zip(which[clear].tolist(), values[clear], strict=True):
                 found[points[place]] = Row(points[place], OK, "", self._names, array("d", row.tolist()))
-        return found
+        return Together(found, apart)
 
     def _block(self, tree: Any, count: int) -> tuple[Values, Flags]:
         """Values (v, names) of stacked inputs, and which of the variants are clear."""
@@ -137,7 +127,7 @@ class Columns:
             if asked.stage == stage and asked.of:
                 if asked.column not in made:
                     made[asked.column] = np.asarray(by_name[asked.column].make(), float).reshape(len(some), -1)
-                values[some, k] = _OF[asked.of](made[asked.column])
+                values[some, k] = OF[asked.of](made[asked.column])
 
     def _facts(self, stage: str, found: dict[str, Values], some: Any, values: Values) -> None:
         """Write what is asked of facts (v,) of some variants."""

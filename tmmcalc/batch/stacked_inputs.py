@@ -11,14 +11,15 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from itertools import product
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.batch.task import Task
+from tmmcalc.batch.stacked_acting import Acting
+from tmmcalc.batch.task import Task, verdict
 from tmmcalc.errors import TmmError
-from tmmcalc.numerics.alike import MixedError, alike, groups, numbers, paths, rebuilt, shape_of
+from tmmcalc.numerics.alike import MixedError, SeveralError, alike, groups, numbers, paths, rebuilt, shape_of
 
 if TYPE_CHECKING:
     from tmmcalc.spec import Spec
@@ -40,6 +41,14 @@ FREE = re.compile(
     r"1\.springs\.\d+\.(stiffness|free|damping|points\.\d)|1\.pairs\.\d+\.(friction|radius|length)|"
     r"2\.0\.motor\.(power|inertia)|2\.1\.(ratio|efficiency|inertia)|2\.2\.inertia|2\.3\.\w+"
 )
+ONE_NUMBER = "what they read is asked for one number"
+
+
+class Together(NamedTuple, Generic[T]):
+    """Of some points what is solved together; of others why they have to be solved alone, where a reason is known."""
+
+    found: dict[int, T]
+    apart: dict[int, str]
 
 
 def given(spec: Spec, loaded: bool, driven: bool) -> Any:
@@ -68,6 +77,7 @@ class Inputs:
         self._plain = np.array([isinstance(number, float) for number in numbers(self.tree)])
         self._slopes, seen = self._affine()
         self._differ = np.any(seen != self._base, axis=0)
+        self._acting = Acting(list(paths(self.tree)))
         self._pairs = _pairs(groups(self.tree), self._differ)
         self._signs = _signs(self._base[None], self._pairs)
 
@@ -92,13 +102,17 @@ class Inputs:
             there[row] = read is not None and bool(np.all((read == self._base) | self._differ))
             if read is not None:
                 found[row] = read
-        return found, there
+        same = self._acting(found) == self._acting(self._base[None])
+        return found, there & np.all(same, axis=1)
 
-    def parts(self, points: Sequence[int], solve: Callable[[Any, int], T]) -> Iterator[tuple[Indices, T]]:
+    def parts(
+        self, points: Sequence[int], solve: Callable[[Any, int], T], apart: dict[int, str]
+    ) -> Iterator[tuple[Indices, T]]:
         """What ``solve`` makes of the stacked inputs of some points, in parts whose constants answer questions alike.
 
         With the numbers of the points of each part among all. A part with a variant in which something has no solution
-        is halved; what then is left, and what asks for what one number alone can tell, is left out.
+        is halved, and what then is left is left out. So is a part in which something asks for what one number alone can
+        tell, or a fault of the program shows: ``apart`` gets the reason by point.
         """
         found, there = self.numbers(points)
         waiting = [np.flatnonzero(there)]
@@ -107,12 +121,15 @@ class Inputs:
             if not which.size:
                 continue
             try:
-                yield which, solve(self.stacked(found[which]), len(which))
+                made = solve(self.stacked(found[which]), len(which))
             except (TmmError, MixedError):
                 middle = len(which) // 2
                 waiting += [which[middle:], which[:middle]] if middle else []
-            except (TypeError, ValueError, LookupError):
-                continue
+            except Exception as fault:
+                reason = ONE_NUMBER if isinstance(fault, SeveralError) else verdict(fault)[1]
+                apart.update((points[k], reason) for k in which.tolist())
+            else:
+                yield which, made
 
     def spec(self, point: int) -> Spec:
         """The spec of a point."""
@@ -128,7 +145,7 @@ class Inputs:
         axes = zip(self._task.axes, values, strict=True)
         try:
             tree = given(self._variants.spec([axis.assignment(float(value)) for axis, value in axes]), *self._asked)
-        except TmmError:
+        except Exception:  # solved alone it says why
             return None
         return np.array(numbers(tree), complex) if shape_of(tree) == self._shape else None
 

@@ -35,14 +35,17 @@ if TYPE_CHECKING:
 Machine = tuple[MotorChoice | None, Gears, MotionTask, FlywheelTask | None]
 
 
-MACHINE = ("power", "flywheel", "motion")
+MACHINE = ("power", "flywheel", "motion")  # stages that read the machine
 
 
 def given_of(stage: str, machine: Machine, key: str) -> Any:
     """What a stage of the machine reads; ``key`` is where the spec gives the speed."""
     motor, gears, task, wheel = machine
-    given = {"power": (motor, gears, key), "flywheel": (wheel, motor, gears, task)}
-    return given.get(stage, (motor, gears, task, wheel, key))
+    return {
+        "power": (motor, gears, key),
+        "flywheel": (wheel, motor, gears, task),
+        "motion": (motor, gears, task, wheel, key),
+    }[stage]
 
 
 def refusal(machine: Machine, base: RunResult) -> str | None:

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.batch.quantities import told
-from tmmcalc.batch.stacked_inputs import Inputs
+from tmmcalc.batch.stacked_inputs import Inputs, Together
 from tmmcalc.batch.stacked_machine import MACHINE, given_of, motions_of_each
-from tmmcalc.batch.task import OK, Row, Task
+from tmmcalc.batch.task import OK, Row, Task, verdict
 from tmmcalc.errors import TmmError
 from tmmcalc.numerics.alike import Rows
 from tmmcalc.pipeline.stage import resolve
@@ -60,26 +60,32 @@ class Results:
         together = (*TOGETHER, *(MOVED if self._motion else ()))
         return tuple(name for name in self._stages if name not in together)
 
-    def rows(self, points: range) -> dict[int, Row]:
+    def rows(self, points: range) -> Together[Row]:
         """Rows of those points of a block that are solved together."""
-        task, shared = self._task, dict[tuple[str, ...], tuple[str, ...]]()
-        asked = [*self._stages] if task.patterns or not task.targets else [*task.targets]
-        found = {}
-        for point, results in self.results(points).items():
-            values = {name: value for stage in asked for name, value in told(stage, results[stage], task.patterns)}
-            names = shared.setdefault(tuple(values), tuple(values))  # a thousand variants have the names of one
+        shared: dict[tuple[str, ...], tuple[str, ...]] = {}  # a thousand variants have the names of one
+        found, (every, apart) = {}, self.results(points)
+        for point, results in every.items():
+            try:
+                values = self._told(results)
+            except Exception as fault:  # one variant that breaks the program must not end the others
+                apart[point] = verdict(fault)[1]
+                continue
+            names = shared.setdefault(tuple(values), tuple(values))
             found[point] = Row(point, OK, "", names, array("d", values.values()))
-        return found
+        return Together(found, apart)
 
-    def results(self, points: range) -> dict[int, Found]:
+    def results(self, points: range) -> Together[Found]:
         """Results by stage of those points of a block that are solved together and have all of them."""
-        found = {}
-        for which, variants in self._inputs.parts(points, self._solved):
+        every = Together[Found]({}, {})
+        for which, variants in self._inputs.parts(points, self._solved, every.apart):
             for k, variant in variants.items():
-                point = points[int(which[k])]
-                if self._complete(point, variant):
-                    found[point] = variant.results
-        return found
+                self._complete(points[int(which[k])], variant, every)
+        return every
+
+    def _told(self, results: Found) -> dict[str, float]:
+        task = self._task
+        asked = [*self._stages] if task.patterns or not task.targets else [*task.targets]
+        return {name: value for stage in asked for name, value in told(stage, results[stage], task.patterns)}
 
     def _solved(self, tree: Any, count: int) -> dict[int, _Variant]:
         """What is solved together of the variants of stacked inputs, by their numbers, of those that are clear."""
@@ -115,15 +121,18 @@ class Results:
                 there = [k for k, results in enumerate(own) if results is not None]
                 _kept(found, some[there], name, [made[k] for k in there])
 
-    def _complete(self, point: int, variant: _Variant) -> bool:
-        """Run the stages that are left; whether all have a result."""
+    def _complete(self, point: int, variant: _Variant, every: Together[Found]) -> None:
+        """Run the stages that are left, and note the variant if all have a result."""
         try:
             for name in self._stages:
                 if name not in variant.results:
                     self._run(name, variant, point)
         except TmmError:
-            return False  # solved alone it says why
-        return True
+            return  # solved alone it says why
+        except Exception as fault:
+            every.apart[point] = verdict(fault)[1]
+            return
+        every.found[point] = variant.results
 
     def _run(self, name: str, variant: _Variant, point: int = -1) -> None:
         """Run a stage for one variant."""

@@ -7,18 +7,16 @@ from contextlib import ExitStack
 from dataclasses import replace
 from itertools import groupby
 from pathlib import Path
-from typing import Any
 
-from tmmcalc._version import __version__
 from tmmcalc.batch import sheet as sheets
+from tmmcalc.batch.content import key_of
 from tmmcalc.batch.executors import Solve, solve
 from tmmcalc.batch.journal import Journal
 from tmmcalc.batch.points import solve_variant
 from tmmcalc.batch.quantities import others, unknown, unmatched
-from tmmcalc.batch.sheet import Sheet, sheet_of
+from tmmcalc.batch.sheet import Sheet, rows_of, sheet_of
 from tmmcalc.batch.task import BROKEN, INVALID, Row, Task
 from tmmcalc.errors import NoSolutionError
-from tmmcalc.pipeline.hashing import FORMAT, content_hash
 from tmmcalc.records import record
 
 Told = Callable[[int, int], None]  # points done, of these failed
@@ -31,7 +29,7 @@ class Swept:
     sheet: Sheet
     loaded: bool  # the table was there already
     resumed: int  # points that an earlier run had finished
-    alone: int = 0  # points that were solved alone although the others were solved together
+    alone: tuple[str, ...] = ()  # reasons of those points that were solved alone although others were solved together
 
 
 def sweep(
@@ -57,6 +55,7 @@ def sweep(
         done = _Done(task, journal, most_failed, told)
         if journal is not None and not fresh:
             done.take(journal.rows())
+            done.take(_kept(stored, done) if stored is not None else ())
         resumed = len(done.rows)
         for rows in _solved(task, solver, done):
             done.add(rows)
@@ -65,7 +64,7 @@ def sweep(
         if journal is not None and out is not None:
             sheets.save(sheet, key, out)
             journal.done = True
-    return Swept(sheet, False, resumed, sum(row.alone for row in done.rows.values()))
+    return Swept(sheet, False, resumed, tuple(row.alone for row in done.rows.values() if row.alone))
 
 
 def part(out: Path) -> Path:
@@ -73,27 +72,9 @@ def part(out: Path) -> Path:
     return out.with_name(f"{out.name}.part")
 
 
-def key_of(task: Task) -> str:
-    """Hash of all that the table depends on: program, spec, the files that it names, points, what is asked."""
-    variants = task.variants()
-    files = [(name, (variants.folder / name).read_bytes()) for name in files_of(variants.data, variants.folder)]
-    axes = [(axis.key, axis.unit, axis.values) for axis in task.axes]
-    asked = task.targets, task.patterns, task.tolerance
-    return content_hash(
-        ("sweep", FORMAT, __version__, repr(variants.data), files, axes, task.listed, task.labels, asked)
-    )
-
-
-def files_of(data: Any, folder: Path) -> list[str]:
-    """Files that a document names and that are there, as it names them."""
-    parts = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
-    found = []
-    for key, value in parts:
-        if key in ("file", "catalogue") and isinstance(value, str):
-            found += [value] if (folder / value).is_file() else []
-        else:
-            found += files_of(value, folder)
-    return found
+def _kept(stored: Sheet, done: _Done) -> list[Row]:
+    """The points of a finished table that are to be kept: a fault of the program is tried again."""
+    return [row for row in rows_of(stored) if row.status != BROKEN and row.point not in done.rows]
 
 
 class _Done:

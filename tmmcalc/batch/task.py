@@ -73,7 +73,7 @@ class Row:
     reason: str
     names: tuple[str, ...] = ()
     values: Sequence[float] = ()
-    alone: bool = False  # although the others were solved together
+    alone: str = ""  # why, although others were solved together
 
     @property
     def ok(self) -> bool:

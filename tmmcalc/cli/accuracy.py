@@ -10,7 +10,16 @@ import typer
 
 from tmmcalc.cli.messages import note_written, say
 from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
-from tmmcalc.cli.work import Job, check_picture, check_place, check_tolerance, raise_failures, show, title
+from tmmcalc.cli.work import (
+    Job,
+    check_apart,
+    check_picture,
+    check_place,
+    check_tolerance,
+    deliver,
+    raise_failures,
+    title,
+)
 
 if TYPE_CHECKING:
     from tmmcalc.accuracy.study import Accuracy
@@ -64,11 +73,12 @@ def command(
     quiet: Quiet = False,
     overrides: Set = None,
 ) -> None:
-    """Error against run time: every method of the stages, beside a reference that is proved better.
+    """Error against run time: every method of the stages, beside a reference and its own error.
 
     Errors are the largest over all positions, relative to the largest magnitude of the quantity; times are medians.
-    The order is that observed: error ~ step^order. No stage files are read or written. A stage without a solution
-    ends only the study of those that read it.
+    The order is that observed: error ~ step^order. The cheapest setting is the fastest that keeps a tolerance and whose
+    finer ones keep it too. No stage files are read or written. A stage without a solution ends only the study of those
+    that read it.
 
     Example: tmmcalc accuracy my.toml --stage motion --plot motion.svg
     """
@@ -78,6 +88,7 @@ def command(
         check_place(out, "-o")
     if plot is not None:
         check_picture(plot, "--plot")
+    check_apart(out, plot)
     from tmmcalc.accuracy.measure import Clock
     from tmmcalc.accuracy.solve import solve_accuracy
 
@@ -85,7 +96,7 @@ def command(
     telling = not quiet and sys.stderr.isatty()
     result = solve_accuracy(scene, stage, Clock(repeats), (lambda words: say(words, "dim")) if telling else None)
     heading = title(scene, spec, "accuracy")
-    _write(_document(result, heading, form, tolerance), form, out)
+    deliver(_document(result, heading, form, tolerance), form, out)
     drawn = plot if result.studies or result.ladders else None
     if drawn is not None:
         from tmmcalc.report.pictures import draw_accuracy
@@ -102,19 +113,5 @@ def command(
 def _document(result: Accuracy, heading: str, form: Format, tolerance: float | None) -> Document:
     from tmmcalc.report.accuracy import accuracy_document, tidy_document
 
-    return tidy_document(result, heading) if form is Format.csv else accuracy_document(result, heading, tolerance)
-
-
-def _write(document: Document, form: Format, out: Path | None) -> None:
-    """Print a document, or write it to a file in one step."""
-    if out is None:
-        show(document, form)
-        return
-    from io import StringIO
-
-    from tmmcalc.pipeline.atomic import replace_file
-    from tmmcalc.report.render import render
-
-    text = StringIO()
-    render(document, form.value, text)
-    replace_file(out, text.getvalue().encode())
+    document = tidy_document if form is Format.csv else accuracy_document
+    return document(result, heading, tolerance)

@@ -12,7 +12,7 @@ import typer
 
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Form, Format, Quiet, Set, stages
-from tmmcalc.cli.work import check_picture, check_place, show
+from tmmcalc.cli.work import check_apart, check_picture, check_place, deliver
 from tmmcalc.errors import UsageError
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def command(
             "-o",
             "--out",
             metavar="FILE",
-            help="A CSV with a row for every stage on every rung (default: none).",
+            help="Write the tables to this file, print nothing.",
             show_default=False,
         ),
     ] = None,
@@ -84,6 +84,7 @@ def command(
     Every rung of a ladder is run beside an equivalent scene: in other units, mirrored, begun elsewhere, on another
     grid. Their largest relative difference stands beside the condition number and the stage's own estimate.
     A ladder that the scene has not is left out with the reason. No stage files are read or written.
+    A result that the equivalent scene refuses, and that no warning comes with, is disputed.
     Of scenes with motions in time, a search or groups beyond dyads every fourth rung is climbed, all of named ladders.
 
     Exit code 1 if the program itself fails on a rung, or a shipped scene misses its known answer.
@@ -93,12 +94,8 @@ def command(
     _check(plot, out)
     with _progress(quiet) as telling:
         result = _solved(spec, ladder or [], stage, overrides or [], telling)
-    from tmmcalc.report.stress import stress_document, tidy_stress
-
     heading = f"{spec.stem if spec else 'extreme scenes'}: stress"
-    show(tidy_stress(result, heading) if form is Format.csv else stress_document(result, heading), form)
-    if out is not None:
-        _write(tidy_stress(result, heading), out)
+    deliver(_document(result, heading, form), form, out)
     if plot is not None:
         from tmmcalc.report.pictures import draw_stress
 
@@ -116,6 +113,7 @@ def _check(plot: Path | None, out: Path | None) -> None:
         check_place(out, "-o")
     if plot is not None:
         check_picture(plot, "--plot")
+    check_apart(out, plot)
 
 
 @contextmanager
@@ -129,15 +127,10 @@ def _progress(quiet: bool) -> Iterator[Callable[[str, str], None] | None]:
         yield lambda ladder, rung: told(f"{ladder}: {rung}")
 
 
-def _write(table: Document, file: Path) -> None:
-    import io
+def _document(result: Stress, heading: str, form: Format) -> Document:
+    from tmmcalc.report.stress import stress_document, tidy_stress
 
-    from tmmcalc.pipeline.atomic import replace_file
-    from tmmcalc.report.render import render
-
-    text = io.StringIO()
-    render(table, "csv", text)
-    replace_file(file, text.getvalue().encode())
+    return tidy_stress(result, heading) if form is Format.csv else stress_document(result, heading)
 
 
 def _solved(

@@ -178,7 +178,7 @@ def _progress(count: int, quiet: bool) -> AbstractContextManager[Callable[[int, 
 
 
 def _depend(depfile: Path, out: Path, task: Task, spec: Path, points: Path | None) -> None:
-    from tmmcalc.batch.sweep import files_of
+    from tmmcalc.batch.content import files_of
     from tmmcalc.pipeline.depfile import write
 
     named = [spec.parent / name for name in files_of(task.variants().data, spec.parent)]

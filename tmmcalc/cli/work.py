@@ -147,6 +147,14 @@ def check_place(file: Path, where: str) -> None:
         raise UsageError(f"there is no folder {file.parent}", where=where, remedy="make it first, or choose another")
 
 
+def check_apart(*files: Path | None) -> None:
+    """Raise UsageError if two of the files to be written are the same one, so that the later would take its place."""
+    told = [file for file in files if file is not None]
+    for k, file in enumerate(told):
+        if file.resolve() in {other.resolve() for other in told[:k]}:
+            raise UsageError(f"{file} would be written twice", where="-o, --plot", remedy="name two files")
+
+
 def check_picture(file: Path, where: str) -> None:
     """Raise UsageError if no picture could be drawn to a file; asked before the computation."""
     from tmmcalc.report.pictures import check_matplotlib, form_of
@@ -183,6 +191,21 @@ def table_file(run: RunResult, stage: str) -> str:
 def title(spec: Spec, file: Path, what: str) -> str:
     """Heading of a document."""
     return f"{spec.project.title or file.stem}: {what}"
+
+
+def deliver(document: Document, form: Format, out: Path | None) -> None:
+    """Print a document, or write it to a file in one step."""
+    if out is None:
+        show(document, form)
+        return
+    from io import StringIO
+
+    from tmmcalc.pipeline.atomic import replace_file
+    from tmmcalc.report.render import render
+
+    text = StringIO()
+    render(document, form.value, text)
+    replace_file(out, text.getvalue().encode())
 
 
 def show(document: Document, form: Format) -> None:

@@ -6,11 +6,12 @@ limit as a part of that limit (of one where the limit is zero): not negative whe
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.feasibility.logic import LARGEST, Form, conjunction
 from tmmcalc.feasibility.rule import failing, function, holds
@@ -18,7 +19,15 @@ from tmmcalc.numerics.extended import apart, widened
 from tmmcalc.records import record
 
 Of = Literal["max", "min", "range", "mean", "size", "first", "last"]
-OF = ("max", "min", "range", "mean", "size", "first", "last")
+OF: dict[str, Callable[[NDArray[np.floating[Any]]], Any]] = {  # what is asked of columns (..., n)
+    "max": lambda values: np.max(values, axis=-1),
+    "min": lambda values: np.min(values, axis=-1),
+    "range": lambda values: np.ptp(values, axis=-1),
+    "mean": lambda values: np.mean(values, axis=-1),
+    "size": lambda values: np.max(np.abs(values), axis=-1),
+    "first": lambda values: values[..., 0],
+    "last": lambda values: values[..., -1],
+}
 ROWS = ("train", "criteria")  # stages whose rows are sets to choose from: a constraint on a column judges every row
 
 

@@ -33,10 +33,10 @@ from tmmcalc.linkage.outputs import default_outputs, summarise
 from tmmcalc.linkage.placing import placed
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.quality import assess, check_regular, grade
-from tmmcalc.linkage.results import Grade, Kinematics, Method, Trace
+from tmmcalc.linkage.results import Domain, Grade, GroupQuality, Kinematics, Method, Trace
 from tmmcalc.linkage.rounding import estimate
 from tmmcalc.linkage.structure import Structure, solve_structure
-from tmmcalc.linkage.survey import survey
+from tmmcalc.linkage.survey import Survey, survey
 from tmmcalc.linkage.trace import continuous, trace
 from tmmcalc.linkage.variants import sketch_grades
 
@@ -57,19 +57,13 @@ def solve_kinematics(
     signs = {step.group.name: step.variant for step in chain.steps}
     branches = chain.branches
     sketched_at = start if mechanism.assembly.at is None else mechanism.assembly.at
-    low, high = analysed_range(mechanism, start)
-    check_range(chain, domain, low, high)
-    dense = survey(chain, low, high, start)
-    qualities = assess(chain, dense, start)
-    check_regular(chain, qualities)
+    dense, qualities = _surveyed(chain, domain, start)
     outputs = default_outputs(chain)
     summaries = tuple(summarise(chain, output, dense, start) for output in outputs)
     phi, labels = positions(mechanism, summaries[0] if summaries else None, start)
     x = start + phi
     evaluate = partial(_evaluate, chain, method=method, unit=crank_length(chain) or 1.0)
-    values = evaluate(x)
-    _check_positions(chain, x, values)
-    values = replace(values, angle=continuous(values.angle, x, *dense.tracks()))
+    values = _tracked(chain, x, evaluate(x), dense)
     s, ds, dds = _displacements(chain, outputs, values)
     _freeze(phi, x, s, ds, dds, *(v for v in vars(values).values() if isinstance(v, np.ndarray)))
     return Kinematics(
@@ -104,6 +98,16 @@ def solve_kinematics(
     )
 
 
+def _surveyed(chain: Chain, domain: Domain, start: float) -> tuple[Survey, tuple[GroupQuality, ...]]:
+    """The asked range densely, and the quality of the groups over it; raises where it does not pass regularly."""
+    low, high = analysed_range(chain.mechanism, start)
+    check_range(chain, domain, low, high)
+    dense = survey(chain, low, high, start)
+    qualities = assess(chain, dense, start)
+    check_regular(chain, qualities)
+    return dense, qualities
+
+
 def crank_length(chain: Chain) -> float | None:
     """Distance l_1 [m] from the crank's pivot to its first other joint; None for a driven slider."""
     if not chain.turns:
@@ -134,8 +138,11 @@ def _method_grades(chain: Chain, method: Method, x: Real) -> tuple[Grade, ...]:
     return split_grades(chain, x)
 
 
-def _check_positions(chain: Chain, x: Real, values: Trace) -> None:
-    """Nothing that is not a number leaves the stage, whatever the method did beside the asked range."""
+def _tracked(chain: Chain, x: Real, values: Trace, dense: Survey) -> Trace:
+    """The values at x with continuous angles.
+
+    Nothing that is not a number leaves the stage, whatever the method did beside the asked range.
+    """
     stacks = (values.ddr, values.ddangle, values.dds)
     broken = np.any([np.any(~np.isfinite(stack), axis=0) for stack in stacks], axis=0)
     if broken.any():
@@ -144,6 +151,7 @@ def _check_positions(chain: Chain, x: Real, values: Trace) -> None:
             where="kinematics",
             remedy="use a smaller step of the differences, or a range that keeps clear of the limit position",
         )
+    return replace(values, angle=continuous(values.angle, x, *dense.tracks()))
 
 
 def _freeze(*arrays: np.ndarray) -> None:
@@ -155,12 +163,12 @@ def _freeze(*arrays: np.ndarray) -> None:
 def _displacements(chain: Chain, outputs: tuple[Output, ...], values: Trace) -> tuple[Real, Real, Real]:
     """Displacement from position 0 and its transfer functions, each (O, n)."""
     n = values.r.shape[1]
-    rows = np.array([output_row(chain, output, values) for output in outputs]).reshape(len(outputs), 3, n)
+    rows = np.array([output_row(output, values) for output in outputs]).reshape(len(outputs), 3, n)
     s, ds, dds = rows[:, 0], rows[:, 1], rows[:, 2]
     return s - s[:, :1], ds, dds
 
 
-def output_row(chain: Chain, output: Output, values: Trace) -> tuple[Real, Real, Real]:
+def output_row(output: Output, values: Trace) -> tuple[Real, Real, Real]:
     """Coordinate of an output and its transfer functions, each (n,)."""
     if output.link is not None:
         k = values.link_ids.index(output.link)
@@ -193,9 +201,9 @@ def step_study(mechanism: Mechanism, result: Kinematics, decimals: int = 6) -> l
     per_degree = math.radians(1.0) if result.turns else float(np.ptp(result.x)) / 360
 
     def error(step: float, digits: int | None) -> DifferenceError:
-        _, ds, dds = output_row(chain, output, differentiate(chain, result.x, step, digits, unit))
+        _, ds, dds = output_row(output, differentiate(chain, result.x, step, digits, unit))
         return difference_error((exact[1], exact[2]), (ds, dds), scale)
 
-    exact = output_row(chain, output, trace(chain, result.x))
+    exact = output_row(output, trace(chain, result.x))
     steps = [degrees * per_degree for degrees in STEPS_DEG]
     return [StepError(step, error(step, decimals), error(step, None)) for step in steps]

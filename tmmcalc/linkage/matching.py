@@ -100,7 +100,7 @@ def _missing(mechanism: Mechanism, taken: dict[int, list[Joint]], loose: set[int
     )
 
 
-def components(mechanism: Mechanism, taken: dict[int, list[Joint]]) -> list[tuple[int, ...]]:
+def components(taken: dict[int, list[Joint]]) -> list[tuple[int, ...]]:
     """Strongly connected components of the dependency graph, sources first, then by lowest link number."""
     needs = {k: {q for j in joints for q in _moving(j) if q != k} for k, joints in taken.items()}
     reach = {k: _reachable(needs, k) for k in needs}

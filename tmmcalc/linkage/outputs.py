@@ -178,7 +178,7 @@ def summary_of(
     """The summary of an output from its dead ``centres`` in order and its values there, each (m,)."""
     angles: tuple[float | None, float | None] = (None, None)
     if full and centres[0].size == 2:
-        working = float((centres[0][1] - centres[0][0]) * math.copysign(1.0, chain.mechanism.input.speed)) % TURN
+        working = float(working_angle(centres[0], chain.mechanism.input.speed))
         angles = working, TURN - working
     return OutputSummary(
         output.name,
@@ -189,6 +189,11 @@ def summary_of(
         angles[0] / angles[1] if angles[0] is not None and angles[1] else None,
         *extremes,
     )
+
+
+def working_angle(centres: Real, speed: float) -> Real:
+    """Angle (...) of the crank [rad] over the working stroke, between two dead centres (..., 2) in their order."""
+    return np.mod((centres[..., 1] - centres[..., 0]) * math.copysign(1.0, speed), TURN)
 
 
 def stroke_of(values: Real, gain: float) -> float | None:

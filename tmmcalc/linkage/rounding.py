@@ -14,16 +14,15 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.results import ErrorEstimate, Trace
 from tmmcalc.linkage.trace import TURN, trace
+from tmmcalc.numerics.extended import CHAIN, EPS, WIDER
 
 CHOSEN = 24  # positions computed again
 MARGIN = 4.0  # factor for the positions left out
 SHARED = 2.0  # the constants of loops are rounded to double precision before either: as much again is not seen
-WIDER = np.finfo(np.longdouble).eps < np.finfo(float).eps / 100
-EPS = float(np.finfo(float).eps)
 
 
 def estimate(chain: Chain, x: Real, evaluate: Callable[[Real], Trace], weakest: Sequence[float] = ()) -> ErrorEstimate:
@@ -34,8 +33,7 @@ def estimate(chain: Chain, x: Real, evaluate: Callable[[Real], Trace], weakest: 
     chosen = x[choice(x, lambda coarse: regularity_of(chain, x[coarse]), weakest, turns=chain.turns)]
     if not WIDER:
         k = float(np.max(1 / regularity_of(chain, chosen)))
-        rounding = 64 * EPS
-        return ErrorEstimate(rounding * k, rounding * k**2, rounding * k**3, "amplification of the rounding unit")
+        return ErrorEstimate(CHAIN * k, CHAIN * k**2, CHAIN * k**3, "amplification of the rounding unit")
     margin = MARGIN * (SHARED if chain.branches else 1.0)
     return between(evaluate(chosen), trace(chain, chosen.astype(np.longdouble)), margin)
 
@@ -60,9 +58,13 @@ def _relative(found: Plane, exact: Plane) -> float:
 
 def regularity_of(chain: Chain, x: Real) -> Real:
     """Regularity of the least regular group at x (n,)."""
-    placed = chain.evaluate(x, order=0).placed
-    rows = [step.regularity(p) for step, p in zip(chain.steps, placed, strict=True)]
-    return np.min([np.broadcast_to(row, x.shape) for row in rows], axis=0) if rows else np.ones_like(x)
+    return least_regularity(chain, chain.evaluate(x, order=0), len(x))
+
+
+def least_regularity(chain: Chain, configuration: Configuration, n: int) -> Real:
+    """The same (n,) of a configuration at n positions."""
+    rows = [step.regularity(placed) for step, placed in zip(chain.steps, configuration.placed, strict=True)]
+    return np.min([np.broadcast_to(row, n) for row in rows], axis=0) if rows else np.ones(n)
 
 
 def choice(

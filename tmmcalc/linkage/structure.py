@@ -101,7 +101,7 @@ def solve_structure(mechanism: Mechanism) -> Structure:
     taken = matched(mechanism, driver, input_link)
     groups: list[Group] = []
     known: tuple[int, ...] = (FRAME,) if within else (FRAME, input_link)
-    for component in components(mechanism, taken):
+    for component in components(taken):
         if component == (input_link,) and not within:
             continue
         groups.append(_group(mechanism, component, known, driver if within else None))
@@ -120,7 +120,7 @@ def _group(mechanism: Mechanism, links: tuple[int, ...], known: tuple[int, ...],
         return _dyad(links, inner, outer, known)
     outer.sort(key=lambda j: min(members & set(j.links)))
     names = tuple(j.name for j in inner), tuple(j.name for j in outer)
-    number = 2 if drive and len(links) == 3 else _class_number(links, inner, outer)
+    number = 2 if drive and len(links) == 3 else _class_number(inner)
     return Group(links, "", number, len(outer), *names, known, drive)
 
 
@@ -156,7 +156,7 @@ def _dyad(links: tuple[int, ...], inner: Sequence[Joint], outer: Sequence[Joint]
     return Group((a, b), kind, 2, 2, (inner[0].name,), (at[a].name, at[b].name), known)
 
 
-def _class_number(links: tuple[int, ...], inner: Sequence[Joint], outer: Sequence[Joint]) -> int:
+def _class_number(inner: Sequence[Joint]) -> int:
     """Class III for a basic link of three joints, IV and more for a closed contour of that many inner joints.
 
     The contour of a joint is the shortest closed one through it; the longest of these gives the class.

@@ -15,6 +15,7 @@ from tmmcalc.machine.onemass import check_inertia, onto
 from tmmcalc.machine.regime import Regime, regime_of
 from tmmcalc.machine.regimeerrors import ROUNDED
 from tmmcalc.numerics.collocation import TOLERANCE
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.numerics.panels import NARROWEST, PASSES, Panels, Values
 
 WHERE = "steady motion"
@@ -22,7 +23,6 @@ BALANCED = 1e-6  # work that a given driving moment may leave over, against the 
 CLOSED = 1e-14  # the same, as mere rounding of a diagram that closes by itself
 LEVEL = 1e-15  # relative change of the energy at which its level is found
 LEVELS = 60
-EPS = float(np.finfo(float).eps)
 ROUNDINGS = 4.0  # that an interpolated inertia or a sum of works adds up: finer panels would follow them
 
 

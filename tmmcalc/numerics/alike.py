@@ -2,13 +2,15 @@
 
 Code for one variant asks its constants questions (``if offset == 0``) and is array code in all the rest. With an
 `Alike` in the place of a number it holds for many variants at once, as long as each question has the same answer for
-all; where it has not, `MixedError` is raised and the variants have to be taken apart.
+all; where it has not, `MixedError` is raised and the variants have to be taken apart. What takes one number alone
+(``math.sqrt``, a key of a dictionary, a format) gets `SeveralError`.
 
 Trees are records, named tuples, tuples and dictionaries, however nested, with numbers and `Alike` as leaves.
 """
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Generic, TypeVar
 
@@ -24,6 +26,10 @@ class MixedError(Exception):
     """A question has different answers for the variants."""
 
 
+class SeveralError(Exception):
+    """One number is asked for where there are several."""
+
+
 class Alike(np.ndarray):
     """One number for each variant, or for each row of several variants."""
 
@@ -35,6 +41,33 @@ class Alike(np.ndarray):
         if plain.any():
             raise MixedError
         return False
+
+    def __float__(self) -> float:
+        return float(self._one())
+
+    def __int__(self) -> int:
+        return int(self._one())
+
+    def __complex__(self) -> complex:
+        return complex(self._one())
+
+    def __index__(self) -> int:
+        return operator.index(self._one())
+
+    def __round__(self, digits: int | None = None) -> Any:
+        return round(self._one(), digits)
+
+    def __format__(self, form: str) -> str:
+        return format(self._one(), form)
+
+    def __hash__(self) -> int:  # type: ignore[override]
+        return hash(self._one())
+
+    def _one(self) -> Any:
+        """The number, if it is one; else raises `SeveralError`."""
+        if self.size != 1:
+            raise SeveralError
+        return self.item()
 
 
 def alike(values: Any) -> Any:
@@ -138,7 +171,7 @@ def _numbers(tree: Any) -> Iterator[float | complex]:
 def _maker(tree: Any) -> Maker | None:
     """What makes a tree of the rows; None where nothing in it differs."""
     if isinstance(tree, Alike):
-        return lambda rows: tree[rows]
+        return lambda rows: tree.item(rows) if isinstance(rows, int) else tree[rows]
     makers = {at: made for at, part in enumerate(_parts(tree)) if (made := _maker(part)) is not None}
     if not makers:
         return None

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.errors import AccuracyError
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.numerics.newton import TINY, Ends, Measure, Rates, State, newton
 from tmmcalc.numerics.panels import NARROWEST, Panels, Values
 from tmmcalc.numerics.radau import Radau, radau
@@ -29,7 +30,6 @@ ON_EDGE = NARROWEST / 16  # of the range: a bend this near to an edge counts as 
 SNAP = 0.05  # of the panel: an edge so near to a bend moves there
 LAYER = 2.0  # decay over the first panel of a graded layer
 LAST, BEFORE = slice(-3, None), slice(-6, -3)  # coefficients whose fall tells what is left out
-EPS = float(np.finfo(float).eps)
 
 System = Callable[[Panels], Rates]
 """The equations at the Radau points of panels."""
@@ -176,7 +176,11 @@ def _roughness(
 
 
 def _beyond(scheme: Radau, values: Values) -> Values:
-    """All coefficients that are left out over the last three (..., K), if they go on falling as they do; 1 at most."""
+    """All coefficients that are left out over the last three (..., K), if they go on falling as they do; 1 at most.
+
+    A factor on last ones that are told otherwise (those of rates, what a start misses), and from the last six alone,
+    where `Panels.left_out` takes half the rule: a stiff layer falls slowly first.
+    """
     last, before = (
         np.max(np.abs(values @ scheme.coefficients[part].T), axis=-1, initial=0.0) for part in (LAST, BEFORE)
     )  # a rule of few points has none before the last

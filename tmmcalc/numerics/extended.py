@@ -8,11 +8,13 @@ nothing, and the estimate is that of a chain of operations, `CHAIN` units of rou
 from __future__ import annotations
 
 from dataclasses import fields, is_dataclass, replace
-from fractions import Fraction
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from fractions import Fraction  # its import would cost a start of the program more than all else here
 
 T = TypeVar("T")
 
@@ -58,6 +60,7 @@ def apart(found: Any, exact: Any) -> float:
 def as_number(exact: Fraction, kind: type) -> Any:
     """A fraction as a float or, of another kind, a longdouble.
 
+    >>> from fractions import Fraction
     >>> as_number(Fraction(1, 4), float)
     0.25
     """

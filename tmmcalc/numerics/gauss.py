@@ -50,6 +50,12 @@ def rule(n: int = ORDER) -> Rule:
     return Rule(points, weights, upper.T @ coefficients / 2, 2 * slope, barycentric, coefficients, ends)
 
 
+def tail(values: Values) -> Values:
+    """Size (...) of the last coefficients of values (..., n) at the points: what they leave out, with a margin."""
+    last = np.abs(values @ rule(values.shape[-1]).coefficients[-3:].T)
+    return np.maximum(np.maximum(last[..., 0], last[..., 1]), last[..., 2])  # a reduction over three takes twice it
+
+
 @cache
 def wide_rule(n: int) -> tuple[Values, Values]:
     """Points and weights (n,) of the rule in extended precision."""

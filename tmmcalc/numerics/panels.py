@@ -18,7 +18,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.numerics.gauss import ORDER, legendre, rule
+from tmmcalc.numerics.gauss import ORDER, legendre, rule, tail
 from tmmcalc.numerics.roots import bracketed
 from tmmcalc.records import record
 
@@ -162,9 +162,8 @@ class Panels:
         return found
 
     def tail(self, values: Values) -> Values:
-        """Size (..., K) of the last coefficients: what the polynomial of a panel leaves out, with a margin."""
-        last = np.abs(values @ rule(self.order).coefficients[-3:].T)
-        return np.maximum(np.maximum(last[..., 0], last[..., 1]), last[..., 2])  # a reduction over three takes twice it
+        """What the polynomials of the panels leave out (..., K): the size of their last coefficients."""
+        return tail(values)
 
     def left_out(self, values: Values) -> Values:
         """What interpolation leaves out of functions (..., K): the coefficients go on to fall as in the second half.
@@ -175,6 +174,10 @@ class Panels:
         half, last = (np.max(c[..., at - 3 : at], axis=-1) for at in (self.order // 2, self.order))
         fall = np.clip(last / np.where(half > 0, half, 1.0), 0.0, SLOWEST) ** (2 / self.order)
         return np.asarray(2 * last * fall**2 / (1 - fall))
+
+    def halved(self) -> Panels:
+        """All panels in halves."""
+        return self.split(np.ones(self.count, bool))
 
     def split(self, which: NDArray[np.bool_]) -> Panels:
         """The panels with those of ``which`` (K,) halved."""
@@ -218,8 +221,8 @@ def resolved(
         size = np.max(np.abs(values), axis=(1, 2)) if scale is None else scale
         size = np.where(size > 0, size, 1.0)
         # a panel counts by what it adds to an integral: neither a kink nor rounding is chased to the end
-        tail = np.max(now.tail(values) / size[:, None], axis=0) * now.width / span
-        rough = (tail > tolerance) & (now.width > NARROWEST * (now.edges[-1] - now.edges[0]))
+        left = np.max(now.tail(values) / size[:, None], axis=0) * now.width / span
+        rough = (left > tolerance) & (now.width > NARROWEST * (now.edges[-1] - now.edges[0]))
         if not rough.any():
             break
         finer = now.split(rough)
@@ -229,7 +232,7 @@ def resolved(
         grown[:, kept] = values[:, ~rough]
         grown[:, ~kept] = fresh.reshape(len(values), -1, now.order)
         now, values = finer, grown
-    return now, values, float(np.max(tail))
+    return now, values, float(np.max(left))
 
 
 def _sampled(f: Callable[[Values], Values], at: Panels) -> Values:

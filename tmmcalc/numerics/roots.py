@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.numerics.extended import EPS
+
 Values = NDArray[np.floating[Any]]
 Indices = NDArray[np.intp]
 Problems = Callable[[Values, Indices], Values]
@@ -60,7 +62,7 @@ def bracketed(
         best = np.where(np.abs(f1) < np.abs(f2), x1, x2)
         zero = np.minimum(np.abs(f1), np.abs(f2)) <= level
         width = np.abs(x2 - x1)
-        tolerance = 2 * np.finfo(float).eps * np.abs(best) + absolute
+        tolerance = 2 * EPS * np.abs(best) + absolute
         done = zero | (width <= 2 * tolerance)
         root[active[done]] = best[done]
         keep = ~done

@@ -13,7 +13,7 @@ REFINEMENTS = 3  # of a solution in extended precision: each brings as many digi
 
 
 def solve(matrix: Values, right: Values) -> Values:
-    """Solutions x (k, n) of the systems (k, k, n) with the right sides (k, n); NaN where a system is singular.
+    """Solutions x (k, n) of systems (k, k, n) with right sides (k, n); NaN where one is singular or not finite.
 
     Beyond double precision a solution is refined by its residual, which is taken in that precision.
 
@@ -36,7 +36,8 @@ def _solved(systems: Values, right: Values) -> Values:
     try:
         return np.linalg.solve(systems, sides)[..., 0].T
     except np.linalg.LinAlgError:
-        regular = np.linalg.det(systems) != 0.0
+        finite = np.flatnonzero(np.isfinite(systems).all(axis=(1, 2)))  # beyond the numbers there is no determinant
+        regular = finite[np.linalg.det(systems[finite]) != 0.0]
         found = np.full(sides.shape[:2], np.nan)
         found[regular] = np.linalg.solve(systems[regular], sides[regular])[..., 0]
         return found.T

@@ -17,18 +17,31 @@ TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
 ERROR = "error"
 TOLD = (
     "stage", "quantity", "reference", "reference_error", "method", "setting", "size", "error", "seconds", "runs",
-    "evaluations", "order", "theory", "failed",
+    "count", "order", "theory", "failed", "cheapest",
 )  # fmt: skip
 
 
 def accuracy_document(result: Accuracy, title: str, tolerance: float | None = None) -> Document:
     """One part a study: the reference, the cheapest method for ``tolerance`` (by default for four), all settings."""
-    parts = tuple(_part(study, (tolerance,) if tolerance else TOLERANCES) for study in result.studies)
+    parts = tuple(_part(study, _asked(tolerance)) for study in result.studies)
     parts += tuple(ladder_document(ladder) for ladder in result.ladders)
     stages = [study.stage for study in result.studies] + [ladder.stage for ladder in result.ladders]
     facts = [_listed("studied", dict.fromkeys(stages))]
     facts += [_listed(label, names) for label, names in _unstudied(result) if names]
     return Document(title, tuple(facts), parts=parts)
+
+
+def _asked(tolerance: float | None) -> Sequence[float]:
+    return TOLERANCES if tolerance is None else (tolerance,)
+
+
+def told(tolerance: float) -> str:
+    """A tolerance with as many digits as it has.
+
+    >>> told(1e-6), told(1.44e-6)
+    ('1e-06', '1.44e-06')
+    """
+    return next(text for digits in range(17) if float(text := f"{tolerance:.{digits}e}") == tolerance)
 
 
 def _unstudied(result: Accuracy) -> Iterator[tuple[str, Sequence[str]]]:
@@ -38,23 +51,29 @@ def _unstudied(result: Accuracy) -> Iterator[tuple[str, Sequence[str]]]:
 
 
 def _listed(label: str, names: Iterable[str]) -> Fact:
-    told = list(names)
-    return Fact(label, ", ".join(told) or "nothing", {label.replace(" ", "_"): told})
+    stages = list(names)
+    return Fact(label, ", ".join(stages) or "nothing", {label.replace(" ", "_"): stages})
 
 
-def tidy_document(result: Accuracy, title: str) -> Document:
+def tidy_document(result: Accuracy, title: str, tolerance: float | None = None) -> Document:
     """One table of all settings of all studies and ladders, for programs; what does not apply is empty."""
-    rows: list[tuple[Any, ...]] = [
-        (study.stage, study.quantity, study.reference.name, study.reference.error, series.method, point.setting,
-         point.size, point.error, point.seconds, point.runs, point.evaluations, series.order, series.expected,
-         point.failed)
-        for study in result.studies
-        for series in study.series
-        for point in series.points
-    ]  # fmt: skip
+    rows = [row for study in result.studies for row in _rows(study, _asked(tolerance))]
     rows += [row for ladder in result.ladders for row in ladder_rows(ladder)]
     columns = [["" if cell is None else cell for cell in column] for column in zip(*rows, strict=True)]
     return Document(title, table=View(TOLD, columns or [[] for _ in TOLD]))
+
+
+def _rows(study: Study, tolerances: Sequence[float]) -> Iterator[tuple[Any, ...]]:
+    """Rows for programs; the last cell names the tolerances for which the row is the cheapest."""
+    found = [(told(tolerance), study.cheapest(tolerance)) for tolerance in tolerances]
+    for series in study.series:
+        for point in series.points:
+            best = " ".join(name for name, chosen in found if chosen is not None and chosen[1] is point)
+            yield (
+                study.stage, study.quantity, study.reference.name, study.reference.error, series.method, point.setting,
+                point.size, point.error, point.seconds, point.runs, point.count, series.order, series.expected,
+                point.failed, best,
+            )  # fmt: skip
 
 
 def _part(study: Study, tolerances: Sequence[float]) -> Document:
@@ -87,9 +106,9 @@ def _failures(series: Series) -> Iterator[str]:
         if point.failed:
             settings.setdefault(NUMBER.sub("#", point.failed), []).append(point.setting)
     reasons = {NUMBER.sub("#", p.failed): p.failed for p in series.points if p.failed}
-    for key, told in settings.items():
-        many = f" (at {told[-1]})" if len(told) > 1 and "#" in key else ""
-        yield f"{', '.join(filter(None, (series.method, *told)))}: {reasons[key]}{many}"
+    for key, failing in settings.items():
+        many = f" (at {failing[-1]})" if len(failing) > 1 and "#" in key else ""
+        yield f"{', '.join(filter(None, (series.method, *failing)))}: {reasons[key]}{many}"
 
 
 def _cheapest(study: Study, tolerances: Sequence[float]) -> Iterator[Fact]:
@@ -97,8 +116,8 @@ def _cheapest(study: Study, tolerances: Sequence[float]) -> Iterator[Fact]:
     found = [(tolerance, study.cheapest(tolerance)) for tolerance in tolerances]
     for chosen, run in groupby(found, key=lambda item: item[1]):
         asked = [tolerance for tolerance, _ in run]
-        values = {f"cheapest_{tolerance:.0e}": _choice(chosen) for tolerance in asked}
-        label = f"cheapest for {asked[0]:.0e}" + (f" to {asked[-1]:.0e}" if len(asked) > 1 else "")
+        values = {f"cheapest_{told(tolerance)}": _choice(chosen) for tolerance in asked}
+        label = f"cheapest for {told(asked[0])}" + (f" to {told(asked[-1])}" if len(asked) > 1 else "")
         if chosen is None:
             yield Fact(label, "none reaches it", values)
         else:
@@ -114,24 +133,25 @@ def _choice(found: tuple[Series, Point] | None) -> dict[str, object] | None:
 
 
 def _never(study: Study, tolerances: Sequence[float]) -> Iterator[Fact]:
-    """The methods that reach no tolerance so tight at any setting, each at the loosest that it misses."""
+    """The methods that keep no tolerance so tight at any setting, each at the loosest that it misses."""
     missing = {series.method: series for series in study.series}
     for tolerance in sorted(tolerances, reverse=True):
         missed = [series for series in missing.values() if series.cheapest(tolerance) is None]
         if not missed:
             continue
-        text = "\n".join(f"{series.method}: {_least(series)}" for series in missed)
+        text = "\n".join(f"{series.method}: {_least(series, tolerance)}" for series in missed)
         least = {series.method: series.best.error if series.best else "no result" for series in missed}
-        values = {f"never_{tolerance:.0e}": least}
-        yield Fact(f"never {tolerance:.0e}", text, values)
+        values = {f"never_{told(tolerance)}": least}
+        yield Fact(f"never {told(tolerance)}", text, values)
         for series in missed:
             del missing[series.method]
 
 
-def _least(series: Series) -> str:
+def _least(series: Series, tolerance: float) -> str:
     if series.best is None:
         return "no result"
-    return f"{series.best.error:.1e} at best" + (f", {series.best.setting}" if series.best.setting else "")
+    chance = ", by chance: finer ones miss it" if (series.best.error or 0.0) <= tolerance else ""
+    return f"{series.best.error:.1e} at best" + (f", {series.best.setting}" if series.best.setting else "") + chance
 
 
 def called(series: Series, point: Point) -> str:
@@ -150,12 +170,12 @@ def _view(all_series: Sequence[Series]) -> View:
         "setting": [point.setting for _, point, _ in rows],
         ERROR: ["failed" if point.error is None else point.error for _, point, _ in rows],
         "time[ms]": ["" if point.seconds is None else f"{point.seconds * 1e3:.3g}" for _, point, _ in rows],
-        "evaluations": ["" if point.evaluations is None else point.evaluations for _, point, _ in rows],
+        "count": ["" if point.count is None else point.count for _, point, _ in rows],
         "order": [_order(series.order) if first else "" for series, _, first in rows],
         "theory": [_order(series.expected) if first else "" for series, _, first in rows],
     }
-    told = {name: cells for name, cells in columns.items() if any(cell != "" for cell in cells)}
-    return View(list(told), list(told.values()), scientific=[ERROR])
+    shown = {name: cells for name, cells in columns.items() if any(cell != "" for cell in cells)}
+    return View(list(shown), list(shown.values()), scientific=[ERROR])
 
 
 def _order(value: float | None) -> str:

@@ -44,11 +44,11 @@ def ladder_rows(ladder: Ladder) -> Iterator[tuple[Any, ...]]:
     for rung in ladder.rungs:
         setting = f"{rung.value:.0e} {ladder.unit}"
         name = f"choice of the program, {rung.method}"
-        yield (*head, name, setting, rung.value, rung.error, rung.seconds, None, rung.evaluations, None, None, "")
+        yield (*head, name, setting, rung.value, rung.error, rung.seconds, None, rung.evaluations, None, None, "", "")
     for rung in ladder.rungs:
         setting, name = f"{rung.value:.0e} {ladder.unit}", f"fixed step of {number(ladder.step)} s"
         count, fails = rung.textbook_evaluations, rung.textbook_fails
-        yield (*head, name, setting, rung.value, rung.textbook_error, None, None, count, None, None, fails)
+        yield (*head, name, setting, rung.value, rung.textbook_error, None, None, count, None, None, fails, "")
 
 
 def _textbook_fact(ladder: Ladder) -> Fact:

@@ -9,7 +9,8 @@ from typing import Any
 from tmmcalc.errors import UsageError
 from tmmcalc.gears.bounds import single_planet_limits
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency
-from tmmcalc.gears.gearing import layout_task, solve_gearing
+from tmmcalc.gears.gearing import solve_gearing
+from tmmcalc.gears.gearingtask import layout_task
 from tmmcalc.gears.kinds import from_tooth_ratio, to_tooth_ratio
 from tmmcalc.gears.losses import layout_efficiencies, usual_efficiencies
 from tmmcalc.gears.network.choice import proposals

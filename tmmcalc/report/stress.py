@@ -6,19 +6,24 @@ rung and on its worst, with the condition number and the stage's own estimate th
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import fields
+from typing import Any
 
 from tmmcalc.report.document import Document, Fact, View
-from tmmcalc.stress.results import ERROR, FAULT, LIMITS, OK, WARNING, Ladder, Loss, Met, Rung, Stress
+from tmmcalc.stress.results import DISPUTED, ERROR, FAULT, LIMITS, WARNING, Ladder, Loss, Met, Rung, Stress
 
 TOLD = (
     "ladder", "setting", "size", "condition", "stage", "status", "code", "error", "quantity", "estimate", "told",
-    "message",
+    "message", "skipped",
 )  # fmt: skip
 KEPT = 1e-12  # observed errors up to that are no loss to speak of
 # how reasons begin that say no more than the name of a ladder
 LACKS = ("the scene has n", "the motor of the scene has no", "no linkage is sought")
 LOSSES = ("ladder", "stage", "error at first", "at worst", "condition", "estimate", "told by", "of", "on rung")
+POWERS = ("error at first", "at worst", "condition", "estimate")  # columns of many magnitudes
+SELDOM = ("not compared", "answer")  # columns that are left out where they say nothing
+MOST_NAMED = 4  # quantities in a note
 
 
 def stress_document(result: Stress, title: str) -> Document:
@@ -27,10 +32,12 @@ def stress_document(result: Stress, title: str) -> Document:
     facts += _without(result)
     count = len(result.faults)
     facts.append(Fact("faults of the program", str(count) if count else "none", {"faults": count}))
+    facts += _disputed(result)
     lost = [(ladder, loss) for ladder in result.ladders for loss in ladder.losses() if (loss.met.error or 0.0) > KEPT]
     facts.append(_kept(result, {(ladder.name, loss.stage) for ladder, loss in lost}))
     notes = tuple(f"warning: {name}, {rung.setting}: {met.stage}: {met.message}" for name, rung, met in result.faults)
-    table = View(LOSSES, _transposed([_row(*each) for each in lost], LOSSES)) if lost else None
+    rows = [_row(*each) for each in lost]
+    table = View(LOSSES, list(zip(*rows, strict=True)), scientific=POWERS) if rows else None
     return Document(title, tuple(facts), notes, table, parts=tuple(_part(ladder) for ladder in result.ladders))
 
 
@@ -38,13 +45,25 @@ def tidy_stress(result: Stress, title: str) -> Document:
     """One table of all stages on all rungs, for programs; what does not apply is empty."""
     rows = [
         (ladder.name, rung.setting, rung.size, rung.condition, met.stage, met.status, met.code, met.error, met.quantity,
-         met.estimate, met.told, met.message)
+         met.estimate, met.told, met.message, "; ".join(met.skipped) or rung.note)
         for ladder in result.ladders
         for rung in ladder.rungs
         for met in rung.met
     ]  # fmt: skip
-    columns = [["" if cell is None else cell for cell in column] for column in zip(*rows, strict=True)]
+    columns = [_cells(column) for column in zip(*rows, strict=True)]
     return Document(title, table=View(TOLD, columns or [[] for _ in TOLD]))
+
+
+def _cells(values: Sequence[Any]) -> list[Any]:
+    """A column; what does not apply is empty."""
+    return ["" if value is None else value for value in values]
+
+
+def _disputed(result: Stress) -> Iterator[Fact]:
+    count = len(result.disputed)
+    if count:
+        told = dict.fromkeys(f"{met.stage} on {name}" for name, _, met in result.disputed)
+        yield Fact("disputed", f"{', '.join(told)}: refused by the equivalent scene", {"disputed": count})
 
 
 def _without(result: Stress) -> Iterator[Fact]:
@@ -63,33 +82,43 @@ def _kept(result: Stress, lost: set[tuple[str, str]]) -> Fact:
     others = [loss for ladder in result.ladders for loss in ladder.losses() if (ladder.name, loss.stage) not in lost]
     largest = max((loss.met.error or 0.0 for loss in others), default=0.0)
     every = "all other stages on all ladders" if lost else "all stages on all ladders"
-    text = f"{every} keep twelve digits: errors up to {largest:.1e}" if others else "nothing could be compared"
+    none = "nothing else is compared" if lost else "nothing could be compared"
+    text = f"{every} keep twelve digits: errors up to {largest:.1e}" if others else none
     return Fact("digits", text, {"largest_of_the_others": largest})
 
 
-def _row(ladder: Ladder, loss: Loss) -> tuple[str, ...]:
+def _row(ladder: Ladder, loss: Loss) -> list[Any]:
     met = loss.met
-    condition = "" if loss.rung.condition is None else f"{loss.rung.condition:.1e}"
-    return (
-        ladder.name, loss.stage, _power(loss.ordinary), _power(met.error), condition, _power(met.estimate),
-        _teller(met), met.quantity, loss.rung.setting,
-    )  # fmt: skip
+    return _cells((
+        ladder.name, loss.stage, loss.ordinary, met.error, loss.rung.condition, met.estimate, _teller(met),
+        met.quantity, loss.rung.setting,
+    ))  # fmt: skip
 
 
 def _teller(met: Met) -> str:
     """What tells of the loss: the estimate that is as large, a warning, or nothing."""
     if met.estimate is not None and met.error is not None and met.estimate >= met.error:
         return "estimate"
-    return {OK: "nothing", WARNING: "warning"}.get(met.status, met.status)
-
-
-def _transposed(rows: list[tuple[str, ...]], headers: tuple[str, ...]) -> list[list[str]]:
-    return [[row[k] for row in rows] for k in range(len(headers))]
+    return "warning" if met.status == WARNING else "nothing"
 
 
 def _part(ladder: Ladder) -> Document:
-    facts = (Fact("observed error", f"against {ladder.against}"), *_degraded(ladder))
-    return Document(f"{ladder.name}: {ladder.title}", facts, tuple(_messages(ladder)), _view(ladder))
+    values = {"against": ladder.against, "rungs": [_plain(rung) for rung in ladder.rungs]}
+    facts = (Fact("observed error", f"against {ladder.against}", values), *_degraded(ladder))
+    notes = (*_messages(ladder), *_uncompared(ladder))
+    return Document(f"{ladder.name}: {ladder.title}", facts, notes, _view(ladder))
+
+
+def _plain(row: Rung | Met) -> dict[str, Any]:
+    """The fields of a record that say something, by name, with all their digits."""
+    values = {field.name: getattr(row, field.name) for field in fields(row)}
+    if isinstance(row, Rung):
+        values["met"] = [_plain(met) | {"told": met.told} for met in row.met]
+    return {
+        name: list(value) if isinstance(value, tuple) else value
+        for name, value in values.items()
+        if value not in (None, "", ())
+    }
 
 
 def _degraded(ladder: Ladder) -> Iterator[Fact]:
@@ -110,40 +139,57 @@ def _degraded(ladder: Ladder) -> Iterator[Fact]:
 
 
 def _messages(ladder: Ladder) -> Iterator[str]:
-    """Errors by name, each once with its first rung."""
+    """Errors by name, and results that are disputed, each once with its first rung."""
     said: set[tuple[str, int]] = set()
     for rung in ladder.rungs:
         for met in rung.met:
-            if met.status in (ERROR, FAULT) and (met.stage, met.code) not in said:
+            if met.status in (DISPUTED, ERROR, FAULT) and (met.stage, met.code) not in said:
                 said.add((met.stage, met.code))
-                yield f"{rung.setting}: exit code {met.code}, {met.message}"
+                how = f"{met.stage} is disputed" if met.status == DISPUTED else f"exit code {met.code}"
+                yield f"{rung.setting}: {how}, {met.message}"
+
+
+def _uncompared(ladder: Ladder) -> Iterator[str]:
+    """What has nothing to be compared with, each once with its first rung."""
+    said: set[tuple[str, ...]] = set()
+    for rung in ladder.rungs:
+        if rung.note and (rung.note,) not in said:
+            said.add((rung.note,))
+            yield f"{rung.setting}: {rung.note}"
+        for met in rung.met:
+            if met.skipped and (met.stage, *met.skipped) not in said:
+                said.add((met.stage, *met.skipped))
+                yield f"{rung.setting}: not compared in {met.stage}: {_listed(met.skipped)}"
+
+
+def _listed(names: Sequence[str]) -> str:
+    more = len(names) - MOST_NAMED
+    return ", ".join(names[:MOST_NAMED]) + (f" and {more} more" if more > 0 else "")
 
 
 def _view(ladder: Ladder) -> View:
-    answers = [rung.answer for rung in ladder.rungs]
-    headers = ["rung", ladder.condition, "worst", "error", "estimate", "ends"]
     worst = [_worst(rung) for rung in ladder.rungs]
-    columns: list[list[str]] = [
-        [rung.setting for rung in ladder.rungs],
-        ["" if rung.condition is None else f"{rung.condition:.1e}" for rung in ladder.rungs],
-        ["" if met is None else f"{met.stage}, {met.quantity}" for met in worst],
-        [_power(None if met is None else met.error) for met in worst],
-        [_power(None if met is None else met.estimate) for met in worst],
-        [_ends(rung) for rung in ladder.rungs],
-    ]
-    return View([*headers, "answer"], [*columns, answers]) if any(answers) else View(headers, columns)
+    columns: dict[str, list[Any]] = {
+        "rung": [rung.setting for rung in ladder.rungs],
+        ladder.condition: _cells([rung.condition for rung in ladder.rungs]),
+        "worst": ["" if met is None else f"{met.stage}, {met.quantity}" for met in worst],
+        "error": _cells([None if met is None else met.error for met in worst]),
+        "estimate": _cells([None if met is None else met.estimate for met in worst]),
+        "ends": [_ends(rung) for rung in ladder.rungs],
+        "not compared": [sum(len(met.skipped) for met in rung.met) for rung in ladder.rungs],
+        "answer": [rung.answer for rung in ladder.rungs],
+    }
+    told = {name: cells for name, cells in columns.items() if name not in SELDOM or any(cells)}
+    return View(list(told), list(told.values()), scientific=(ladder.condition, "error", "estimate"))
 
 
 def _worst(rung: Rung) -> Met | None:
     return max((met for met in rung.met if met.error is not None), key=lambda met: met.error or 0.0, default=None)
 
 
-def _power(value: float | None) -> str:
-    return "" if value is None else f"{value:.1e}"
-
-
 def _ends(rung: Rung) -> str:
     """How the stages of a rung end, those that are well left out."""
     words = [f"{met.stage}: exit {met.code}" for met in rung.met if met.status in (ERROR, FAULT)]
+    words += [f"{met.stage}: disputed" for met in rung.met if met.status == DISPUTED]
     warned = sum(met.status == WARNING for met in rung.met)
     return ", ".join([*words, *([f"{warned} warned"] if warned else [])]) or "ok"

@@ -44,11 +44,19 @@ def _failures(sheet: Sheet) -> Iterator[Fact]:
 
 
 def _ranges(sheet: Sheet) -> Iterator[Fact]:
+    """A fact for every quantity that varies, one for all the others."""
+    same: dict[str, float] = {}
+    values: dict[str, object] = {}
     for name, column in zip(sheet.names, sheet.values.T, strict=True):
         if np.isnan(column).all():
             continue
         low, high = int(np.nanargmin(column)), int(np.nanargmax(column))
         least, largest = float(column[low]), float(column[high])
-        text = f"{number(least)} (row {low + 1}) to {number(largest)} (row {high + 1})"
-        values = {"least": least, "least_row": low + 1, "largest": largest, "largest_row": high + 1}
-        yield Fact(name, f"{number(least)} everywhere" if least == largest else text, {name: values})
+        told = {"least": least, "least_row": low + 1, "largest": largest, "largest_row": high + 1}
+        if least == largest:
+            same[name], values[name] = least, told
+        else:
+            text = f"{number(least)} (row {low + 1}) to {number(largest)} (row {high + 1})"
+            yield Fact(name, text, {name: told})
+    if same:
+        yield Fact("the same in all", ", ".join(f"{name} = {number(value)}" for name, value in same.items()), values)

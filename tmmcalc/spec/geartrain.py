@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from tmmcalc.gears.gearing import GearingTask, layout_task
+from tmmcalc.gears.gearingtask import GearingTask, layout_task
 from tmmcalc.gears.losses import efficiency_of_mesh, layout_efficiencies, usual_efficiencies
 from tmmcalc.gears.network.model import EXTERNAL, INTERNAL, Body, Mesh, Network
 

@@ -13,12 +13,12 @@ import numpy as np
 from tmmcalc.linkage.reduction.results import Contribution, Reduction, ReductionError
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.numerics.panels import Panels, Values
 from tmmcalc.numerics.simpson import simpson
 
 POSITIONS = 24  # equal steps of a turn that are tabulated
 BALANCE = "balancing moment"
-EPS = float(np.finfo(float).eps)
 
 
 def reduced_diagram(name: str, cycle: Cycle) -> Reduction:

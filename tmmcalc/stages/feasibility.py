@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmmcalc.errors import UsageError
-from tmmcalc.feasibility.judge import ROWS, Constraint, Feasibility, FeasibilityTask, judge
+from tmmcalc.feasibility.judge import OF, ROWS, Constraint, Feasibility, FeasibilityTask, judge
 from tmmcalc.feasibility.quantities import limits, named, of_name, place
 from tmmcalc.pipeline.stage import Record, Table, resolve
 from tmmcalc.pipeline.stages import STAGES
@@ -93,19 +93,8 @@ def columns(constraint: Constraint, result: Any) -> Iterator[tuple[str, Quantity
 def _asked(constraint: Constraint, result: Any, column: np.ndarray) -> float:
     """Where rows are sets to choose from the value of the chosen one, the first where none is."""
     if constraint.stage not in ROWS:
-        return _OF[constraint.of](column)
+        return float(OF[constraint.of](column))
     return float(column[result.winner.place if constraint.stage == "criteria" else 0])
-
-
-_OF = {
-    "max": lambda column: float(np.max(column)),
-    "min": lambda column: float(np.min(column)),
-    "range": lambda column: float(np.ptp(column)),
-    "mean": lambda column: float(np.mean(column)),
-    "size": lambda column: float(np.max(np.abs(column))),
-    "first": lambda column: float(column[0]),
-    "last": lambda column: float(column[-1]),
-}
 
 
 def dump(result: Feasibility) -> Record:

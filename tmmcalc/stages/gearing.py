@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.gears.gearing import Gearing, GearingTask, solve_gearing
+from tmmcalc.gears.gearing import Gearing, solve_gearing
+from tmmcalc.gears.gearingtask import GearingTask
 from tmmcalc.gears.members import member_columns
 from tmmcalc.pipeline.stage import Record, Table
 from tmmcalc.stages.conversion import from_record, to_record

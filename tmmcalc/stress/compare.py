@@ -1,7 +1,8 @@
 """How far apart the results of two equivalent scenes are: the columns of a stage's table, or its facts.
 
 A difference is told relative to the largest magnitude of the same unit in the stage, because a coordinate that is zero
-but for rounding has no digits of its own. Angles are compared but for whole turns.
+but for rounding has no digits of its own; where all of a unit are zero, to what it is made from. Angles are compared
+but for whole turns. What only one of the scenes tells, and a zero that nothing gives a size, is named and left out.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.stage import Table
 from tmmcalc.records import record
 from tmmcalc.stages.feasibility import facts
+from tmmcalc.stress.stages import between, in_millimetres
 from tmmcalc.stress.units import Factors
 
 Values = Any  # array of numbers (n,)
@@ -24,10 +26,11 @@ Quantities = dict[str, tuple[Values, str]]  # by name: values (n,) and their uni
 TURN = 360.0
 PLAIN = re.compile(r"\d+")  # label of a position of the grid
 INDEX = ("i", "phase", "motion")  # columns that say which row it is
-# what is found by a rule of thumb on the grid, counts, places of extremes (flat: half of the digits), and estimates
+# what is found by a rule of thumb on the grid, counts, places of extremes (flat: half of the digits) and arms there,
+# and estimates
 SKIPPED = re.compile(
-    r"_at_|_at$|error|counters|Simpson|textbook|_off$|steps|residual|evaluations|lumped|_given$|(^|_)rim_|power_balance|turns$"
-    r"|^equilibrium$|^virtual$"
+    r"_at_|_at$|error|counters|Simpson|textbook|_off$|steps|residual|evaluations|lumped|_given$|(^|_)rim_|power_balance|turns$|_dphi_"
+    r"|^equilibrium$|^virtual$|^h_(?!T$|t_)|^(S0|r2|l)_least$"
 )
 BY_FACTS = ("vibrator", "pendulum", "transient")  # rows of forms without a size, of instants chosen by the steps
 COUNTED = ("structure", "train")  # whole numbers, which have no digits to lose
@@ -39,36 +42,84 @@ class Alignment:
     """What one scene is to another: its units, whether it is mirrored, and which position answers to which."""
 
     factors: Factors = Factors()
+    twin: bool = False  # whether the other scene is made from the rung; else the rung is made from the other scene
     mirrored: bool = False
     label: Callable[[int, int], int] | None = None  # (position, count) -> position of the other scene; None: the same
     shifted: bool = False  # whether position 0 lies elsewhere: what is counted from it differs
 
 
+@record
+class Difference:
+    """How far apart two scenes are in a stage."""
+
+    size: float | None = None  # the largest, relative; None: nothing to compare
+    quantity: str = ""  # of which it is the largest
+    skipped: tuple[str, ...] = ()  # what could not be compared, each with the reason
+
+
+@record
+class Apart:
+    """A quantity of both scenes, in the units of the first."""
+
+    name: str
+    kind: str  # its unit, or, of a pure number, its name
+    size: float  # largest magnitude in the first scene, over the cycle where that is known
+    gap: float  # largest difference
+
+
 SAME = Alignment()
 
 
-def difference(stage: str, one: RunResult, two: RunResult, alignment: Alignment = SAME) -> tuple[float, str] | None:
-    """The largest relative difference of a stage's results, ``two`` against ``one``, and of which quantity.
-
-    None: there is nothing to compare.
-    """
+def difference(stage: str, one: RunResult, two: RunResult, alignment: Alignment = SAME) -> Difference:
+    """The largest relative difference of a stage's results, ``two`` against ``one``."""
     if stage in COUNTED:
-        return None
-    found = None
-    if stage not in BY_FACTS:
-        found = _tables(one.table(stage), two.table(stage), alignment)
+        return Difference()
+    bound = in_millimetres(stage, one, two) if alignment.factors.length != 1 else ""
+    if bound:
+        return Difference(skipped=(f"all ({bound})",))
+    tables = None if stage in BY_FACTS else _tables(one.table(stage), two.table(stage), alignment)
+    found = tables
     if found is None and alignment.label is None:
         found = _facts(stage, one), _facts(stage, two)
     if found is None:
-        return None
-    apart = list(_differences(*found, alignment))
+        return Difference()
+    ratios, unlike = _ratios(list(_differences(*found, alignment, between(stage, one))), _reach(one))
+    skipped = [*_lengths(stage, one, two, tables is None), *_on_one_side(*found), *unlike]
+    size, quantity = max(ratios, default=(None, ""))
+    return Difference(size, quantity, tuple(skipped))
+
+
+def _lengths(stage: str, one: RunResult, two: RunResult, uncompared: bool) -> list[str]:
+    """Tables of other lengths, whose rows are not of the same places."""
+    if stage in BY_FACTS or not uncompared:
+        return []
+    rows = [0 if table is None else table.rows for table in (one.table(stage), two.table(stage))]
+    return [f"table ({rows[0]} rows beside {rows[1]})"] if rows[0] != rows[1] else []
+
+
+def _on_one_side(one: Quantities, two: Quantities) -> list[str]:
+    return [f"{name} (in one scene only)" for name in {**one, **two} if (name in one) != (name in two)]
+
+
+def _ratios(apart: list[Apart], reach: float) -> tuple[list[tuple[float, str]], list[str]]:
+    """Relative differences of quantities by name, and those that are zero in one scene without a size to compare."""
+    sizes = _sizes(apart, reach)
+    ratios = [(each.gap / (sizes[each.kind] or 1.0), each.name) for each in apart if sizes[each.kind] or not each.gap]
+    unlike = [
+        f"{each.name} (zero beside {each.gap:.1e} {each.kind})" for each in apart if each.gap and not sizes[each.kind]
+    ]
+    return ratios, unlike
+
+
+def _sizes(apart: list[Apart], reach: float) -> dict[str, float]:
+    """What differences of each kind are relative to: the largest magnitude, of zeros what they are made from."""
     sizes: dict[str, float] = {}
-    for _, kind, size, _ in apart:
-        sizes[kind] = max(sizes.get(kind, 0.0), size)
+    for each in apart:
+        sizes[each.kind] = max(sizes.get(each.kind, 0.0), each.size)
     if "N" in sizes and "N*m" in sizes:  # a moment that is zero but for rounding is small beside forces times arms
-        sizes["N*m"] = max(sizes["N*m"], sizes["N"] * _reach(one))
-    ratios = [(gap / sizes[kind] if sizes[kind] else gap, name) for name, kind, _, gap in apart]
-    return max(ratios, default=None)
+        sizes["N*m"] = max(sizes["N*m"], sizes["N"] * reach)
+    natural = {each.name: 1.0 for each in apart} | {"deg": TURN, "m": reach}  # a pure number is a kind by itself
+    return {kind: size or natural.get(kind, 0.0) for kind, size in sizes.items()}
 
 
 def _reach(run: RunResult) -> float:
@@ -78,16 +129,20 @@ def _reach(run: RunResult) -> float:
     return float(np.max(np.abs(run.results["kinematics"].trace.r), initial=0.0))
 
 
-def _differences(one: Quantities, two: Quantities, alignment: Alignment) -> Iterator[tuple[str, str, float, float]]:
-    """Of every quantity its name, its kind (that of its unit, or its own), its largest magnitude, its difference."""
+def _differences(
+    one: Quantities, two: Quantities, alignment: Alignment, largest: Mapping[str, float]
+) -> Iterator[Apart]:
+    """Of every quantity that both have; ``largest`` are magnitudes that are known of more than these values."""
     for name, (a, unit) in one.items():
         if name not in two or (alignment.shifted and FROM_START.match(name)):
             continue
         b = two[name][0] / alignment.factors.of(unit)
-        if a.shape == b.shape:
-            kind = unit if unit not in ("", "-") else name
-            size, gap = np.max(np.abs(a), initial=0.0), np.max(_apart(a, b, unit, alignment.mirrored), initial=0.0)
-            yield name, kind, float(size), float(gap)
+        kind = unit if unit not in ("", "-") else name
+        size, gap = (
+            np.max(np.abs(a), initial=largest.get(name, 0.0)),
+            np.max(_apart(a, b, unit, alignment.mirrored), initial=0.0),
+        )
+        yield Apart(name, kind, float(size), float(gap))
 
 
 def _apart(a: Values, b: Values, unit: str, mirrored: bool) -> Values:

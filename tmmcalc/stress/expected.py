@@ -6,7 +6,8 @@
 
 A value has its name as ``tmmcalc sweep`` tells it, the number, its tolerance (relative, or ``abs 1e-9``), how it was
 proved, and, where it is short, the formula of the proof for mpmath, in which ``mpf``, ``sqrt``, ``pi`` ... are known.
-Words of an error have one such formula for every number in them, in their order.
+Words of an error have one such formula for every number in them, in their order; of a number that is none of the
+program's but stands in the spec, as of ``teeth = [5, 5]``, it is the place: ``given pair.teeth.0``.
 """
 
 from __future__ import annotations

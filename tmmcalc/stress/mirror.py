@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from tmmcalc.stress.quantities import rewritten
 from tmmcalc.stress.scene import Document, lacking
 
 UNKNOWN = (
@@ -113,7 +115,4 @@ def _start(value: Any) -> Any:
 
 def _negative(value: Any) -> Any:
     """The value with the other sign, whether it has a unit or not."""
-    if not isinstance(value, str):
-        return -value
-    text = value.strip().replace("−", "-")
-    return text[1:].strip() if text.startswith("-") else f"-{text.removeprefix('+')}"
+    return rewritten(value, operator.neg)

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from tmmcalc.records import record
 
 LIMITS = (1e-9, 1e-6, 1e-3)  # observed errors at which accuracy counts as degraded
-OK, WARNING, ERROR, FAULT = "ok", "warning", "error", "fault"
+OK, WARNING, DISPUTED, ERROR, FAULT = "ok", "warning", "disputed", "error", "fault"
 
 
 @record
@@ -20,16 +20,21 @@ class Met:
     """What became of one stage on one rung."""
 
     stage: str
-    status: str  # ok, warning, error (a named one of the program), fault (of the program itself)
+    # ok, warning, disputed (the scene beside it ends with an error), error (a named one of the program), fault (of the
+    # program itself)
+    status: str
     code: int = 0  # exit code of its class
     message: str = ""  # first warning, or the error
     error: float | None = None  # observed, relative; None: nothing to compare
     quantity: str = ""  # of which it is observed
     estimate: float | None = None  # largest of its own estimates, relative; None: it gives none
+    skipped: tuple[str, ...] = ()  # quantities that could not be compared, each with the reason
 
     @property
     def told(self) -> bool:
         """Whether the estimate is as large as the observed error, or a warning or an error says it."""
+        if self.status == DISPUTED:
+            return False
         if self.error is None or self.status != OK:
             return True
         return self.estimate is not None and self.estimate >= self.error
@@ -43,6 +48,7 @@ class Rung:
     size: float  # of what is varied
     condition: float | None  # condition number; None: the scene could not be built so far
     met: tuple[Met, ...]  # by stage, in the order of the pipeline
+    note: str = ""  # why it has nothing beside it
     answer: str = ""  # of a shipped scene: what was compared with its known answer
 
 
@@ -110,12 +116,20 @@ class Stress:
     without: tuple[tuple[str, str], ...]
 
     @property
+    def disputed(self) -> tuple[tuple[str, Rung, Met], ...]:
+        """Where a stage has a result that it has not in the equivalent scene, and does not warn."""
+        return self._ending(DISPUTED)
+
+    @property
     def faults(self) -> tuple[tuple[str, Rung, Met], ...]:
         """Where the program itself failed: an exception without a name, or a number that is none."""
+        return self._ending(FAULT)
+
+    def _ending(self, status: str) -> tuple[tuple[str, Rung, Met], ...]:
         return tuple(
             (ladder.name, rung, met)
             for ladder in self.ladders
             for rung in ladder.rungs
             for met in rung.met
-            if met.status == FAULT
+            if met.status == status
         )

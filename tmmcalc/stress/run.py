@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, TypeVar
 
 from tmmcalc.errors import TmmError, UsageError
 from tmmcalc.pipeline.accuracy import estimates
@@ -13,16 +14,19 @@ from tmmcalc.pipeline.plan import known_stage
 from tmmcalc.pipeline.runner import run
 from tmmcalc.pipeline.stage import resolve
 from tmmcalc.pipeline.stages import STAGES
-from tmmcalc.stress.compare import Alignment, difference, not_finite
+from tmmcalc.records import record
+from tmmcalc.stress.compare import Alignment, Difference, difference, not_finite
 from tmmcalc.stress.ladders import LADDERS
-from tmmcalc.stress.results import ERROR, FAULT, OK, WARNING, Ladder, Met, Rung, Stress
+from tmmcalc.stress.results import DISPUTED, ERROR, FAULT, OK, WARNING, Ladder, Met, Rung, Stress
 from tmmcalc.stress.scales import TWIN, twin
 from tmmcalc.stress.scene import Climb, Scene, Step
 
 if TYPE_CHECKING:
     from tmmcalc.spec.loader import Variants
 
+T = TypeVar("T")
 Told = Callable[[str, str], None]  # ladder, rung
+TWIN_OF = "twin"  # stands for a stage where the twin has no result at all
 LONG = ("transient", "pendulum", "cam_optimum")  # stages that take seconds
 STRIDE = 4  # of the rungs of a scene with such a stage, unless the ladder is named
 FLOOR = 2.0**-53  # nearer than that two numbers cannot be told apart
@@ -49,16 +53,19 @@ def solve_stress(
     stride = STRIDE if not ladders and _long(base) else 1
     found: list[Ladder] = []
     without: list[tuple[str, str]] = []
-    for name in ladders or LADDERS:
+    for name in dict.fromkeys(ladders or LADDERS):
         try:
             if on_rung is not None:
                 on_rung(name, "the way to its edge is sought")
             climb: Climb = resolve(LADDERS[name])(scene)
             found.append(_climbed(name, climb, scene, stride, on_rung))
-        except UsageError as error:
+        except TmmError as error:
             if ladders:
                 raise
             without.append((name, error.message))
+        except Exception as error:
+            way = Rung("the way to its edge", 0.0, None, (fault("program", error),))
+            found.append(Ladder(name, "its edge is not found", "", "nothing", (way,)))
     return Stress(tuple(found), tuple(without))
 
 
@@ -86,66 +93,111 @@ def _every(stride: int, steps: Iterable[Step]) -> list[Step]:
 
 def climbed_rung(scene: Scene, step: Step, known: RunResult | None = None) -> Rung:
     """What becomes of every stage on a rung; ``known`` is its run, if there is one already."""
-    result = known or _guarded(scene, step.document)
-    if not isinstance(result, RunResult):
-        return Rung(step.setting, step.size, None, (result,))
-    other, alignment = _beside(scene, step)
-    met = tuple(_met(result, other, alignment))
-    condition = step.condition(result)
-    return Rung(step.setting, step.size, condition, met)
+    found = caught("program", lambda: _rung(scene, step, known or scene.run(step.document)))
+    return found if isinstance(found, Rung) else Rung(step.setting, step.size, None, (found,))
 
 
-def _guarded(scene: Scene, document: Mapping[str, Any]) -> RunResult | Met:
-    """The run of a document, or the error that it ends with: on the way to an extreme nothing may escape."""
+def caught(stage: str, of: Callable[[], T]) -> T | Met:
+    """What a call gives, or the error that it ends with: on the way to an extreme nothing may escape."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of numpy: what is not finite is looked for in the results
-            return scene.run(document)
+            return of()
     except TmmError as error:
-        return Met(error.where or "spec", ERROR, error.exit_code, _line(error))
-    except Exception as error:  # a fault of the program, which is what a stress test looks for
-        return Met("program", FAULT, 1, f"{type(error).__name__}: {error}")
+        return Met(error.where or stage, ERROR, error.exit_code, _line(error))
+    except Exception as error:
+        return fault(stage, error)
 
 
-def _beside(scene: Scene, step: Step) -> tuple[RunResult | None, Alignment]:
-    """What the rung is compared with: the scene as it is, or the twin of the rung in other units."""
+def fault(stage: str, error: Exception) -> Met:
+    """An exception without a name of the program: what a stress test looks for."""
+    return Met(stage, FAULT, 1, f"{type(error).__name__}: {error}")
+
+
+@record
+class Beside:
+    """What a rung is compared with."""
+
+    run: RunResult | None
+    alignment: Alignment = Alignment()
+    note: str = ""  # why there is nothing
+    ended: tuple[Met, ...] = ()  # the error that it ended with as a whole
+
+    @property
+    def called(self) -> str:
+        """The place of its results, in words."""
+        return "in other units" if self.alignment.twin else "in the scene beside it"
+
+
+def _rung(scene: Scene, step: Step, result: RunResult) -> Rung:
+    beside = _beside(scene, step)
+    met = tuple(each for name in STAGES for each in _met(result, beside, name))
+    return Rung(step.setting, step.size, step.condition(result), (*met, *beside.ended), beside.note)
+
+
+def _beside(scene: Scene, step: Step) -> Beside:
+    """The scene as it is, or the twin of the rung in other units."""
     if step.alignment is not None:
-        return step.beside or scene.base, step.alignment
-    try:
-        document = twin(step.document)
-    except UsageError:
-        return None, Alignment()
-    found = _guarded(scene, document)
-    return (found if isinstance(found, RunResult) else None), Alignment(TWIN)
+        return Beside(step.beside or scene.base, step.alignment)
+    alignment = Alignment(TWIN, twin=True)
+    document = caught(TWIN_OF, lambda: twin(step.document))
+    if isinstance(document, Met) and document.status == ERROR:
+        return Beside(None, alignment, f"nothing beside it: {document.message}")
+    other = document if isinstance(document, Met) else caught(TWIN_OF, lambda: scene.run(document))
+    if isinstance(other, RunResult):
+        return Beside(other, alignment)
+    status = FAULT if other.status == FAULT else DISPUTED
+    told = replace(other, stage=TWIN_OF, status=status, message=f"in other units: {other.message}")
+    return Beside(None, alignment, ended=(told,))
 
 
-def _met(result: RunResult, other: RunResult | None, alignment: Alignment) -> Iterator[Met]:
-    for name in STAGES:
-        if name in result.failures:
-            error = result.failures[name]
-            yield Met(name, ERROR, error.exit_code, _line(error))
-        elif name in result.outcomes:
-            yield _of_stage(result, other, name, alignment)
+def _met(result: RunResult, beside: Beside, name: str) -> Iterator[Met]:
+    if name in result.failures:
+        error = result.failures[name]
+        solved = beside.run is not None and name in beside.run.outcomes
+        text = f"{_line(error)}; {beside.called} it has a result" if solved else _line(error)
+        yield Met(name, ERROR, error.exit_code, text)
+    elif name in result.outcomes:
+        yield caught(name, lambda: _of_stage(result, beside, name))
 
 
-def _of_stage(result: RunResult, other: RunResult | None, name: str, alignment: Alignment) -> Met:
-    broken = next(not_finite(result, name), None)
+def _of_stage(result: RunResult, beside: Beside, name: str) -> Met:
+    broken = next(not_finite(result, name), None) or _broken_beside(beside, name)
     if broken is not None:
         return Met(name, FAULT, 1, f"{broken} is no finite number")
-    observed, quantity = _observed(result, other, name, alignment)
+    found = _difference(result, beside, name)
+    observed = None if found.size is None else max(found.size, FLOOR)
     own = [size for _, size in estimates(result.record(name).error)]
-    warning = next(iter(_warnings(result, name)), "")
-    return Met(name, WARNING if warning else OK, 0, warning, observed, quantity, max(own, default=None))
+    told = next(iter(_warnings(result, name)), "")
+    refused = _refused_beside(beside, name)
+    status = WARNING if told else DISPUTED if refused else OK
+    message = "; ".join(filter(None, (told, refused)))
+    return Met(name, status, 0, message, observed, found.quantity, max(own, default=None), found.skipped)
 
 
-def _observed(result: RunResult, other: RunResult | None, name: str, alignment: Alignment) -> tuple[float | None, str]:
+def _broken_beside(beside: Beside, name: str) -> str | None:
+    """A place in the result of the twin that holds no finite number."""
+    if not beside.alignment.twin or beside.run is None or name not in beside.run.outcomes:
+        return None
+    broken = next(not_finite(beside.run, name), None)
+    return None if broken is None else f"{beside.called} {broken}"
+
+
+def _refused_beside(beside: Beside, name: str) -> str:
+    """The error of a stage that has a result on the rung, and none in the scene beside it."""
+    if beside.run is None or name not in beside.run.failures:
+        return ""
+    return f"{beside.called}: {_line(beside.run.failures[name])}"
+
+
+def _difference(result: RunResult, beside: Beside, name: str) -> Difference:
     """How far a stage's result is from that of the scene beside it, and of which quantity."""
-    if other is None or name not in other.outcomes:
-        return None, ""
-    # the twin is the rung in other units; any other scene is the one that the rung is made from
-    pair = (result, other) if alignment.factors is TWIN else (other, result)
-    found = difference(name, *pair, alignment)
-    return (None, "") if found is None else (max(found[0], FLOOR), found[1])
+    if beside.run is None:
+        return Difference()
+    if name not in beside.run.outcomes:
+        return Difference(skipped=(f"all ({beside.called} it has no result)",))
+    pair = (result, beside.run) if beside.alignment.twin else (beside.run, result)
+    return difference(name, *pair, beside.alignment)
 
 
 def _warnings(result: RunResult, name: str) -> list[str]:

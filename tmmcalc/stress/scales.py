@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from tmmcalc.stress.compare import Alignment
+from tmmcalc.stress.quantities import rewritten
 from tmmcalc.stress.scene import Climb, Document, Scene, Step, always
 from tmmcalc.stress.similarity import in_units
 from tmmcalc.stress.units import Factors
@@ -61,14 +62,11 @@ def twin(document: Mapping[str, Any]) -> Document:
 def _away(table: Mapping[str, Any]) -> Document:
     """A table with its pure numbers and angles the next to what they are."""
     return {
-        key: _nudged(value) if key in NUDGED else _away(value) if isinstance(value, dict) else value
+        key: rewritten(value, _next) if key in NUDGED else _away(value) if isinstance(value, dict) else value
         for key, value in table.items()
     }
 
 
-def _nudged(value: Any) -> Any:
-    """The next number away from zero, of text with its unit."""
-    if isinstance(value, str):
-        number, _, unit = value.strip().partition(" ")
-        return f"{_nudged(float(number))!r} {unit}"
+def _next(value: float) -> float:
+    """The next number away from zero; zero stays what it is."""
     return math.nextafter(value, math.copysign(math.inf, value)) if value else value

@@ -12,10 +12,11 @@ from tmmcalc.spec import templates
 from tmmcalc.spec.loader import Variants
 from tmmcalc.stress.expected import Expected, disagreements, expected
 from tmmcalc.stress.results import ERROR, FAULT, Ladder, Met, Rung, Stress
-from tmmcalc.stress.run import climbed_rung
+from tmmcalc.stress.run import caught, climbed_rung
 from tmmcalc.stress.scene import OWN_TWIN, Scene, Step, by_regularity
 
 FOLDER = "extreme/"
+MISSED = "missed"
 
 
 def scenes() -> list[str]:
@@ -46,11 +47,13 @@ def _rung(k: int, name: str) -> Rung:
     file = templates.path(name)
     text = file.read_text(encoding="utf-8")
     variants, wanted, told = Variants(text, str(file), file.parent), expected(text), name.removeprefix(FOLDER)
-    end = end_of(variants, wanted)
+    end = caught("program", lambda: end_of(variants, wanted))
+    if isinstance(end, Met):
+        return Rung(told, float(k), None, (end,), answer=MISSED)
     gaps = tuple(_gaps(end, wanted))
     if isinstance(end, TmmError):
         ended = Met(end.where or "spec", ERROR, end.exit_code, " ".join(str(end).split()))
-        return Rung(told, float(k), None, (*((ended,) if not gaps else ()), *gaps), _answer(wanted, gaps))
+        return Rung(told, float(k), None, (*((ended,) if not gaps else ()), *gaps), answer=_answer(wanted, gaps))
     scene = Scene(variants.data, variants.of, end, wanted.target)
     rung = climbed_rung(scene, Step(told, float(k), variants.data, by_regularity), end)
     return replace(rung, met=(*rung.met, *gaps), answer=_answer(wanted, gaps))
@@ -59,7 +62,7 @@ def _rung(k: int, name: str) -> Rung:
 def _answer(wanted: Expected, gaps: tuple[Met, ...]) -> str:
     """What of the end was compared, in short."""
     if gaps:
-        return "missed"
+        return MISSED
     numbers = len(wanted.values)
     parts = [f"exit {wanted.code}"] if wanted.code else []
     parts += [f"{numbers} number{'s' if numbers > 1 else ''}"] if numbers else []

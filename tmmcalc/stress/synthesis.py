@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
-from tmmcalc.spec.units import parse
+from tmmcalc.stress.quantities import pure, rewritten
 from tmmcalc.stress.scene import DISTANCES, NUDGED_TWIN, OWN_TWIN, Climb, Scene, Step, always, changed, lacking
 
 NARROWER = (1.0, 0.1, 1e-2, 1e-3)  # of the range of a function
-ANGLES = ("input_range", "output_range")
+TURNS = ("input_range", "output_range")  # that the range is scaled to
 
 
 def time_ratio(scene: Scene) -> Climb:
@@ -18,7 +18,7 @@ def time_ratio(scene: Scene) -> Climb:
     kind = next((name for name, table in asked.items() if isinstance(table, dict) and "time_ratio" in table), None)
     if kind is None or not scene.has("synthesis"):
         raise lacking("no linkage is sought by its time ratio")
-    beyond = asked[kind]["time_ratio"] - 1.0
+    beyond = pure(asked[kind]["time_ratio"]) - 1.0
     if not beyond > 0:
         raise lacking("the time ratio is 1 already")
 
@@ -36,14 +36,17 @@ def narrow_range(scene: Scene) -> Climb:
     function: dict[str, Any] = scene.document.get("synthesis", {}).get("function", {})
     if "range" not in function or not scene.has("synthesis"):
         raise lacking("no linkage is sought for a function over a range")
-    low, high = function["range"]
-    angles = {key: parse(function[key], "angle") for key in ANGLES if key in function}
 
     def steps() -> Iterator[Step]:
         for part in NARROWER:
-            narrow: dict[str, Any] = {key: f"{size * part!r} rad" for key, size in angles.items()}
-            narrow["range"] = [low, low + (high - low) * part]
-            told = changed(scene.document, "synthesis", "function", to={**function, **narrow})
+            told = changed(scene.document, "synthesis", "function", to=narrowed(function, part))
             yield Step(f"range x {part:g}", part, told, always(1 / part))
 
     return Climb("range of the function to a point", "1/part of the range", OWN_TWIN, steps())
+
+
+def narrowed(function: Mapping[str, Any], part: float) -> dict[str, Any]:
+    """The function over a part of its range, with as small turns, or as short a travel."""
+    low, high = map(pure, function["range"])
+    narrow = {key: rewritten(function[key], lambda size: size * part) for key in TURNS if key in function}
+    return {**function, **narrow, "range": [low, low + (high - low) * part]}

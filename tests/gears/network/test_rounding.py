@@ -12,7 +12,8 @@ import numpy as np
 from bounding import assert_bounds
 
 from tmmcalc.errors import TmmError
-from tmmcalc.gears.gearing import Gearing, GearingTask, solve_gearing
+from tmmcalc.gears.gearing import Gearing, solve_gearing
+from tmmcalc.gears.gearingtask import GearingTask
 from tmmcalc.gears.network.builder import bevel_differential, network_of
 from tmmcalc.gears.network.efficiency import efficiency
 from tmmcalc.gears.network.model import FRAME, Body, Mesh, Network

@@ -14,7 +14,7 @@ from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.linkage.rounding import WIDER
+from tmmcalc.numerics.extended import WIDER
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(not WIDER, reason="no wider float here")]
 SCENES = 240

@@ -18,7 +18,7 @@ from linkage.scenes import with_grid
 from tmmcalc import TmmError, solve_kinematics
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.rounding import WIDER
+from tmmcalc.numerics.extended import WIDER
 
 pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here: the estimate has no reference")
 

@@ -22,9 +22,10 @@ from tmmcalc.linkage.loading import Body, Constant, Load, Loading, Quadratic, Sp
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.reduction.causes import Causes
 from tmmcalc.linkage.reduction.inertia import slope_size
-from tmmcalc.linkage.reduction.reduce import SLIGHT, solve_reduction
+from tmmcalc.linkage.reduction.mesh import SLIGHT
+from tmmcalc.linkage.reduction.reduce import solve_reduction
 from tmmcalc.linkage.reduction.results import Reduction
-from tmmcalc.linkage.rounding import WIDER
+from tmmcalc.numerics.extended import WIDER
 from tmmcalc.numerics.panels import Panels
 from tmmcalc.numerics.simpson import simpson
 

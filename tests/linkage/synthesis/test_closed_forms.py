@@ -104,6 +104,18 @@ def test_too_few_sizes_and_impossible_ones() -> None:
         solved("rotating_slotted_link", RotatingTask(0.2, 1.8, RAD(15), crank=0.075, guide=5.0, rod=0.3))
     with pytest.raises(NoSolutionError, match="second size"):
         solved("crank_rocker", CrankRockerTask(RAD(40), 1.2, rocker=0.3, frame=0.01))
+    with pytest.raises(NoSolutionError, match="there is no crank-rocker of swing 40 deg"):
+        solved("crank_rocker", CrankRockerTask(RAD(40), 5.0, rocker=0.3))
+
+
+def test_a_small_swing_without_a_second_size_is_refused_for_its_long_links() -> None:
+    """Of a central crank-rocker r = R sin(phi), so the longest link is 1/sin(phi) cranks at least."""
+    with pytest.raises(NoSolutionError, match=r"largest_ratio = 6 cranks: of 114\.593 cranks") as refused:
+        solved("crank_rocker", CrankRockerTask(RAD(1), 1.0, rocker=0.3))
+    assert "largest_ratio" in (refused.value.remedy or "")
+    least = 1 / math.sin(RAD(0.5))
+    found = solved("crank_rocker", CrankRockerTask(RAD(1), 1.0, rocker=0.3, largest_ratio=least + 1))
+    assert found.best.size("r") == pytest.approx(0.3 * math.sin(RAD(0.5)), rel=1e-12)
 
 
 @pytest.mark.parametrize("guide", [0.0, 0.02, -0.02, 0.12])

@@ -187,6 +187,18 @@ def _held(kind: Kind, scenes: int) -> None:
     assert_bounds(pairs, kind.__name__, scenes=scenes)
 
 
+@pytest.mark.parametrize(("swing", "ratio"), [(40, 1.2), (25, 1.05), (70, 1.15), (60, 1.0)])
+def test_the_best_rocker_is_found_to_rounding(swing: float, ratio: float) -> None:
+    """Where the transmission is level along the family, and where the links get too long."""
+    asked = CrankRockerTask(math.radians(swing), ratio, rocker=0.3)
+    with mp.workdps(60):
+        for design, error in _designs(SynthesisTask("crank_rocker", asked, solutions=2)):
+            unit = max(design.size(symbol) for symbol in "rlRL")
+            told = [mpf(design.size(symbol)) / unit for symbol in "rlRL"]
+            true = _far(told, exactly.best_rocker(asked, told, unit))
+            assert true <= error < 2e-14
+
+
 def test_sizes_of_some_slotted_links() -> None:
     _held(slotted_links, 60)
 

@@ -11,8 +11,11 @@ import pytest
 
 import tmmcalc
 from tmmcalc.errors import NoSolutionError
+from tmmcalc.linkage.unsteady.solve import solve_unsteady
+from tmmcalc.linkage.unsteady.task import UnsteadyTask
 from tmmcalc.numerics.panels import Values
 from tmmcalc.spec import templates
+from tmmcalc.spec.linkage import to_linkage
 from tmmcalc.timelaw import motion
 
 from .cranes import Crane
@@ -141,6 +144,18 @@ def test_an_outreach_that_is_not_reached() -> None:
     with pytest.raises(NoSolutionError, match="output C never is 18 m: it reaches from") as caught:
         crane_of('to = "18 m"')
     assert caught.value.limit == pytest.approx(17, abs=1e-6)
+
+
+def test_from_a_limit_position_there_is_no_way_beyond_it() -> None:
+    """The rack is shortest, 7 - 6.103 m, where the boom lies along the mast."""
+    mechanism = to_linkage(
+        tmmcalc.load_spec(
+            CONFIGS / "crane-luffing.toml", ["mechanism.input.start=0.897000002", "mechanism.grid.span=1.0"]
+        ).linkage
+    )
+    task = UnsteadyTask(0.05, 0.2, end=3.3, output="C", sense=-1)
+    with pytest.raises(NoSolutionError, match=r"no way on the negative side: .* \[897, 13103\] mm only"):
+        solve_unsteady(mechanism, task)
 
 
 def test_the_tipper_against_its_triangle() -> None:

@@ -12,10 +12,13 @@ from bounding import RATE, USEFUL
 from machine.transient.scenes import constant, cycle, kloss, line, run
 from machine.transient.test_estimates import drawn
 from tmmcalc.errors import AccuracyError
+from tmmcalc.machine.transient import between
+from tmmcalc.machine.transient.between import Found
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
 from tmmcalc.machine.transient.peaks import Point, turnings
 from tmmcalc.machine.transient.results import Transient
 from tmmcalc.machine.transient.scenario import Scenario
+from tmmcalc.machine.transient.simulate import _gap
 
 ROUNDING = 1e-14
 WAYS = [
@@ -101,6 +104,24 @@ def test_a_rigid_shaft(asked: float) -> None:
     found = run(drive, Scenario("turns", 2.0, speed=9.0, angle=1.0), error=asked)
     held(found, 12.5, 10.0)
     assert found.extremes_error <= (asked or 1e-7)
+
+
+@pytest.mark.parametrize("off", [0.05, 0.12])
+def test_steps_that_cannot_be_made_again(off: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a lagging moment b w_s (1 - e^(-t/tau)) nearly that is cut off as it rises: what may be missed is told."""
+    drive = Drive((Mass(1e4),), (), line(8.0, 20.0), None, None, 0.1)
+    scenario = Scenario("cut", 0.2, motor=((0.0, off),))
+    exact = run(drive, scenario).largest_moment[0, 0]
+    assert exact == pytest.approx(160 * (1 - math.exp(-off / 0.1)), rel=1e-3)
+    monkeypatch.setattr(between, "_again", lambda *_: None)
+    found = run(drive, scenario)
+    assert 0 < found.largest_moment[0, 0] <= exact
+    assert 1 - found.largest_moment[0, 0] / exact <= found.extremes_error < 1.5
+
+
+def test_a_moment_that_is_not_found_is_missed_wholly() -> None:
+    assert _gap([Found(0.0, 0.0, 1.0), Found(2.0, 0.0, 0.5), Found()]) == 1.0
+    assert _gap([Found(-2.0, 0.0, 0.5), Found()]) == 0.25
 
 
 def test_cubics_that_turn_back() -> None:

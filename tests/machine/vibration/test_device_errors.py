@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
-from bounding import assert_bounds, part
+from bounding import accepted, assert_bounds, part
 from mpmath import mp
 
 from machine.vibration.devices import amplitudes, equations, natural, random_device
-from tmmcalc.errors import TmmError
 from tmmcalc.machine.vibration.vibrator.solve import solve_vibrator
 from tmmcalc.machine.vibration.vibrator.task import Range, VibratorTask
 
@@ -37,47 +35,66 @@ def _far(told: np.ndarray, exact: Any, arm: float, size: Any = None) -> tuple[fl
     return float(max(missed) / (max(sizes) if size is None else size)), max(sizes)
 
 
-def _judged(rng: np.random.Generator) -> Iterator[tuple[str, float, float]]:
+def _judged(rng: np.random.Generator) -> list[tuple[str, float, float]]:
     task = _asked(rng)
     found = solve_vibrator(task)
     exact, _ = natural(*equations(task))
     missed = [abs(float(a / b - 1)) for a, b in zip(found.frequency.tolist(), exact, strict=True)]
-    yield "frequencies", found.error["frequencies"], max(missed)
     steady, curve, arm = found.steady, found.curve, task.rods.radius
     assert steady is not None
     assert curve is not None
-    x, power = amplitudes(task, steady.speed)
-    yield "amplitudes", found.error["amplitudes"], _far(steady.cosine - 1j * steady.sine, x, arm)[0]
-    if power:
-        yield "power", found.error["power"], abs(float(steady.power / power - 1))
+    x, _ = amplitudes(task, steady.speed)
     lengths = np.array([1, 1, arm, arm, arm, 1, arm])
     highest = np.argsort(np.max(curve.amplitude * lengths[:, None], axis=0))[-ROWS:]
     told = (curve.amplitude * np.exp(-1j * curve.phase)).T
     true = [amplitudes(task, float(curve.omega[k]))[0] for k in highest]
     size = max(_far(told[k], x, arm)[1] for k, x in zip(highest, true, strict=True))
-    yield "curve", found.error["curve"], max(_far(told[k], x, arm, size)[0] for k, x in zip(highest, true, strict=True))
+    far = max(_far(told[k], x, arm, size)[0] for k, x in zip(highest, true, strict=True))
+    return [
+        ("frequencies", found.error["frequencies"], max(missed)),
+        ("amplitudes", found.error["amplitudes"], _far(steady.cosine - 1j * steady.sine, x, arm)[0]),
+        ("curve", found.error["curve"], far),
+    ]
+
+
+def _power(rng: np.random.Generator) -> tuple[float, float] | None:
+    """Estimate and true error of the power of a device that is damped."""
+    task = replace(_asked(rng), curve=None)
+    found = solve_vibrator(task)
+    assert found.steady is not None
+    if not found.steady.power:
+        return None
+    _, power = amplitudes(task, found.steady.speed)
+    return found.error["power"], abs(float(found.steady.power / power - 1))
 
 
 def _held(scenes: int) -> None:
-    rng, done = np.random.default_rng(23), 0
+    rng = np.random.default_rng(23)
     pairs: dict[str, list[tuple[float, float]]] = defaultdict(list)
     with mp.workdps(50):
-        while done < scenes:
-            try:
-                found = [*_judged(rng)]
-            except TmmError:
-                continue
-            done += 1
+        for found in accepted(lambda: _judged(rng), scenes):
             for name, estimate, error in found:
                 pairs[name].append((estimate, error))
     for name, each in pairs.items():
-        assert_bounds(each, name, scenes=scenes // 2)
+        assert_bounds(each, name, scenes=scenes)
+
+
+def _powers_held(scenes: int) -> None:
+    rng = np.random.default_rng(2)
+    with mp.workdps(50):
+        assert_bounds(accepted(lambda: _power(rng), scenes), "power", scenes=scenes)
 
 
 def test_estimates_of_some_devices() -> None:
     _held(10)
+    _powers_held(20)
 
 
 @pytest.mark.slow
 def test_estimates() -> None:
     _held(part(320, 8))
+
+
+@pytest.mark.slow
+def test_estimates_of_power() -> None:
+    _powers_held(part(900, 6))

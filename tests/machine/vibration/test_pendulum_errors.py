@@ -7,11 +7,10 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from bounding import assert_bounds, part
+from bounding import accepted, assert_bounds, part
 from mpmath import mp
 
 from machine.vibration.rods import frequency, random_pendulum, torsion, whirl
-from tmmcalc.errors import TmmError
 from tmmcalc.machine.vibration.pendulum.results import PendulumResult
 from tmmcalc.machine.vibration.pendulum.solve import solve_pendulum
 from tmmcalc.machine.vibration.pendulum.task import PendulumTask
@@ -43,18 +42,18 @@ def _judged(task: PendulumTask, found: PendulumResult) -> Iterator[Scene]:
 
 
 def _held(scenes: int, soft: float) -> None:
-    rng, done = np.random.default_rng(17), 0
+    rng = np.random.default_rng(17)
     pairs: dict[str, list[tuple[float, float]]] = defaultdict(list)
-    while done < scenes:
+
+    def scene() -> list[Scene]:
         task = random_pendulum(rng, soft)
-        try:
-            found = solve_pendulum(task)
-        except TmmError:
-            continue
-        done += 1
+        found = solve_pendulum(task)
         with mp.workdps(40):
-            for name, estimate, error in _judged(task, found):
-                pairs[name].append((estimate, error))
+            return [*_judged(task, found)]
+
+    for found in accepted(scene, scenes):
+        for name, estimate, error in found:
+            pairs[name].append((estimate, error))
     for name, each in pairs.items():
         assert_bounds(each, name, scenes=scenes // 4)
 

@@ -163,11 +163,13 @@ def test_damping_by_ratio_and_direct() -> None:
     task = device(0.03)
     mass, stiffness = mass_matrix(task), stiffness_matrix(task, stiffness_of(task))
     modes = modes_of(mass, stiffness, task.damping, 0.07)
-    b = damping_matrix(modes, mass)
+    b = damping_matrix(modes, mass, stiffness, task.damping).astype(float)
     assert modes.shapes.T @ b @ modes.shapes == pytest.approx(np.diag(0.06 * modes.frequency), abs=1e-10)
-    direct = (1.0, 2.0, 0.03, 0.01, 0.02, 4.0, 0.05)
-    other = modes_of(mass, stiffness, Damping(0.0, direct), 0.07)
-    assert damping_matrix(other, mass) == pytest.approx(np.diag(direct), abs=1e-12)
+    square = 0.06**2 * stiffness
+    assert b @ np.linalg.solve(mass, b) == pytest.approx(square, abs=1e-14 * np.abs(square).max())
+    direct = Damping(0.0, (1.0, 2.0, 0.03, 0.01, 0.02, 4.0, 0.05))
+    other = modes_of(mass, stiffness, direct, 0.07)
+    assert np.array_equal(damping_matrix(other, mass, stiffness, direct), np.diag(direct.direct))
 
 
 def test_refusals_say_the_number() -> None:

@@ -34,8 +34,7 @@ def moved_points(task: CamTask, loads: Loads, at: Points) -> Points:
 
     Extended precision shares that rounding.
     """
-    program, m = task.program, len(at.phi)
-    off = joints(program) * np.max(np.abs(program.sampled), axis=(1, 2))
+    off = joints(task.program) * np.max(np.abs(task.program.sampled), axis=(1, 2))
     step = np.where(at.motion != 0, off[:, None], 0.0)
     motion = np.concatenate([at.motion + step * (np.arange(len(off)) == k)[:, None] for k in range(MOVED)], axis=1)
     phi, sense, force = np.tile((at.phi, at.sense, at.force), MOVED)

@@ -30,6 +30,7 @@ class Statics(NamedTuple):
     locked: tuple[tuple[str, str], ...]
     unknown: tuple[str, ...]  # members whose outside torque is sought
     load: Values  # (n,) given outside torques
+    constraints: Values  # (m + l, n) whole coefficients of speeds in meshes and locks
     matrix: Values  # without losses
     active: NDArray[np.intp]  # (a,) numbers of meshes that roll with losses
 
@@ -49,22 +50,22 @@ def equilibrium(
         load[network.place[network.known(name)]] = torque
     sought = dict.fromkeys((*motion.driven, *(network.known(name) for name in outputs)))
     unknown = tuple(name for name in sought if name not in torques)
-    matrix = matrix_of(network, locked, unknown)
+    n = len(network.members)
+    constraints: Values = np.array(constraint_rows(network, locked), dtype=float).reshape(-1, n)
+    matrix = matrix_of(network, constraints, unknown)
     if matrix.shape[0] != matrix.shape[1] or np.linalg.cond(matrix) > REGULAR:
         _check_determinate(network, locked, unknown)
     lossy = np.array([mesh.efficiency < 1 for mesh in network.meshes], dtype=bool)
     active = np.flatnonzero(lossy & (motion.rolling[:, 0] != 0))
-    return Statics(network, motion, locked, unknown, load, matrix, active)
+    return Statics(network, motion, locked, unknown, load, constraints, matrix, active)
 
 
-def matrix_of(network: Network, locked: Locks, unknown: tuple[str, ...], kind: type = float) -> Values:
-    """Matrix of the equilibrium without losses, in this kind of numbers."""
-    n = len(network.members)
-    constraints: Values = np.array(constraint_rows(network, locked), dtype=kind).reshape(-1, n)
-    constraints[: len(network.meshes)] /= np.array([[mesh.first_teeth] for mesh in network.meshes]).reshape(-1, 1)
-    outside = np.zeros((len(unknown), n))
+def matrix_of(network: Network, constraints: Values, unknown: tuple[str, ...]) -> Values:
+    """Matrix of the equilibrium without losses, in the kind of numbers of the constraints."""
+    teeth = [mesh.first_teeth for mesh in network.meshes] + [1] * (len(constraints) - len(network.meshes))
+    outside = np.zeros((len(unknown), len(network.members)))
     outside[np.arange(len(unknown)), [network.place[name] for name in unknown]] = 1.0
-    return np.vstack((constraints, outside)).T
+    return np.vstack((constraints / np.array(teeth)[:, None], outside)).T
 
 
 def _check_determinate(network: Network, locked: Locks, unknown: tuple[str, ...]) -> None:
@@ -99,10 +100,11 @@ def lossy_matrix(statics: Statics, directions: Values, part: float = 1.0) -> Val
     """Matrices (..., n, n) with the losses of directions (..., a): +1 the first wheel drives, -1 the second."""
     network = statics.network
     matrix = np.broadcast_to(statics.matrix, (*directions.shape[:-1], *statics.matrix.shape)).copy()
+    number = matrix.dtype.type
     for k, j in enumerate(statics.active):
         mesh = network.meshes[j]
-        eta = 1 - part * (1 - mesh.efficiency)
-        second = -mesh.sign * mesh.second_teeth / matrix.dtype.type(mesh.first_teeth)
+        eta = 1 - part * (1 - number(mesh.efficiency))
+        second = -mesh.sign * mesh.second_teeth / number(mesh.first_teeth)
         change = second * (eta ** directions[..., k] - 1)
         for name, factor in ((mesh.second, 1), (network.carriers[j], -1)):
             if name != FRAME and not (factor < 0 and network.tilted(mesh.second)):

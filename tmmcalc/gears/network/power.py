@@ -173,7 +173,7 @@ def _meshes(statics: Statics, directions: Values, first: Values) -> tuple[Values
     network, speeds = statics.network, statics.motion.rolling
     exponent = np.zeros(len(first))
     exponent[statics.active] = directions
-    eta = np.array([mesh.efficiency for mesh in network.meshes])
+    eta = np.array([mesh.efficiency for mesh in network.meshes], first.dtype)
     number = first.dtype.type
     teeth = np.array([-m.sign * m.second_teeth / number(m.first_teeth) for m in network.meshes])
     parallel = np.array([[not network.tilted(n) for n in (m.first, m.second)] for m in network.meshes]).reshape(-1, 2)

@@ -8,14 +8,13 @@ when they come from loads and powers is added as the equilibrium passes it on.
 from __future__ import annotations
 
 from dataclasses import replace
-from fractions import Fraction
 
 import numpy as np
 
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.equilibrium import Statics, lossy_matrix, matrix_of
-from tmmcalc.gears.network.speeds import Motion, member_speeds, rolling_speeds
-from tmmcalc.numerics.extended import EPS, as_number, widened
+from tmmcalc.gears.network.speeds import Motion
+from tmmcalc.numerics.extended import EPS, as_number
 from tmmcalc.records import record
 
 WIDE = np.longdouble
@@ -33,12 +32,10 @@ class FlowError:
 
 def corrected(statics: Statics, directions: Values, x: Values) -> tuple[Statics, Values, Values]:
     """The equilibrium and its unknown torques (n,) in extended precision, and what roundings of loads make of them."""
-    network, motion = widened(statics.network), _exact(statics)
     wide = statics._replace(
-        network=network,
-        motion=motion,
+        motion=_exact(statics.motion),
         load=statics.load.astype(WIDE),
-        matrix=matrix_of(network, statics.locked, statics.unknown, WIDE),
+        matrix=matrix_of(statics.network, statics.constraints.astype(WIDE), statics.unknown),
     )
     matrix, found = lossy_matrix(wide, directions), x.astype(WIDE)
     inverse = np.linalg.inv(matrix.astype(float))
@@ -47,10 +44,8 @@ def corrected(statics: Statics, directions: Values, x: Values) -> tuple[Statics,
     return wide, found, EPS / 2 * np.abs(inverse) @ np.abs(statics.load)
 
 
-def _exact(statics: Statics) -> Motion:
-    """The motion in extended precision: its speeds are exact fractions of those that are given."""
-    network, motion = statics.network, statics.motion
-    given = [Fraction(motion.speed(name)) for name in motion.driven]
-    exact = member_speeds(motion.transfer, given)
-    pairs = [[as_number(each, WIDE) for each in pair] for pair in rolling_speeds(network, exact)]
-    return replace(motion, speeds=np.array([as_number(w, WIDE) for w in exact]), rolling=np.array(pairs).reshape(-1, 2))
+def _exact(motion: Motion) -> Motion:
+    """The motion in extended precision."""
+    speeds = np.array([as_number(w, WIDE) for w in motion.exact])
+    rolling = np.array([[as_number(w, WIDE) for w in pair] for pair in motion.exact_rolling], WIDE)
+    return replace(motion, speeds=speeds, rolling=rolling.reshape(-1, 2))

@@ -31,6 +31,8 @@ class Motion:
     members: tuple[str, ...]  # (n,)
     driven: tuple[str, ...]  # (g,) members of given speed
     transfer: tuple[tuple[Fraction, ...], ...]  # (n, g) speed of a member for unit speed of each given one, exact
+    exact: tuple[Fraction, ...]  # (n,) the speeds
+    exact_rolling: tuple[tuple[Fraction, Fraction], ...]  # (m, 2)
     speeds: Values  # (n,) [rad/s]; of a tilted planet relative to its carrier
     relative: Values  # (n,) [rad/s], relative to the member's own carrier
     rolling: Values  # (m, 2) [rad/s], both wheels relative to the carrier of the mesh
@@ -120,15 +122,21 @@ def solve_speeds(network: Network, speeds: Mapping[str, float], locked: Locks = 
     _refuse_excess(network, reduced, len(constraints), given)
     _refuse_open(network, reduced, given)
     transfer = tuple(tuple(reduced.response(c, len(constraints) + k) for k in range(len(given))) for c in range(n))
-    exact = member_speeds(transfer, list(given.values()))
+    exact = [sum((t * u for t, u in zip(row, given.values(), strict=True) if t), Fraction()) for row in transfer]
+    rolling = [
+        (_relative(network, exact, mesh.first, carrier), _relative(network, exact, mesh.second, carrier))
+        for mesh, carrier in zip(network.meshes, network.carriers, strict=True)
+    ]
     independent = len(constraints) - sum(i < len(constraints) for i in reduced.dependent)
     return Motion(
         network.members,
         tuple(given),
         transfer,
+        tuple(exact),
+        tuple(rolling),
         np.array([float(w) for w in exact]),
         np.array([float(_relative(network, exact, name, network.bearer(name))) for name in network.members]),
-        np.array([[float(w) for w in pair] for pair in rolling_speeds(network, exact)]).reshape(-1, 2),
+        np.array([[float(w) for w in pair] for pair in rolling]).reshape(-1, 2),
         n - independent,
         tuple(str(mesh) for i, mesh in enumerate(network.meshes) if i in reduced.dependent),
     )
@@ -146,19 +154,6 @@ def _relative(network: Network, exact: Sequence[Fraction], name: str, carrier: s
         return -exact[network.place[carrier]] if carrier != FRAME else Fraction()
     speed = exact[network.place[name]]
     return speed if carrier == FRAME or network.tilted(name) else speed - exact[network.place[carrier]]
-
-
-def member_speeds(transfer: Sequence[Sequence[Fraction]], given: Sequence[Fraction]) -> list[Fraction]:
-    """Exact speeds of all members by their transfer from the given ones."""
-    return [sum((t * u for t, u in zip(row, given, strict=True) if t), Fraction()) for row in transfer]
-
-
-def rolling_speeds(network: Network, exact: Sequence[Fraction]) -> list[list[Fraction]]:
-    """Exact speeds of both wheels of every mesh relative to its carrier."""
-    return [
-        [_relative(network, exact, name, carrier) for name in (mesh.first, mesh.second)]
-        for mesh, carrier in zip(network.meshes, network.carriers, strict=True)
-    ]
 
 
 def _refuse_contradiction(network: Network, constraints: Sequence[Sequence[int]]) -> None:

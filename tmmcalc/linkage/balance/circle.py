@@ -25,6 +25,7 @@ PASSES = 60
 ROUNDING = 4e-16
 ROOT = 1e-7  # of the size: what the radius alone tells of the centre
 CLOSED = 1e-13  # the gap, relative to the size of the curve, from which Newton's method ends the search
+OPEN = 1e-9  # the gap from which on the search has failed
 TOUCH = 1e-9  # crests that reach the radius but for this part of it touch the circle
 HIGH = 0.9  # crests lower than this part of the highest cannot lie outside
 
@@ -121,12 +122,12 @@ def _searched(curve: Series) -> Circle:
         t = np.concatenate((t[support], at))
         points = curve.at(t)
     assert best is not None
-    if best.gap > 1e-9:
+    if best.gap > OPEN:
         raise AccuracyError(
             f"the smallest circle around the hodograph is open by {best.gap:.3g} of its size",
             where="balance, minimax",
             value=best.gap,
-            limit=1e-9,
+            limit=OPEN,
             remedy="use the counterweight of least mean square",
         )
     return best

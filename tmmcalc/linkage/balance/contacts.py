@@ -10,10 +10,10 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.linkage.plane import Real
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.numerics.fourier import Series
 
 NEWTON = 6  # steps, from nearly exact places
-EPS = float(np.finfo(float).eps)
 
 
 def stationary(curve: Series, t: Real, center: complex) -> tuple[Real, complex]:

@@ -22,6 +22,7 @@ from tmmcalc.linkage.loading import Body
 from tmmcalc.linkage.loads.inertia import inertia_load
 from tmmcalc.linkage.model import FRAME
 from tmmcalc.linkage.plane import Plane, Real, cross
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.numerics.fourier import FEWEST, TURN, Complex, Magnitude, Series, magnitude, resolved
 from tmmcalc.records import record
 
@@ -118,8 +119,8 @@ def shaking(
     phi = x + lag
     size, moment_size = magnitude(series), magnitude(moments)
     peaks = size.at, moment_size.at
-    missed, spread = _difference(chain, bodies, (series, moments), peaks, (speed, acceleration), point)
-    unit, eps = np.where(scale > 0, scale, 1.0), float(np.finfo(float).eps)
+    off = _difference(chain, bodies, (series, moments), peaks, (speed, acceleration), point)
+    error, mean_error = _relative(off, scale, tail)
     return Shaking(
         x=x,
         phi=phi,
@@ -135,9 +136,16 @@ def shaking(
         about=point,
         speed=speed,
         acceleration=acceleration,
-        error=max(MARGIN * float(np.max(missed / unit)), tail, eps),
-        mean_error=max(spread / float(unit[0]), eps),
+        error=error,
+        mean_error=mean_error,
     )
+
+
+def _relative(off: tuple[Real, float], scale: Real, tail: float) -> tuple[float, float]:
+    """Errors of everything and of means, from differences against extended precision and the tail of the series."""
+    missed, spread = off
+    unit = np.where(scale > 0, scale, 1.0)
+    return max(MARGIN * float(np.max(missed / unit)), tail, EPS), max(spread / float(unit[0]), EPS)
 
 
 def _scale(chain: Chain, bodies: Sequence[Body], speed: float, acceleration: float, about: complex) -> Real:

@@ -18,7 +18,9 @@ from tmmcalc.linkage.forces.edges import edge_reactions
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
 from tmmcalc.linkage.forces.wrench import Slideway
 from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.numerics.gauss import rule
 from tmmcalc.numerics.panels import Panels
+from tmmcalc.numerics.roots import Indices
 
 SIDE = 8  # points of the polynomial that locates a kink
 NEWTON = 6
@@ -103,25 +105,33 @@ def cut(panels: Panels, places: list[float], fixed: Iterable[float] | None = Non
 def kinks(on: Panels, values: Real | Plane, where: Flags | bool = True) -> list[float]:
     """Places of the kinks in the panels of ``where`` (K,), by default in all.
 
-    ``values`` (F, n) are the forces on faces, or in pins, at the points of the panels. One in a pin seldom passes zero
-    itself, but turns by more than a right angle as it passes by.
+    ``values`` (F, n) are the forces on faces, or in pins, at the points of the panels.
     """
     if not len(values):
         return []
-    inside: Any = values.reshape(-1, *on.x.shape)
-    low, high = on.ends(inside)
-    v = np.concatenate((low[..., None], inside, high[..., None]), axis=-1)
-    loud = (
-        np.maximum(np.abs(v[..., :-1]), np.abs(v[..., 1:])) > NOISE * np.max(np.abs(inside), axis=(1, 2))[:, None, None]
-    )
-    crosses = turned(v[..., :-1], v[..., 1:]) & loud
-    found = np.argwhere(crosses & np.reshape(where, (-1, 1)))
-    steps = v[..., 1:] - v[..., :-1]
-    along = (
-        (row, (np.conj(steps[force, row, cell]) * inside[force, row]).real, int(cell)) for force, row, cell in found
-    )
-    places = ((row, _zero(on.x[row], force, cell)) for row, force, cell in along)
-    return [at for row, at in places if on.edges[row] < at < on.edges[row + 1]]
+    forces = values.reshape(-1, *on.x.shape)
+    looked = np.flatnonzero(np.broadcast_to(where, on.count))
+    panel, place = passing(forces[:, looked], np.max(np.abs(forces), axis=(1, 2))[:, None])
+    panel = looked[panel]
+    found: list[float] = (on.edges[panel] + on.width[panel] * place).tolist()
+    return found
+
+
+def passing(forces: Real | Plane, largest: Real) -> tuple[Indices, Real]:
+    """Panels (m,) and places (m,) in them, between 0 and 1, where forces (F, K, N) at Gauss points pass zero.
+
+    ``largest`` are the sizes (F, 1) or (F, K) of which a small part is noise. The force in a pin seldom passes zero
+    itself, but turns by more than a right angle as it passes by.
+    """
+    low, high = rule(forces.shape[-1]).ends
+    v = np.concatenate(((forces @ low)[..., None], forces, (forces @ high)[..., None]), axis=-1)
+    size = np.abs(v)
+    loud = np.maximum(size[..., :-1], size[..., 1:]) > NOISE * largest[..., None]
+    force, panel, cell = np.nonzero(turned(v[..., :-1], v[..., 1:]) & loud)
+    step = v[force, panel, cell + 1] - v[force, panel, cell]
+    place = _zeros(np.asarray((np.conj(step)[:, None] * forces[force, panel]).real), cell)
+    inside = (place > 0) & (place < 1)
+    return panel[inside], place[inside]
 
 
 def turned(before: Real | Plane, after: Real | Plane) -> Flags:
@@ -131,19 +141,22 @@ def turned(before: Real | Plane, after: Real | Plane) -> Flags:
     return np.asarray(np.signbit(before) != np.signbit(after))
 
 
-def _zero(x: Real, force: Real, before: int) -> float:
-    """The zero of a force (N,) between its points ``before`` - 1 and ``before``, from the longer side of it."""
-    late = before > len(x) // 2
-    side = slice(before - SIDE, before) if late else slice(before, before + SIDE)
-    near = before - 1 if late else before
-    unit = float(x[-1] - x[0])
-    fit = np.linalg.solve(np.vander((x[side] - x[near]) / unit), force[side]).tolist()
-    at = 0.0
+def _zeros(force: Real, before: Indices) -> Real:
+    """Zeros (m,) of forces (m, N) between their points ``before`` - 1 and ``before``, each from its longer side."""
+    points, count = rule(force.shape[1]).points, force.shape[1]
+    late = before > count // 2
+    start = np.where(late, before - SIDE, before)
+    side = start[:, None] + np.arange(SIDE)
+    near = points[np.where(late, before - 1, before)]
+    powers = (points[side] - near[:, None])[:, :, None] ** np.arange(SIDE - 1, -1, -1)
+    fit = np.linalg.solve(powers, np.take_along_axis(force, side, axis=1)[:, :, None])[:, :, 0]
+    at = np.zeros(len(force))
     for _ in range(NEWTON):
-        value = slope = 0.0
-        for c in fit:
+        value, slope = np.zeros(len(force)), np.zeros(len(force))
+        for c in fit.T:
             slope = slope * at + value
             value = value * at + c
-        at -= value / (slope or 1.0)
-    place = float(x[near]) + at * unit
-    return float(np.clip(place, x[before - 1], x[before])) if 0 < before < len(x) else place
+        at = at - value / np.where(slope == 0, 1.0, slope)
+    inner = (before > 0) & (before < count)
+    bounds = points[np.maximum(before - 1, 0)], points[np.minimum(before, count - 1)]
+    return np.where(inner, np.clip(near + at, *bounds), near + at)

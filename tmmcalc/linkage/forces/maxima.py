@@ -77,10 +77,17 @@ def functions_of(statics: Statics, over: Stack) -> tuple[Real, dict[int, int], d
 
 def unresolved(dense: Panels, values: Real) -> Flags:
     """Panels (K,) that may hold the maximum of a function (F, K, N) and leave something of it out."""
-    high, tail = np.max(np.abs(values), axis=2), dense.tail(values)
-    top = np.max(high, axis=1)[:, None]
-    counts = (high + MARGIN * tail >= top) & (top > NOISE * np.max(top))
-    return np.any(counts & (tail > RESOLVED * top), axis=0)
+    high = np.max(np.abs(values), axis=2)
+    return open_maxima(high, dense.tail(values), np.max(high, axis=1)[:, None])
+
+
+def open_maxima(high: Real, tail: Real, top: Real) -> Flags:
+    """Panels (K,) that may hold a maximum ``top`` (F, 1) or (F, K) and leave something of it out.
+
+    ``high`` (F, K) are the largest values at the points of each, ``tail`` (F, K) what each leaves out.
+    """
+    counts = (high + MARGIN * tail >= top) & (top > NOISE * np.max(top, axis=0))
+    return np.asarray(np.any(counts & (tail > RESOLVED * top), axis=0))
 
 
 def maxima(statics: Statics, dense: Panels, functions: Held, resolved: bool = True) -> Maxima:

@@ -134,20 +134,20 @@ def _turnings(group: Group, joints: list[Joint]) -> tuple[dict[int, Turning], in
             found[first], count = Turning(False, count, 1 + 0j), count + 1
         else:
             source = next(k for k in outer.links if k != first)
-            found[first] = Turning(True, source, _between(outer, source, first))
+            found[first] = Turning(True, source, _between(outer, source))
         waiting = [first]
         while waiting:
             k = waiting.pop()
             for joint in rigid[k]:
                 other = next(q for q in joint.links if q != k)
                 if other in group.links and other not in found:
-                    found[other] = found[k]._replace(turn=found[k].turn * _between(joint, k, other))
+                    found[other] = found[k]._replace(turn=found[k].turn * _between(joint, k))
                     waiting.append(other)
     return found, count
 
 
-def _between(joint: Joint, known: int, other: int) -> complex:
-    """The x axis of ``other`` against that of ``known``, as a prismatic joint holds them."""
+def _between(joint: Joint, known: int) -> complex:
+    """The x axis of the other link of a joint against that of ``known``, as a prismatic joint holds them."""
     own = joint.links.index(known)
     return joint.directions[own] / joint.directions[1 - own]
 

@@ -78,7 +78,7 @@ class Causes(NamedTuple):
             return lambda rows: named(rows + first)
 
         parts = [
-            self._at(
+            self.at(
                 self.scene.place(theta[at : at + BLOCK], side[at : at + BLOCK]), side[at : at + BLOCK], named_from(at)
             )
             for at in range(0, len(theta), BLOCK)
@@ -100,7 +100,8 @@ class Causes(NamedTuple):
         """The same at theta (n,) between the positions."""
         return self.sampled(theta, np.ones(len(theta)), lambda rows: self.scene.travel.named(theta[rows]))
 
-    def _at(self, place: Place, side: Real, named: Callable[[NDArray[np.intp]], list[str]]) -> Sample:
+    def at(self, place: Place, side: Real, named: Callable[[NDArray[np.intp]], list[str]]) -> Sample:
+        """Everything at one place, all of it at once."""
         sense, n, kind = self.scene.travel.sense, len(place.theta), place.theta.dtype
         bodies = self.scene.loading.heavy
         inertia, slope = reduced_inertia(bodies, place.configuration, n) if bodies else np.zeros((2, n), kind)

@@ -21,7 +21,8 @@ from tmmcalc.linkage.reduction.causes import Causes, Sample
 from tmmcalc.linkage.reduction.inertia import slope_size
 from tmmcalc.linkage.reduction.results import ReductionError
 from tmmcalc.linkage.results import ErrorEstimate
-from tmmcalc.linkage.rounding import EPS, MARGIN, WIDER, choice, regularity_of
+from tmmcalc.linkage.rounding import MARGIN, choice, regularity_of
+from tmmcalc.numerics.extended import EPS, WIDER
 from tmmcalc.numerics.gauss import ORDER, rule
 from tmmcalc.numerics.panels import Panels
 
@@ -53,6 +54,7 @@ def unmeasured(tail: float, kinematics: ErrorEstimate) -> ReductionError:
 
 def estimate(causes: Causes, found: Solved, scale: float, kinematics: ErrorEstimate) -> tuple[ReductionError, Real]:
     """The errors of a reduction, those of moments against ``scale`` [N*m]; those of the works (S,) [J]."""
+    # a scale alone: across a change of sign the rule is good enough for it, and far cheaper than `signs.turnover`
     turnover = found.dense.total(np.abs(found.values[3:])) * causes.powers
     if not WIDER:
         error = unmeasured(found.tail, kinematics)
@@ -88,10 +90,11 @@ def _measured(causes: Causes, found: Solved) -> tuple[Real, float, float]:
     theta = np.concatenate((found.theta[rows], points))
     side = np.concatenate((found.side[rows], np.ones(len(points))))
     inner = found.values[:, :, SOME].reshape(len(found.values), -1)
-    wide = causes.sampled(theta, side, lambda at: travel.named(theta[at])).rows
+    place = causes.scene.place(theta, side)
+    wide = causes.at(place, side, lambda at: travel.named(theta[at])).rows
     off = np.asarray(np.concatenate((found.nodes.rows[:, rows], inner), axis=1) - wide, float)
     off[3:] *= causes.powers[:, None]
-    steep = slope_size(causes.scene.loading.heavy, causes.scene.place(theta).configuration, len(theta))
+    steep = slope_size(causes.scene.loading.heavy, place.configuration, len(theta))
     return off, float(np.max(steep)), float(np.max(wide[0]))
 
 
@@ -122,7 +125,11 @@ def _beside(on: Panels, values: Real) -> tuple[Real, Real]:
 
 
 def _beyond(parts: Real) -> Real:
-    """What lies beyond twice the degree of every panel (S, K), by the fall of coefficients of functions (S, K, N)."""
+    """What lies beyond twice the degree of every panel (S, K), by the fall of coefficients of functions (S, K, N).
+
+    Gauss's rule misses nothing before that, so that the fall counts twice and nothing is summed: `Panels.left_out` sums
+    all from the last coefficient on, for a value.
+    """
     c = np.abs(parts @ rule(ORDER).coefficients.T)
     half, last = (np.max(c[..., at - LAST : at], axis=-1) for at in (ORDER // 2, ORDER))
     return np.asarray(last * np.minimum(last / np.where(half > 0, FALL * half, 1.0), 1.0) ** 2)

@@ -11,12 +11,12 @@ from tmmcalc.linkage.forces.kinks import faces, pins
 from tmmcalc.linkage.forces.verification import friction_power
 from tmmcalc.linkage.loads.sources import Action, Place, Source
 from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.linkage.reduction.causes import most_of
+from tmmcalc.linkage.reduction.causes import most_of, power_of
 from tmmcalc.linkage.reduction.inertia import reduced_inertia
 from tmmcalc.linkage.stacked.scene import Block, Same
 from tmmcalc.numerics.roots import Indices
 
-ROWS = 16384  # that are computed together: calls cost nothing then
+AT_ONCE = 16384  # rows that are computed together: calls cost nothing then
 MOMENTS = 3  # rows before those of the causes: J, dJ/dtheta, friction without technological loads
 
 Names = tuple[tuple[str, str, int], ...]
@@ -43,7 +43,7 @@ def sampled(block: Block, owner: Indices, theta: Real, side: Real, names: Names,
     """Everything at theta (n,) of the variants ``owner`` (n,); ``idle``: friction without technological loads too."""
     parts = [
         _at(block.statics(owner[some]), theta[some], side[some], names, idle)
-        for some in (slice(at, at + ROWS) for at in range(0, len(theta), ROWS))
+        for some in (slice(at, at + AT_ONCE) for at in range(0, len(theta), AT_ONCE))
     ]
     return Sample(*(np.concatenate(column, axis=-1) for column in zip(*parts, strict=True)))
 
@@ -53,22 +53,20 @@ def most(block: Block, variants: Indices, theta: Real) -> Real:
     scene = block.statics(np.repeat(variants, len(theta))).scene
     place = scene.place(np.tile(theta, len(variants)))
     rows = [np.broadcast_to(most_of(source, place), place.theta.size) for source in scene.sources]
-    return np.max(rows, axis=0, initial=0.0).reshape(len(variants), -1).max(axis=1)
+    return np.max([np.zeros(place.theta.size), *rows], axis=0).reshape(len(variants), -1).max(axis=1)
 
 
 def _at(statics: Statics, theta: Real, side: Real, names: Names, idle: bool) -> Sample:
     scene, n = statics.scene, len(theta)
     sense, place = scene.travel.sense, scene.place(theta, side)
-    bodies = [body for body in scene.loading.bodies if body.mass or body.inertia]
     rows = np.zeros((MOMENTS + len(names), n))
-    if bodies:
+    if bodies := scene.loading.heavy:
         rows[:2] = reduced_inertia(bodies, place.configuration, n)
         rows[1] *= sense
     sources = tuple(_known(source, source.actions(place)) for source in statics.sources)
     for source in sources[: len(scene.sources)]:
         k = MOMENTS + names.index((source.name, source.kind, source.order))
-        moment = sum(action.power(place.configuration) for action in source.actions(place))
-        rows[k] += moment if source.order else moment * sense
+        rows[k] += power_of(source, place) * (1.0 if source.order else sense)
     if not statics.scales:
         return Sample(rows, np.zeros((0, n)), np.zeros((0, n), complex), np.ones(n))
     rows[-1], on_faces, in_pins, growth = _lost(statics._replace(sources=sources), place, side)

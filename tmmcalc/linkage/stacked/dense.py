@@ -16,7 +16,8 @@ from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.outputs import coordinate_of, default_outputs
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.quality import Measure
-from tmmcalc.linkage.stacked.scene import ROWS, Block
+from tmmcalc.linkage.stacked.scene import Block
+from tmmcalc.linkage.stacked.settle import ROWS
 from tmmcalc.linkage.survey import STEPS
 from tmmcalc.linkage.trace import principal, unwrapped
 from tmmcalc.numerics.roots import Indices

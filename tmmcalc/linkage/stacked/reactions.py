@@ -9,15 +9,16 @@ import numpy as np
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.forces import forces
 from tmmcalc.linkage.forces.kinks import SLIVER
-from tmmcalc.linkage.forces.maxima import MARGIN, NOISE, RESOLVED, functions_of
+from tmmcalc.linkage.forces.maxima import functions_of, open_maxima
 from tmmcalc.linkage.forces.stack import stacked
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.stacked.kinks import kinks
 from tmmcalc.linkage.stacked.ragged import Cut, Ragged, cut, first, largest_of_owners
-from tmmcalc.linkage.stacked.scene import ROWS, Block
+from tmmcalc.linkage.stacked.scene import Block
+from tmmcalc.linkage.stacked.settle import ROWS
 from tmmcalc.linkage.stacked.tables import turning_of
 from tmmcalc.linkage.stacked.zeros import Flags
-from tmmcalc.numerics.gauss import ORDER, rule
+from tmmcalc.numerics.gauss import ORDER, tail
 from tmmcalc.numerics.roots import Indices
 
 
@@ -94,7 +95,4 @@ def _sampled(block: Block, variants: Indices, on: Ragged, rows: dict[str, dict[i
 def _unresolved(on: Ragged, values: Real) -> Flags:
     """Panels (P,) that may hold the maximum of a function and leave something of it out, as of one variant."""
     high = np.max(np.abs(values), axis=2)
-    tail = np.max(np.abs(values @ rule(ORDER).coefficients[-3:].T), axis=2)
-    top = largest_of_owners(on, high)[:, on.owner]
-    counts = (high + MARGIN * tail >= top) & (top > NOISE * np.max(top, axis=0))
-    return np.asarray(np.any(counts & (tail > RESOLVED * top), axis=0))
+    return open_maxima(high, tail(values), largest_of_owners(on, high)[:, on.owner])

@@ -24,7 +24,7 @@ from tmmcalc.linkage.reduction.reduce import reduction_of
 from tmmcalc.linkage.reduction.results import Reduction, Rods
 from tmmcalc.linkage.reduction.rounding import unmeasured
 from tmmcalc.linkage.results import ErrorEstimate, Kinematics, Trace
-from tmmcalc.linkage.rounding import WIDER, between, choice, estimate, regularity_of
+from tmmcalc.linkage.rounding import between, choice, estimate, least_regularity
 from tmmcalc.linkage.stacked.causes import MOMENTS, sampled
 from tmmcalc.linkage.stacked.dense import dense_of, looked_at
 from tmmcalc.linkage.stacked.ragged import Ragged
@@ -35,6 +35,7 @@ from tmmcalc.linkage.stacked.summaries import qualities_of, summaries_of
 from tmmcalc.linkage.stacked.tables import SAFE, jumps_alike, kinematics_of
 from tmmcalc.linkage.trace import trace
 from tmmcalc.numerics.alike import alike, numbers, rebuilt
+from tmmcalc.numerics.extended import WIDER
 from tmmcalc.numerics.panels import Panels
 from tmmcalc.numerics.roots import Indices
 
@@ -88,8 +89,8 @@ def _errors(block: Block, variants: Indices, x: Real, weakest: Sequence[Sequence
         block,
         np.repeat(variants, x.shape[1]),
         x.ravel(),
-        lambda chain, _, rows: regularity_of(chain, x.ravel()[rows]),
-        0,
+        lambda chain, configuration, rows: least_regularity(chain, configuration, len(rows)),
+        order=0,
     ).reshape(x.shape)
     chosen = [
         row[choice(row, own.__getitem__, weak, turns=True)] for row, own, weak in zip(x, regular, weakest, strict=True)
@@ -152,7 +153,7 @@ def reduction_records(
         causes = Causes(own.scene, own, None, cycles.names)
         at = nodes.rows[:, k * n : (k + 1) * n]
         node = Nodes(at[0], at[1], at[MOMENTS:], at[2], nodes.faces[:, :0], nodes.pins[:, :0], False)
-        rows = np.concatenate((cycles.rows[:2, part], cycles.rows[2:, part]))
+        rows = cycles.rows[:, part].copy()
         error = unmeasured(float(cycles.tail[k]), kinematics[k].error)
         rods = Rods("exact", links, None if others is None else others[k])
         found.append(reduction_of(causes, (theta, labels, node), (panels, rows), error, rods, stuck=False))

@@ -9,14 +9,14 @@ import numpy as np
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.forces.kinks import SLIVER
 from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.reduction import reduce
+from tmmcalc.linkage.reduction import mesh as alone
 from tmmcalc.linkage.stacked.causes import MOMENTS, Names, Sample, most, names_of, sampled
 from tmmcalc.linkage.stacked.kinks import kinks
 from tmmcalc.linkage.stacked.ragged import Cut, Ragged, cut, first, largest_of_owners
 from tmmcalc.linkage.stacked.scene import Block
 from tmmcalc.linkage.stacked.tables import SAFE, turning_of
 from tmmcalc.linkage.stacked.zeros import Flags
-from tmmcalc.numerics.gauss import ORDER, rule
+from tmmcalc.numerics.gauss import ORDER, tail
 from tmmcalc.numerics.roots import Indices
 
 HALF = np.array([0.5])
@@ -34,7 +34,7 @@ class Fineness(NamedTuple):
 
 
 COARSE = Fineness(8, 1e-12, HALF, 8, 0, idle=False)  # for the motion alone: some panels less
-AS_ALONE = Fineness(reduce.PARTS, reduce.TOLERANCE, reduce.QUARTERS, reduce.ROUNDS, 12, idle=True)
+AS_ALONE = Fineness(alone.PARTS, alone.TOLERANCE, alone.QUARTERS, alone.ROUNDS, 12, idle=True)
 
 
 class Cycles(NamedTuple):
@@ -97,8 +97,7 @@ class _Measure(NamedTuple):
 
     def tail(self, on: Ragged, rows: Real) -> Real:
         """What every panel (P,) leaves out of a function, relative."""
-        last = np.max(np.abs(rows @ rule(ORDER).coefficients[-3:].T), axis=2)
-        return np.asarray(np.max(last / self.scales[:, on.owner], axis=0) * on.width / self.span[on.owner])
+        return np.asarray(np.max(tail(rows) / self.scales[:, on.owner], axis=0) * on.width / self.span[on.owner])
 
 
 class _Mesh(NamedTuple):
@@ -146,7 +145,7 @@ def _scales(block: Block, variants: Indices, largest: Real, names: Names, fine: 
     powers = np.where(powers > 0, powers, 1.0)
     inertia, moment = largest[0], np.max(np.concatenate((largest[2:3], largest[MOMENTS:] * powers)), axis=0)
     if fine.idle:
-        theta = np.linspace(0.0, TURN, reduce.SAMPLED)
-        moment = np.maximum(moment, reduce.SLIGHT * most(block, variants, theta))
+        theta = np.linspace(0.0, TURN, alone.SAMPLED)
+        moment = np.maximum(moment, alone.SLIGHT * most(block, variants, theta))
     scales = np.stack((inertia, inertia, moment, *(moment / powers)))
     return np.where(scales > 0, scales, 1.0)

@@ -21,13 +21,12 @@ from tmmcalc.linkage.loads.windows import handed_over, window_of
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.linkage.stacked.settle import Settled, settle
+from tmmcalc.linkage.stacked.settle import ROWS, Settled, settle
 from tmmcalc.linkage.variants import given_variants, sketched_groups
 from tmmcalc.numerics.alike import Rows
 from tmmcalc.numerics.alike import rows_of as at_rows
 from tmmcalc.numerics.roots import Indices
 
-ROWS = 4096  # that are computed together: their temporaries stay in cache
 LAWS = (Constant, Polynomial, Viscous)
 
 
@@ -122,8 +121,7 @@ class Block(NamedTuple):
         scene = same.scene._replace(chain=chain, loading=loading, travel=travel)
         sources = tuple(_sources(scene, same.kinematics))
         scene = scene._replace(sources=sources)
-        heavy = tuple(body for body in loading.bodies if body.mass > 0 or body.inertia > 0)
-        dynamic = [inertia(heavy, travel.speed, travel.acceleration)] if heavy else []
+        dynamic = [inertia(loading.heavy, travel.speed, travel.acceleration)] if loading.heavy else []
         pairs = {pair.joint: pair for pair in loading.pairs}
         scales: Any = at_rows(self.settled.scales, rows)
         groups = reversed(chain.structure.groups)

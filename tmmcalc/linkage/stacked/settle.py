@@ -22,8 +22,9 @@ from tmmcalc.linkage.trace import principal, unwrapped
 from tmmcalc.numerics.alike import Alike, Rows
 from tmmcalc.numerics.roots import Indices
 
+ROWS = 4096  # that are computed together: their temporaries stay in cache
 STEPS = 180
-TOGETHER = 22  # variants whose surveys are evaluated together
+TOGETHER = ROWS // STEPS  # variants whose surveys are evaluated together
 MARGIN = 0.02  # squared sine above which a dyad is nowhere near to a limit position
 REACH = 1e-3  # the same of the pivots of an RPR dyad, against their largest distance
 SWIFT = 1.0  # a link that turns more in one step [rad] is looked at alone

@@ -12,7 +12,7 @@ from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.forces.stack import stacked
 from tmmcalc.linkage.kinematics import output_row
 from tmmcalc.linkage.loads.travel import EDGE
-from tmmcalc.linkage.outputs import default_outputs
+from tmmcalc.linkage.outputs import default_outputs, working_angle
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics, Trace
 from tmmcalc.linkage.stacked.scene import Block
@@ -58,8 +58,8 @@ def strokes_of(block: Block) -> dict[str, Real]:
     They stand under the names of the summary, less that of the output.
     """
     settled = block.settled
-    speed = block.chain.tree.mechanism.input.speed
-    working = np.mod((settled.centres[:, 1] - settled.centres[:, 0]) * (1.0 if speed > 0 else -1.0), TURN)
+    sense = 1.0 if block.chain.tree.mechanism.input.speed > 0 else -1.0
+    working = working_angle(settled.centres, sense)
     return {
         "stroke": np.ptp(settled.reached, axis=1),
         "working": np.degrees(working),
@@ -72,7 +72,7 @@ STROKES = ("stroke", "working", "idle", "K")
 
 
 def _outputs(chain: Any, values: Trace) -> list[tuple[Real, Real, Real]]:
-    return [output_row(chain, output, values) for output in default_outputs(chain)]
+    return [output_row(output, values) for output in default_outputs(chain)]
 
 
 def _continuous(values: Trace, tracks: Real, x: Real) -> Real:
@@ -105,8 +105,7 @@ def forces_of(block: Block, variants: Indices, base: Forces, between: bool) -> t
     if between and solutions:
         clear &= _moves(block, variants)
     parts: Any = [
-        replace(pair, length=length)
-        for pair, length in zip(base.pairs, _lengths(block, statics.pairs, base), strict=True)
+        replace(pair, length=length) for pair, length in zip(base.pairs, _lengths(statics.pairs, base), strict=True)
     ]
     speed: Any = travel.speed
     return replace(
@@ -126,7 +125,7 @@ def forces_of(block: Block, variants: Indices, base: Forces, between: bool) -> t
     ), clear
 
 
-def _lengths(block: Block, pairs: dict[str, Any], base: Forces) -> list[Any]:
+def _lengths(pairs: dict[str, Any], base: Forces) -> list[Any]:
     """Lengths of the sliders of the pairs."""
     return [pairs[pair.joint].length if pair.joint in pairs else None for pair in base.pairs]
 

@@ -9,7 +9,8 @@ import numpy as np
 
 from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.synthesis.results import Design
-from tmmcalc.linkage.synthesis.rocker import LENGTHS, family
+from tmmcalc.linkage.synthesis.rocker import LENGTHS
+from tmmcalc.linkage.synthesis.rockerfamily import family, slopes
 from tmmcalc.linkage.synthesis.rotating import crank_angle
 from tmmcalc.linkage.synthesis.rounding import Conditions
 from tmmcalc.linkage.synthesis.task import CrankRockerTask, RotatingTask, SliderCrankTask, SlottedTask, SynthesisTask
@@ -17,8 +18,6 @@ from tmmcalc.linkage.synthesis.triangle import overlap_of, stroke_of
 from tmmcalc.numerics.extended import PI
 
 NEAR = 1e-6  # of a condition of the best transmission: it is the one that holds
-STEP = 1e-3  # of the slope of the transmission along the family
-WEIGHTS = (45 / 60, -9 / 60, 1 / 60)  # of its differences, of the sixth order
 
 
 def _overlap(ratio: float) -> Any:
@@ -147,17 +146,8 @@ def _best(asked: CrankRockerTask, found: Real, half: Any, psi: Any, side: int) -
     which = int(np.argmax(np.abs(_cosines(found))))
 
     def level(x: Real) -> Any:
-        at = x[2] * np.sin(half) / x[1]
-
-        def cosine(place: Any) -> Any:
-            one = family(np.array([place]), half, psi, side)
-            ones = np.array([one.crank[0], one.coupler[0], np.longdouble(1), one.frame[0]])
-            return abs(_cosines(ones)[which])
-
-        pairs = enumerate(WEIGHTS, 1)
-        room = min(at - np.sin(psi / 2), 1 - at)
-        h = STEP * room
-        return sum(weight * (cosine(at + k * h) - cosine(at - k * h)) for k, weight in pairs) / STEP
+        at = np.array([x[2] * np.sin(half) / x[1]])
+        return slopes(at, family(at, half, psi, side), half, psi, side).cosines[which, 0]
 
     for condition in (longest, alike):
         if abs(condition(found)) < NEAR:

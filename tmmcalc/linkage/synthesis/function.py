@@ -18,7 +18,7 @@ import numpy as np
 
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.synthesis.freudenstein import Closure, closure_of, exact_points, solved_exactly
+from tmmcalc.linkage.synthesis.freudenstein import closure_of, exact_points, solved_exactly
 from tmmcalc.linkage.synthesis.functiondesign import design_of
 from tmmcalc.linkage.synthesis.functionfit import Fitted, best_fits, rated
 from tmmcalc.linkage.synthesis.results import Design, Synthesis
@@ -37,11 +37,11 @@ def solve(task: SynthesisTask) -> Synthesis:
     closure = closure_of(asked)
     exact = is_exact(asked)
     tell(0.0, "precision points")
-    found = solved_exactly(closure, GRID) if exact else best_fits(closure, GRID, task.seed)
+    found = solved_exactly(closure, GRID) if exact else best_fits(closure, GRID)
     if not len(found.offsets):
         raise _none(asked)
     fitted = rated(closure, found, task.transmission, exact)
-    designs = [design for k in _best(fitted, closure) if (design := design_of(task, closure, fitted, k)) is not None]
+    designs = [design for k in _best(fitted) if (design := design_of(task, closure, fitted, k)) is not None]
     designs = sorted(designs, key=lambda design: (len(design.defects), design.merits[_ERROR[closure.slides]]))
     if not designs:
         raise _none(asked)
@@ -59,7 +59,7 @@ def is_exact(asked: FunctionTask) -> bool:
 _ERROR = {False: "structural_error_max[deg]", True: "structural_error_max[mm]"}
 
 
-def _best(fitted: Fitted, closure: Closure) -> list[int]:
+def _best(fitted: Fitted) -> list[int]:
     """Candidates by defects and error, near copies of a better one left out."""
     order = np.lexsort((fitted.error, fitted.defects))
     kept: list[int] = []

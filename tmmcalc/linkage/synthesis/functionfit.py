@@ -105,7 +105,7 @@ def _rated(closure: Closure, sizes: Real, places: Real, least: float, exact: boo
     return Fitted(sizes, places, np.where(first, 1.0, -1.0), error, defects.astype(float), angle)
 
 
-def best_fits(closure: Closure, grid: int, seed: int) -> Found:
+def best_fits(closure: Closure, grid: int) -> Found:
     """Coefficients and offsets of fits in the least squares: of the closure on a grid, then of the output itself."""
     u, v = (values.ravel() for values in np.meshgrid(*offsets(closure, grid), indexing="ij"))
     starts = coefficients(closure, u, v)

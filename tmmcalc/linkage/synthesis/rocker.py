@@ -1,28 +1,23 @@
 """Crank-rocker from its swing 2 phi and time ratio, scaled by one length, with a second size or the best transmission.
 
-The ends B1 (stretched, A B1 = l + r) and B2 (folded, A B2 = l - r) of the rocker pin are seen from the crank's pivot A
-under the overlap angle psi. With the chord c = 2 R sin(phi), the triangle A B1 B2 gives
-
-    (l sin(psi/2))^2 + (r cos(psi/2))^2 = (c/2)^2
-
-so the coupler l, between c/2 and c/(2 sin(psi/2)), is the one free size; 1/l is the parameter, for K = 1 has l endless.
-A stands 2 l r/c along the chord from its middle, and (l^2 - r^2) sin(psi)/c off it, on either side.
+The first two sizes leave a family of one free size (see rockerfamily.py): the second size is a root along it, the best
+transmission the place where its slope changes sign: by a zero, by a jump, or where links get too long.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import NamedTuple
 
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError
 from tmmcalc.linkage.model import Output
-from tmmcalc.linkage.plane import Plane, Real, cross
+from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.synthesis.builders import FourBar, four_bar
 from tmmcalc.linkage.synthesis.designs import Closed, closed_form, scene_of
 from tmmcalc.linkage.synthesis.results import Check, Size, Synthesis
+from tmmcalc.linkage.synthesis.rockerfamily import Family, cosines, family, slopes
 from tmmcalc.linkage.synthesis.simulation import Simulation, check, simulate
 from tmmcalc.linkage.synthesis.strokes import overlap
 from tmmcalc.linkage.synthesis.task import CrankRockerTask, SynthesisTask
@@ -31,18 +26,7 @@ from tmmcalc.numerics.roots import bracketed
 KIND = "crank_rocker"
 RULE = "the greatest least transmission angle"
 SAMPLES = 4000
-GOLDEN = (math.sqrt(5) - 1) / 2
 LENGTHS = ("crank", "coupler", "rocker", "frame")
-
-
-class Family(NamedTuple):
-    """Crank-rockers of rocker length 1 with one swing and overlap, by x = c/(2 l) (m,), on one side of the chord."""
-
-    crank: Real
-    coupler: Real
-    frame: Real
-    pivot: Plane  # A, with the rocker's pivot at 0 and its swing about the y axis
-    transmission: Real  # least transmission angle [rad]; negative where it is no crank-rocker
 
 
 def solve(task: SynthesisTask) -> Synthesis:
@@ -55,25 +39,6 @@ def solve(task: SynthesisTask) -> Synthesis:
     designs = [_closed(task, asked, family(np.array([x]), half, psi, side)) for x, side in found]
     designs.sort(key=lambda design: -design.merits["transmission_min[deg]"])
     return closed_form(task, KIND, RULE, designs)
-
-
-def family(x: Real, half: float, psi: float, side: int) -> Family:
-    """The crank-rockers at x = c/(2 l) in (sin(psi/2), 1) with the half swing and overlap angle [rad]."""
-    c = 2 * np.sin(half)
-    s, k = np.sin(psi / 2), np.cos(psi / 2)
-    l = c / 2 / x
-    r = l * np.sqrt(np.maximum((x - s) * (x + s), 0)) / k
-    off = (l - r) * (l + r) * np.sin(psi) / c
-    pivot = 2 * l * r / c + 1j * (np.cos(half) + side * off)
-    ends = np.exp(1j * (math.pi / 2 + half)), np.exp(1j * (math.pi / 2 - half))
-    frame = np.abs(pivot)
-    sizes = np.array([r, l, np.ones_like(l), frame])
-    shortest = np.all(r[None, :] <= sizes[1:], axis=0)
-    turns = r + sizes.max(axis=0) < sizes.sum(axis=0) - r - sizes.max(axis=0)
-    same = cross(pivot, np.asarray(ends[0])) * cross(pivot, np.asarray(ends[1])) > 0
-    worst = np.max(np.abs([(l**2 + 1 - (frame + sign * r) ** 2) / (2 * l) for sign in (1, -1)]), axis=0)
-    angle = np.arccos(np.clip(worst, 0, 1))
-    return Family(r, l, frame, pivot, np.where(shortest & turns & same, angle, -1.0))
 
 
 def _grid(psi: float) -> Real:
@@ -121,41 +86,54 @@ def _residual(asked: CrankRockerTask, found: Family) -> Real:
 
 
 def _best(ratio: float, x: Real, half: float, psi: float, side: int) -> list[float]:
-    """The place of the greatest least transmission angle, by golden section: it may stand on a kink."""
+    """The place of the greatest least transmission angle, none where no links are short enough."""
 
-    def angles_at(at: Real) -> Real:
+    def slope(at: Real) -> Real:
+        """Of what is to be largest: the transmission angle or, where links are too long, less their length."""
         found = family(at, half, psi, side)
-        longest = np.maximum(np.maximum(found.coupler, found.frame), 1.0)
-        return np.where(longest <= ratio * found.crank, found.transmission, -1.0)
+        rates, size = slopes(at, found, half, psi, side), cosines(found)
+        sharper = -np.take_along_axis(np.sign(size) * rates.cosines, np.argmax(np.abs(size), axis=0)[None], axis=0)[0]
+        return np.where(found.longest > ratio * found.crank, -rates.ratio, sharper)
 
-    angles = angles_at(x)
+    found = family(x, half, psi, side)
+    angles = np.where(found.longest <= ratio * found.crank, found.transmission, -1.0)
     k = int(np.argmax(angles))
     if angles[k] <= 0:
         return []
-    low, high = x[max(k - 1, 0)], x[min(k + 1, len(x) - 1)]
-    for _ in range(100):
-        inner = np.array([high - GOLDEN * (high - low), low + GOLDEN * (high - low)])
-        one, two = angles_at(inner)
-        low, high = (low, inner[1]) if one >= two else (inner[0], high)
-    best = np.array([low, (low + high) / 2, high])
-    return [float(best[np.argmax(angles_at(best))])]
+    low, high = x[[max(k - 1, 0)]], x[[min(k + 1, len(x) - 1)]]
+    if slope(low)[0] < 0 or slope(high)[0] > 0:
+        return [float(x[k])]  # the best of the grid is its end
+    return [float(bracketed(lambda at, which: slope(at), low, high)[0])]
 
 
 def _none(asked: CrankRockerTask, half: float, psi: float) -> NoSolutionError:
-    best = max(float(family(_grid(psi), half, psi, side).transmission.max()) for side in (1, -1))
-    swing, ratio = math.degrees(asked.swing), asked.time_ratio
+    members = [family(_grid(psi), half, psi, side) for side in (1, -1)]
+    best = max(float(each.transmission.max()) for each in members)
+    said, where = f"swing {math.degrees(asked.swing):.6g} deg and K = {asked.time_ratio:g}", f"synthesis.{KIND}"
     if best <= 0:
         return NoSolutionError(
-            f"no crank-rocker swings by {swing:.6g} deg with K = {ratio:g}",
-            where=f"synthesis.{KIND}",
+            f"there is no crank-rocker of {said}",
+            where=where,
             value=asked.swing,
             limit=math.pi - psi,
             remedy="ask for a smaller swing, or a time ratio nearer to 1",
         )
+    if _second(asked) is None:
+        least = min(
+            float(np.min((each.longest / each.crank)[each.transmission > 0], initial=np.inf)) for each in members
+        )
+        return NoSolutionError(
+            f"every crank-rocker of {said} has a link longer than largest_ratio = {asked.largest_ratio:g} cranks: "
+            f"of {least:.6g} cranks or more",
+            where=where,
+            value=asked.largest_ratio,
+            limit=least,
+            remedy="raise largest_ratio above that, or ask for a larger swing",
+        )
     return NoSolutionError(
-        f"no crank-rocker of swing {swing:.6g} deg and K = {ratio:g} has the second size asked for; "
+        f"no crank-rocker of {said} has the second size asked for; "
         f"the best one has a least transmission angle of {math.degrees(best):.5g} deg",
-        where=f"synthesis.{KIND}",
+        where=where,
         value=best,
         remedy="leave the second size out to see the best one, and take its sizes as a guide",
     )

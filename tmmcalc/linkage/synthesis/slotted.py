@@ -94,11 +94,11 @@ def _closed(task: SynthesisTask, asked: SlottedTask, phi: float, lengths: Length
         Size("phi_second", math.pi + phi, "rad", "crank at the near end of the stroke"),
     )
     merits = {"pressure_max[deg]": math.degrees(found.pressure), "r/L": crank / centres}
-    made, notes = tuple(checks(asked, found)), tuple(_notes(*lengths))
+    made, notes = tuple(checks(asked, found)), tuple(_notes(crank, centres, arm, guide))
     return Closed("slotted link", sizes, made, merits, found.mechanism, found.simulation, notes)
 
 
-def _notes(crank: float, centres: float, arm: float, rod: float, guide: float) -> Iterator[str]:
+def _notes(crank: float, centres: float, arm: float, guide: float) -> Iterator[str]:
     if arm < centres + crank:
         yield (
             f"note: the block goes up to L + r = {1e3 * (centres + crank):.6g} mm from C, beyond the end D of the arm "

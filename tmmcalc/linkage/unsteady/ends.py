@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.linkage.assembly import TURN, describe
+from tmmcalc.linkage.assembly import TURN, coordinate, describe
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.outputs import coordinate_of, default_outputs
@@ -82,9 +82,11 @@ def _nearest(chain: Chain, domain: Domain, output: Output, value: float, near: f
     low, high = _range(chain, domain, near)
     if sense is not None:
         low, high = (near, high) if sense > 0 else (low, near)
+    side = "" if sense is None else f" on the {'positive' if sense > 0 else 'negative'} side"
     found, least, largest = _roots(chain, output, value, low, high)
+    if math.isnan(least):
+        raise _outside(chain, domain.intervals, near, f"from {coordinate(chain, near)} the mechanism has no way{side}")
     if not len(found):
-        side = "" if sense is None else f" on the {'positive' if sense > 0 else 'negative'} side"
         angle = output.link is not None
         shown = [math.degrees(v) if angle else v for v in (value, least, largest)]
         unit = "deg" if angle else "m"
@@ -109,23 +111,24 @@ def _range(chain: Chain, domain: Domain, near: float) -> tuple[float, float]:
             clear = CLEAR * (interval.high - interval.low)
             low, high = interval.low + shift + clear, interval.high + shift - clear
             return min(low, near), max(high, near)
-    raise _outside(chain, domain.intervals, near)
+    raise _outside(chain, domain.intervals, near, "the motion would begin where the mechanism does not assemble")
 
 
-def _outside(chain: Chain, intervals: tuple[Interval, ...], near: float) -> NoSolutionError:
+def _outside(chain: Chain, intervals: tuple[Interval, ...], near: float, fault: str) -> NoSolutionError:
     ranges = " and ".join(describe(chain, interval) for interval in intervals)
     return NoSolutionError(
-        f"the motion would begin where the mechanism does not assemble: {ranges} only",
-        where=WHERE,
-        value=near,
-        remedy="begin within that range",
+        f"{fault}: it assembles for {ranges} only", where=WHERE, value=near, remedy="begin within that range"
     )
 
 
 def _roots(chain: Chain, output: Output, value: float, low: float, high: float) -> tuple[Real, float, float]:
-    """Coordinates (m,) in the range at which the output has the value, and its extremes; angles modulo 2 pi."""
+    """Coordinates (m,) in the range at which the output has the value, and its extremes; angles modulo 2 pi.
+
+    The extremes are not a number where the range has no length, or is so short that rounding parts its links.
+    """
+    nothing = np.empty(0), math.nan, math.nan
     if high - low <= 0:
-        return np.empty(0), math.nan, math.nan
+        return nothing
     dense = survey(chain, low, high)
     x = dense.x if not dense.full else np.linspace(low, high, len(dense.x))
     track = dense.angle(output.link) if output.link is not None else None
@@ -137,6 +140,8 @@ def _roots(chain: Chain, output: Output, value: float, low: float, high: float) 
         return raw + TURN * np.rint((np.interp(at, dense.x, track) - raw) / TURN)
 
     x, values = _with_extremes(f, x)
+    if not len(x):
+        return nothing
     least, largest = float(values.min()), float(values.max())
     touch = REACHED * (largest - least)
     turns = [0.0]
@@ -151,6 +156,8 @@ def _with_extremes(f: Problems, x: Real) -> tuple[Real, Real]:
     values = f(x, np.arange(len(x)))
     assembled = np.isfinite(values)
     x, values = x[assembled], values[assembled]
+    if len(x) < 2:
+        return x, values
     at = np.concatenate([turning(values, sign, False) for sign in (1, -1)])
     place, value = refine(f, *around(x, at, False))
     x, values = np.concatenate((x, place)), np.concatenate((values, value))

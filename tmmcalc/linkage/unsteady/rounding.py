@@ -10,7 +10,7 @@ import numpy as np
 
 from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.results import ErrorEstimate, Trace
-from tmmcalc.linkage.rounding import EPS
+from tmmcalc.numerics.extended import EPS
 from tmmcalc.timelaw import TimeLaw
 
 ROUNDINGS = 2.0  # of a sum or a product of three

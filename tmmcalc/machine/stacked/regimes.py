@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from tmmcalc.machine.onemass import SPEEDS
 from tmmcalc.machine.steady import LOSS
 from tmmcalc.numerics.alike import rows_of
-from tmmcalc.numerics.gauss import ORDER, legendre, rule
+from tmmcalc.numerics.gauss import ORDER, legendre, rule, tail
 from tmmcalc.numerics.panels import Values
 from tmmcalc.numerics.roots import Indices
 
@@ -197,8 +197,7 @@ def _linear(m: Machines, rate: Values, rest: Values) -> tuple[Values, Values]:
 
 def _tail(m: Machines, omega: Values) -> Values:
     """What every panel (V, K) leaves out of the speed, relative to its own largest."""
-    last = np.max(np.abs(omega @ rule(ORDER).coefficients[-3:].T), axis=2)
-    return np.where(m.width > 0, last / np.max(omega, axis=2), 0.0)
+    return np.where(m.width > 0, tail(omega) / np.max(omega, axis=2), 0.0)
 
 
 def _draws(m: Machines, omega: Values) -> Flags:

@@ -20,7 +20,7 @@ from tmmcalc.machine.transient.steps import Derivative, State
 from tmmcalc.numerics.panels import Values
 
 NOISE = 1e-13  # relative: a turning point that is beyond the rows by less is not looked at
-LOOKS = 3  # steps that are made again for one quantity
+LOOKS = 8  # steps that are made again for one quantity
 Key = Callable[[float], float]
 
 
@@ -40,7 +40,7 @@ class Reading(NamedTuple):
 
 
 class Found(NamedTuple):
-    """The largest value of a quantity, its time, and what the last correction moved it by."""
+    """The largest value of a quantity, its time, and what it may be larger by."""
 
     value: float = 0.0
     time: float = 0.0
@@ -57,23 +57,26 @@ def farthest(run: Run, reading: Reading, course: tuple[Values, Values, Values], 
     """Where the ``key`` (abs, or the value with a sign) of a quantity is largest, in any of its steps.
 
     ``course`` are times, values and rates at the rows (S,). Steps after the rows ``lost`` are always made again:
-    the state at their ends is not that of the next row.
+    the state at their ends is not that of the next row. The gap is what a step may have beyond the value: of one made
+    again by its own gap, of any other by its cubic, of a lost one that cannot be made again by its tangent.
     """
-    t, values, _ = course
-    sizes = key(values)  # type: ignore[arg-type]
-    best = int(np.argmax(sizes))
+    t, values, rates = course
+    best = int(np.argmax(key(values)))  # type: ignore[arg-type]
     found = Found(float(values[best]), float(t[best]))
-    tops = _tops(run, reading, course, key)
-    tops[lost] = np.inf
+    if len(t) < 2:
+        return found
+    tops, first = _tops(run, reading, course, key), list(lost)
+    tops[lost] = [key(values[k] + (t[k + 1] - t[k]) * rates[k]) for k in lost]
+    reach = key(found.value)
     for _ in range(LOOKS + len(lost)):
-        k = int(np.argmax(tops)) if len(tops) else 0
-        size = key(found.value)
-        if not len(tops) or tops[k] <= size + NOISE * abs(size):
+        k = first.pop() if first else int(np.argmax(tops))
+        if k not in lost and tops[k] <= key(found.value) + NOISE * abs(found.value):
             break
-        again = _again(run, reading, k, key) or found._replace(gap=float(tops[k]) - size)
-        found = again if key(again.value) > size or again.gap > found.gap else found
+        again = _again(run, reading, k, key)
+        reach = max(reach, key(again.value) + again.gap if again else float(tops[k]))
+        found = again if again and key(again.value) > key(found.value) else found
         tops[k] = -np.inf
-    return found
+    return found._replace(gap=max(reach, float(tops.max())) - key(found.value))
 
 
 def _tops(run: Run, reading: Reading, course: tuple[Values, Values, Values], key: Key) -> Values:

@@ -9,6 +9,7 @@ a tolerance a thousand times as large costs some third of the first and tells it
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -22,7 +23,6 @@ FEW = 32  # the same of a motion with step control
 MARGIN = 1.5  # what the largest difference at these instants may be exceeded by between them
 COARSER = 1e3  # times the tolerance: of the second run
 SCALED = 5.0  # what the error may be larger by than its power of the tolerance tells
-RESERVE = 2.2  # that one drive in a hundred needs: without it four in a hundred have a larger error than is told
 POWER, POWERS = 0.8, {"collocation": 1.0}  # of the tolerance that the error goes as; Kutta-Merson: order 4 of 5
 EPS = 8 * math.ulp(1.0)  # rounding of a step
 NEWTON = 5e-5  # of the error allowed in a step: what Newton's method leaves of collocation
@@ -47,13 +47,16 @@ def left(found: Transient, other: Transient, tolerance: float, allowed: float) -
 
     ``allowed`` is the error of the speeds that the tolerance allows in a step, relative to the largest.
     """
-    differences = _difference(found, other, instants_of(found, FEW), found), _moments(found, other)
+    times = instants_of(found, FEW)
+    # two largest moments may agree by chance, their whole courses do not
+    moments = max(_moments(found, other), _courses(found, other, times))
+    differences = _difference(found, other, times, found), moments
     rounding = EPS * math.sqrt(found.counters["steps"]) + (NEWTON * allowed if found.method == "collocation" else 0.0)
     if second(found.method, tolerance) < tolerance:
         factor = MARGIN
     else:
         factor = SCALED / COARSER ** POWERS.get(found.method, POWER)
-    speeds, moments = (RESERVE * (rounding + factor * difference) for difference in differences)
+    speeds, moments = (rounding + factor * difference for difference in differences)
     return speeds, moments
 
 
@@ -83,15 +86,28 @@ def _moments(one: Transient, other: Transient) -> float:
     return float(off.max(initial=0.0))
 
 
+def _courses(one: Transient, other: Transient, times: list[float]) -> float:
+    """Largest difference of the moments at ``times`` of rows of both, each relative to its largest."""
+    own, others = (_rows_at(motion, times, (*motion.shaft_moment, motion.motor_moment)) for motion in (one, other))
+    largest = np.abs(one.largest_moment[0])
+    off = np.abs(own - others).max(axis=1)
+    return float((off[largest > 0] / largest[largest > 0]).max(initial=0.0))
+
+
 def _difference(one: Transient, other: Transient, times: list[float], scale: Transient) -> float:
     """Largest difference of the speeds at ``times`` of rows of both, relative to the largest of ``scale``."""
-    own, others = (_speeds(motion, np.array(times)) for motion in (one, other))
-    largest = float(np.abs(_speeds(scale, scale.t)).max()) or 1.0
+    own, others = (_rows_at(motion, times, _speeds(motion)) for motion in (one, other))
+    largest = float(np.abs(_speeds(scale)).max()) or 1.0
     return float(np.abs(own - others).max()) / largest
 
 
-def _speeds(motion: Transient, times: Values) -> Values:
-    """Speeds (N, m) of all masses, as speeds of the crank, at times of rows; after its end a motion stays as it is."""
-    at = np.minimum(np.searchsorted(motion.t, times), len(motion.t) - 1)
-    speeds: Values = motion.omega[:, at] / np.array(ratios(motion.drive))[:, None]
+def _speeds(motion: Transient) -> Values:
+    """Speeds (N, S) of all masses, as speeds of the crank."""
+    speeds: Values = motion.omega / np.array(ratios(motion.drive))[:, None]
     return speeds
+
+
+def _rows_at(motion: Transient, times: list[float], values: Values | Sequence[Values]) -> Values:
+    """Values (N, S) of all rows at times of rows (N, m); after its end a motion stays as it is."""
+    at = np.minimum(np.searchsorted(motion.t, times), len(motion.t) - 1)
+    return np.array([each[at] for each in values])

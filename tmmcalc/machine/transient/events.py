@@ -7,7 +7,7 @@ from collections.abc import Callable
 from operator import itemgetter
 from typing import NamedTuple
 
-from tmmcalc.machine.transient.peaks import Point, settled
+from tmmcalc.machine.transient.peaks import Point, settled, turnings
 from tmmcalc.machine.transient.steppers import Stepper
 from tmmcalc.machine.transient.steps import Derivative, State
 
@@ -72,22 +72,18 @@ def extreme(stepper: Stepper, f: Derivative, component: int) -> tuple[Point, Sta
     i = component
     if stepper.rate0[i] * stepper.rate[i] >= 0:
         return None
-    ends = Point(stepper.t0, stepper.y0[i], stepper.rate0[i]), Point(stepper.t, stepper.y[i], stepper.rate[i])
-    found, _, y = settled(stepper, f, itemgetter(i), ends, _middle(stepper, i))
+    found, _, y = settled(stepper, f, itemgetter(i), _ends(stepper, i), _middle(stepper, i))
     return found, y
 
 
 def _middle(stepper: Stepper, component: int) -> float:
     """The time at which the cubic through both ends of the step turns back, for slopes of different sign."""
-    h = stepper.t - stepper.t0
-    rise, fall = h * stepper.rate0[component], h * stepper.rate[component]
-    gained = stepper.y[component] - stepper.y0[component]
-    # the slope of the cubic of Hermite is a s^2 + b s + rise
-    a, b = 3 * (rise + fall - 2 * gained), 2 * (3 * gained - 2 * rise - fall)
-    # the root without cancellation: b of the same sign as the slope at the start would leave nothing of a difference
-    root = math.sqrt(max(b * b - 4 * a * rise, 0.0))
-    part = -(b + math.copysign(root, b)) / (2 * a) if b * rise > 0 else 2 * rise / (math.copysign(root, rise) - b)
-    return stepper.t0 + min(max(part, 0.0), 1.0) * h
+    # without a turning point, where the squares of the slopes underflow, it is the end
+    return next((at for at, _ in turnings(*_ends(stepper, component))), stepper.t)
+
+
+def _ends(stepper: Stepper, i: int) -> tuple[Point, Point]:
+    return Point(stepper.t0, stepper.y0[i], stepper.rate0[i]), Point(stepper.t, stepper.y[i], stepper.rate[i])
 
 
 def _touch(watch: Watch, stepper: Stepper, before: float, after: float) -> Hit | None:

@@ -60,10 +60,10 @@ def _motor(motor: Any, found: Curves, run: Run) -> Found:
         rate = u * (static - found.motor_moment) / run.system.time_constant
         lost = np.flatnonzero(on[:-1] & ~on[1:]).tolist()
         lagging = farthest(run, Reading(layout.works - 1), (found.t, found.motor_moment * u, rate), abs, lost)
-        return max(sampled, _on(lagging, 1 / u), key=_size)
+        return _largest([sampled, _on(lagging, 1 / u)])
     course = found.t, found.omega[0] / u, found.alpha[0] / u
     speeds = [farthest(run, Reading(layout.speed), course, key, []) for key in (_upwards, _downwards)]
-    return max([sampled, *_static(motor, u, speeds, found, on)], key=_size)
+    return _largest([sampled, *_static(motor, u, speeds, found, on)])
 
 
 def _upwards(value: float) -> float:
@@ -74,8 +74,10 @@ def _downwards(value: float) -> float:
     return -value
 
 
-def _size(moment: Found) -> float:
-    return abs(moment.value)
+def _largest(moments: list[Found]) -> Found:
+    """The largest; its gap reaches what any of them may be."""
+    found = max(moments, key=lambda each: abs(each.value))
+    return found._replace(gap=max(abs(each.value) + each.gap for each in moments) - abs(found.value))
 
 
 def _of_rows(t: Values, values: Values) -> Found:

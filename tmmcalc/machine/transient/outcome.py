@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -27,8 +27,13 @@ class Curves(NamedTuple):
     load_factor: Values
     kinetic: Values
     elastic: Values
-    works: Values  # (4, S)
+    works: Values  # (4, S) of motor, load and brake, and what the shafts lose
     step_error: Values | None
+
+    def rows(self) -> dict[str, Any]:
+        """All of them by their names in that record."""
+        works = zip(("motor_work", "load_work", "brake_work", "shaft_loss"), self.works, strict=True)
+        return {name: value for name, value in self._asdict().items() if name != "works"} | dict(works)
 
 
 class _Moments(NamedTuple):

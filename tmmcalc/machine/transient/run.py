@@ -90,6 +90,13 @@ class Run:
                     remedy="look at the moments there: a brake or a jump of the load that changes with the direction",
                 )
 
+    @property
+    def counters(self) -> dict[str, int]:
+        """What the run cost."""
+        stepper = self.stepper
+        costs = {"rejected": stepper.rejected, "evaluations": stepper.evaluations}
+        return {"steps": self.steps, **costs, "pieces": self.pieces}
+
     def stretch(self, regime: Regime) -> Stretch:
         """The stretch of a regime."""
         return self._stretches(regime.factor, regime.way)[regime.stretch]

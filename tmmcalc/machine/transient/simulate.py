@@ -126,11 +126,7 @@ def _integrated(
     motion = Transient(
         drive=drive,
         scenario=scenario,
-        **{name: value for name, value in found._asdict().items() if name != "works"},
-        motor_work=found.works[0],
-        load_work=found.works[1],
-        brake_work=found.works[2],
-        shaft_loss=found.works[3],
+        **found.rows(),
         largest_moment=np.array([(each.value, each.time) for each in moments]).T,
         turning=np.array(run.turning).reshape(-1, 3).T,
         events=tuple(run.events),
@@ -143,19 +139,14 @@ def _integrated(
         imbalance=imbalance,
         error=max(chosen.ripple / largest, given),
         extremes_error=_gap(moments),
-        counters={
-            "steps": run.steps,
-            "rejected": stepper.rejected,
-            "evaluations": stepper.evaluations,
-            "pieces": run.pieces,
-        },
+        counters=run.counters,
     )
     return motion, guess
 
 
 def _gap(moments: list[Found]) -> float:
-    """What interpolation may miss of the largest moments, relative to each."""
-    return max(each.gap / abs(each.value) if each.gap else 0.0 for each in moments)
+    """What interpolation may miss of the largest moments, relative to each; at most all of it."""
+    return max(each.gap / max(abs(each.value), each.gap) if each.gap else 0.0 for each in moments)
 
 
 def _control(method: Method, name: str, system: System, aim: float) -> tuple[float | None, float]:

@@ -6,16 +6,15 @@ sqrt(E I/N), at the lower end over the length on which the tension grows enough.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import sqrt
 
 import numpy as np
 
 from tmmcalc.errors import AccuracyError
 from tmmcalc.machine.vibration.pendulum.basis import Basis, graded
+from tmmcalc.machine.vibration.pendulum.plane import Plane, plane_of
 from tmmcalc.machine.vibration.pendulum.task import PendulumTask
 from tmmcalc.numerics.extended import MARGIN
-from tmmcalc.numerics.panels import Values
 
 LAYERED = 0.05  # part of the length: thinner layers get elements of their own
 WEAK, STRONG = 1e-3, 1e-7  # thinnest that are followed: of an end without a moment, and of one that has it
@@ -26,50 +25,51 @@ ALLOWED = 1e-6  # a larger change of the last degree is a failure
 MOST = 220  # functions
 
 
-def resolved(task: PendulumTask, frequencies: Callable[[Basis], Values], plane: int) -> tuple[Basis, float]:
-    """The basis in which ``frequencies(basis)`` (n,) no longer change, and the change (relative) that is left.
+def resolved(task: PendulumTask, number: int) -> tuple[Plane, float]:
+    """The plane of this number in a basis in which its frequencies no longer change, and the change that is left.
 
-    It is the last change, less by the factor by which that one was less than the change before, with a margin. A mesh
-    that the task gives is taken as it is, its error by halving the elements. Raises `AccuracyError`.
+    It is the last change (relative), less by the factor by which that one was less than the change before, with a
+    margin. A mesh that the task gives is taken as it is, its error by halving the elements. Raises `AccuracyError`.
     """
     tilts = task.pivot is not None
     if task.mesh.elements is not None:
-        given, halved = (_even(many, task.mesh.degree, tilts) for many in (task.mesh.elements, 2 * task.mesh.elements))
+        many, degree = task.mesh.elements, task.mesh.degree
+        given, halved = (plane_of(task, number, _even(n, degree, tilts)) for n in (many, 2 * many))
         taken = 1 - 0.25 ** (task.mesh.degree - 1)  # of an error of that order by halves
-        return given, _change(frequencies(halved), frequencies(given)) / taken
-    edges = graded(*_layers(task, plane))
+        return given, _change(halved, given) / taken
+    edges = graded(*_layers(task, number))
     nodal = len(edges) > 2
     first, *others = FEWER if nodal else DEGREES
-    basis = Basis(edges, first, tilts, nodal)
-    found, change, left = frequencies(basis), np.inf, np.inf
+    found, change, left = plane_of(task, number, Basis(edges, first, tilts, nodal)), np.inf, np.inf
     for degree in others:
         finer = Basis(edges, degree, tilts, nodal)
         if finer.count > MOST:
             break
-        better = frequencies(finer)
+        better = plane_of(task, number, finer)
         before, change = change, _change(better, found)
-        basis, found, left = finer, better, MARGIN * change * min(1.0, change / before)
+        found, left = better, MARGIN * change * min(1.0, change / before)
         if change < AGREED:
-            return basis, left
+            return found, left
     if change > ALLOWED:
         raise AccuracyError(
-            f"{basis.count} functions leave an error of {change:.2g} in the natural frequencies",
+            f"{found.basis.count} functions leave an error of {change:.2g} in the natural frequencies",
             where="pendulum",
             value=float(change),
             limit=ALLOWED,
             remedy="ask for fewer modes, or for a rod that is less soft",
         )
-    return basis, left
+    return found, left
 
 
 def _even(many: int, degree: int, tilts: bool) -> Basis:
     return Basis(tuple(np.linspace(0.0, 1.0, many + 1).tolist()), degree, tilts)
 
 
-def _change(better: Values, found: Values) -> float:
-    if found.shape != better.shape:
+def _change(better: Plane, found: Plane) -> float:
+    finer, coarser = better.frequencies, found.frequencies
+    if coarser.shape != finer.shape:
         return np.inf
-    return float(np.max(np.abs(found / better - 1)))
+    return float(np.max(np.abs(coarser / finer - 1)))
 
 
 def _layers(task: PendulumTask, plane: int) -> tuple[float, float]:

@@ -4,28 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import partial
 from math import pi, sqrt
 
 import numpy as np
 
 from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.machine.vibration.pendulum.basis import Basis, sample
+from tmmcalc.machine.vibration.pendulum.basis import sample
 from tmmcalc.machine.vibration.pendulum.energies import Matrices, matrices
+from tmmcalc.machine.vibration.pendulum.plane import Plane
 from tmmcalc.machine.vibration.pendulum.resolution import resolved
 from tmmcalc.machine.vibration.pendulum.results import Campbell, PendulumResult, WhirlModes
 from tmmcalc.machine.vibration.pendulum.rounding import Energies, critical_error, steady_end, whirl_error
 from tmmcalc.machine.vibration.pendulum.swing import SwingCourse, swing
 from tmmcalc.machine.vibration.pendulum.task import PendulumTask
 from tmmcalc.machine.vibration.pendulum.torsion import torsion_frequencies
-from tmmcalc.machine.vibration.pendulum.whirl import (
-    Critical,
-    critical_speeds,
-    lowest,
-    unbalance_curve,
-    unbalance_whirl,
-    whirl,
-)
+from tmmcalc.machine.vibration.pendulum.whirl import lowest, unbalance_curve, unbalance_whirl, whirl
 from tmmcalc.numerics.extended import EPS, MARGIN
 from tmmcalc.numerics.panels import Values
 
@@ -44,32 +37,26 @@ def solve_pendulum(task: PendulumTask) -> PendulumResult:
     `SingularityError` for an unbalance at a critical speed, `AccuracyError` where the modes cannot be resolved.
     """
     _check(task)
-    planes = (0,) if task.axisymmetric else (0, 1)
-    settled = [resolved(task, partial(_all, task, plane), plane) for plane in planes]
-    bases = tuple(basis for basis, _ in settled)
+    settled = [resolved(task, number) for number in ((0,) if task.axisymmetric else (0, 1))]
+    planes = [plane for plane, _ in settled]
     place = np.linspace(0.0, 1.0, PLACES)
-    modes = [each for k, basis in zip(planes, bases, strict=True) for each in _modes(task, basis, k, place)]
-    spun = _may_spin(task)
-    parts = matrices(task, bases[0], 0)
-    moment = task.disc.mass * task.disc.eccentricity
-    empty = np.empty(0)
-    critical = critical_speeds(parts, task.modes) if spun else ()
-    forward, backward = (each.speeds for each in critical) if spun else (empty, empty)
-    deflection = _deflection(task, parts) if spun and moment and task.spin else None
-    found = None if task.swing is None else swing(task, task.swing, (bases[0], bases[-1]))
+    forward, backward = (each.speeds for each in planes[0].critical) if planes[0].critical else (np.empty(0),) * 2
+    shape = _unbalanced(task, planes[0].parts)
+    deflection = None if shape is None else float(planes[0].parts.tip @ shape)
+    found = None if task.swing is None else swing(task, task.swing, (planes[0].basis, planes[-1].basis))
     return PendulumResult(
         spin=task.spin,
         place=place * task.rod.length,
-        modes=tuple(modes),
+        modes=tuple(modes for plane in planes for modes in _modes(task, plane, place)),
         forward_critical=forward,
         backward_critical=backward,
         torsion=torsion_frequencies(task, task.modes),
         rigid=_rigid(task),
         deflection=deflection,
-        campbell=_campbell(task, bases[0]),
+        campbell=_campbell(task, planes[0]),
         swing=found,
-        functions=max(basis.count for basis in bases),
-        error=_errors(task, settled, critical, deflection, found),
+        functions=max(plane.basis.count for plane in planes),
+        error=_errors(task, settled, shape, found),
         notes=tuple(_notes(task, forward, None if found is None else (found.slope_v, found.slope_w))),
     )
 
@@ -91,47 +78,25 @@ def _check(task: PendulumTask) -> None:
         )
 
 
-def _may_spin(task: PendulumTask) -> bool:
-    return task.axisymmetric and (task.spin != 0 or task.speeds is not None)
-
-
-def _spins(task: PendulumTask) -> list[float]:
-    """Speeds of spin by which the basis is judged: that of the task, and the ends of the diagram."""
-    return [task.spin] if task.speeds is None else [task.spin, task.speeds.low, task.speeds.high]
-
-
-def _all(task: PendulumTask, plane: int, basis: Basis) -> Values:
-    """What tells by its change how fine the basis is: frequencies of whirl, and critical speeds."""
-    parts, count = matrices(task, basis, plane), min(task.modes, basis.count)
-    both = lowest(whirl(parts, np.array(_spins(task))), count)
-    critical = critical_speeds(parts, count) if _may_spin(task) else ()
-    return np.concatenate([part.ravel() for part in (*both, *(each.speeds for each in critical))])
-
-
-def _deflection(task: PendulumTask, parts: Matrices) -> float:
-    """Displacement of the lower end by the unbalance, turning with the rotor [m]."""
-    return float(parts.tip @ unbalance_whirl(parts, task.disc.mass * task.disc.eccentricity, task.spin))
+def _unbalanced(task: PendulumTask, parts: Matrices) -> Values | None:
+    """The shape (n,) that turns with the rotor by its unbalance; None: it has none or does not spin."""
+    moment = task.disc.mass * task.disc.eccentricity
+    return unbalance_whirl(parts, moment, task.spin) if task.axisymmetric and moment and task.spin else None
 
 
 def _errors(
-    task: PendulumTask,
-    settled: Sequence[tuple[Basis, float]],
-    critical: Sequence[Critical],
-    deflection: float | None,
-    moved: SwingCourse | None,
+    task: PendulumTask, settled: Sequence[tuple[Plane, float]], shape: Values | None, moved: SwingCourse | None
 ) -> dict[str, float]:
     """Relative errors: of every frequency and speed, of the whirl of the unbalance, of the path over its size."""
     left = max(change for _, change in settled)
-    rounding = [_rounding(task, basis, plane) for plane, (basis, _) in enumerate(settled)]
+    energies = [Energies(task, plane.basis, plane.number) for plane, _ in settled]
+    rounding = [_rounding(each, plane) for each, (plane, _) in zip(energies, settled, strict=True)]
     found = {"frequencies": left + MARGIN * max(rounding) + EPS}
-    basis = settled[0][0]
-    if any(len(each.speeds) for each in critical):
-        energies = Energies(task, basis, 0)
-        missed = [critical_error(energies, *each) for each in critical if len(each.speeds)]
+    missed = [critical_error(energies[0], *each) for each in settled[0][0].critical if len(each.speeds)]
+    if missed:
         found["critical"] = left + MARGIN * max(missed) + EPS
-    if deflection is not None:
-        finer = _deflection(task, matrices(task, replace(basis, degree=basis.degree + FINER), 0))
-        found["whirl"] = MARGIN * (abs(finer / deflection - 1) + _whirl_rounding(task, basis, deflection)) + EPS
+    if shape is not None:
+        found["whirl"] = _whirl_error(task, settled[0][0], energies[0], shape)
     if task.rod.torsion is not None:
         found["torsion"] = TORSION
     if moved is not None:
@@ -139,33 +104,33 @@ def _errors(
     return found
 
 
-def _whirl_rounding(task: PendulumTask, basis: Basis, deflection: float) -> float:
+def _whirl_error(task: PendulumTask, plane: Plane, energies: Energies, shape: Values) -> float:
+    """Of the lower end in the whirl of the unbalance: by a finer basis, and by rounding."""
+    deflection = float(plane.parts.tip @ shape)
+    parts = matrices(task, replace(plane.basis, degree=plane.basis.degree + FINER), 0)
     moment = task.disc.mass * task.disc.eccentricity
-    shape = unbalance_whirl(matrices(task, basis, 0), moment, task.spin)
-    exact = steady_end(Energies(task, basis, 0), moment * task.spin**2, task.spin, shape)
-    return abs(deflection / exact - 1)
+    finer = float(parts.tip @ unbalance_whirl(parts, moment, task.spin))
+    exact = steady_end(energies, moment * task.spin**2, task.spin, shape)
+    return MARGIN * (abs(finer / deflection - 1) + abs(deflection / exact - 1)) + EPS
 
 
-def _rounding(task: PendulumTask, basis: Basis, plane: int) -> float:
+def _rounding(energies: Energies, plane: Plane) -> float:
     """Of the frequencies of whirl at the speeds by which the basis is judged."""
-    energies, parts = Energies(task, basis, plane), matrices(task, basis, plane)
-    count, worst = min(task.modes, basis.count), 0.0
-    for spin in _spins(task):
-        pencil = whirl(parts, np.array(spin))
-        listed = np.r_[:count, len(pencil.mu) - count : len(pencil.mu)]
-        worst = max(worst, whirl_error(energies, spin, pencil.mu[listed], pencil.y[:, listed]))
+    worst = 0.0
+    for k, spin in enumerate(plane.spins.tolist()):
+        mu, y, _ = plane.at(k)
+        listed = np.r_[: plane.count, len(mu) - plane.count : len(mu)]
+        worst = max(worst, whirl_error(energies, spin, mu[listed], y[:, listed]))
     return worst
 
 
-def _modes(task: PendulumTask, basis: Basis, plane: int, place: Values) -> Iterator[WhirlModes]:
-    parts = matrices(task, basis, plane)
-    pencil = whirl(parts, np.array(task.spin))
-    count = min(task.modes, basis.count)
+def _modes(task: PendulumTask, plane: Plane, place: Values) -> Iterator[WhirlModes]:
+    pencil, count, basis = plane.at(0), plane.count, plane.basis
     forward, backward = lowest(pencil, count)
     n, value = basis.count, sample(basis, place).value
     upper = _normalised(pencil.y[:n, : -count - 1 : -1].T @ value)
     if not task.axisymmetric or task.spin == 0:
-        yield _named(PLANES[plane] if not task.axisymmetric else "both planes", forward, upper)
+        yield _named(PLANES[plane.number] if not task.axisymmetric else "both planes", forward, upper)
         return
     yield _named("forward", forward, upper)
     yield _named("backward", backward, _normalised(pencil.y[:n, :count].T @ value))
@@ -199,14 +164,13 @@ def _rigid(task: PendulumTask) -> tuple[float, float] | None:
     return (high, low) if task.spin >= 0 else (low, high)
 
 
-def _campbell(task: PendulumTask, basis: Basis) -> Campbell | None:
+def _campbell(task: PendulumTask, plane: Plane) -> Campbell | None:
     if task.speeds is None:
         return None
     spin = np.linspace(task.speeds.low, task.speeds.high, task.speeds.points)
-    parts = matrices(task, basis, 0)
-    forward, backward = lowest(whirl(parts, spin), min(task.modes, basis.count))
+    forward, backward = lowest(whirl(plane.parts, spin), plane.count)
     moment = task.disc.mass * task.disc.eccentricity
-    curve = unbalance_curve(parts, moment, spin) if moment else np.empty(0)
+    curve = unbalance_curve(plane.parts, moment, spin) if moment else np.empty(0)
     return Campbell(forward.shape[1], spin, forward.T, backward.T, curve)
 
 

@@ -59,11 +59,20 @@ def modes_of(mass: Values, stiffness: Values, damping: Damping, arm: float) -> M
     return Modes(frequency, pencil.y, shape, weight, float(np.max(error)) / 2 + EPS)
 
 
-def damping_matrix(modes: Modes, mass: Values) -> Values:
-    """B (7, 7) in the coordinates of the device [N*s/m] and [N*m*s/rad]."""
-    back = mass @ modes.shapes
-    found: Values = back @ modes.damping @ back.T
-    return (found + found.T) / 2
+def damping_matrix(modes: Modes, mass: Values, stiffness: Values, damping: Damping) -> Values:
+    """B (7, 7) in the coordinates of the device [N*s/m] and [N*m*s/rad], in extended precision.
+
+    The coefficients given, or 2 zeta S with S M^-1 S = C, which is M F w F' M of the modes but for their rounding. One
+    step of Newton takes that out, in the coordinates of the modes (w_i + w_j) dS_ij = (F' (C - S M^-1 S) F)_ij.
+    """
+    if damping.direct:
+        given: Values = np.diag(np.array(damping.direct, np.longdouble))
+        return given
+    shapes, w = modes.shapes.astype(np.longdouble), modes.frequency.astype(np.longdouble)
+    back = mass @ shapes
+    open_ = shapes.T @ (stiffness - back * w @ (shapes.T @ back) * w @ back.T) @ shapes
+    root: Values = back @ (np.diag(w) + open_ / (w[:, None] + w)) @ back.T
+    return damping.ratio * (root + root.T)
 
 
 def shown_shapes(modes: Modes) -> Values:

@@ -14,7 +14,7 @@ from tmmcalc.machine.vibration.vibrator.modes import Modes, damping_matrix, mode
 from tmmcalc.machine.vibration.vibrator.paths import displacements, point_paths
 from tmmcalc.machine.vibration.vibrator.regimes import Barrier
 from tmmcalc.machine.vibration.vibrator.results import Curve, MotorStart, Start, VibratorResult
-from tmmcalc.machine.vibration.vibrator.rounding import Device, amplitude_errors, relative
+from tmmcalc.machine.vibration.vibrator.rounding import Device, amplitude_errors, power_error, relative
 from tmmcalc.machine.vibration.vibrator.runup import run_up
 from tmmcalc.machine.vibration.vibrator.springs import stiffness_of
 from tmmcalc.machine.vibration.vibrator.task import COORDINATES, UNITS, VibratorTask
@@ -34,6 +34,9 @@ def solve_vibrator(task: VibratorTask) -> VibratorResult:
     springs = stiffness_of(task)
     mass, stiffness = mass_matrix(task), stiffness_matrix(task, springs)
     modes = modes_of(mass, stiffness, task.damping, task.rods.radius)
+    damping = damping_matrix(modes, mass, stiffness, task.damping)
+    ratio = 0.0 if task.damping.direct else task.damping.ratio
+    device = Device(mass, stiffness, damping, ratio, modes.weight)
     excitation = None if task.unbalance is None else excitation_of(task.unbalance)
     found = None if excitation is None or task.speed is None else steady(modes, excitation, task.speed)
     driven = _driven(task, modes, excitation)
@@ -43,11 +46,11 @@ def solve_vibrator(task: VibratorTask) -> VibratorResult:
         springs=springs,
         mass=mass,
         stiffness=stiffness,
-        damping=damping_matrix(modes, mass),
+        damping=damping.astype(float),
         frequency=modes.frequency,
         shapes=shown_shapes(modes),
         ratio=np.diagonal(modes.damping) / (2 * modes.frequency),
-        error=_errors(modes, mass, stiffness, excitation, found, curve),
+        error=_errors(device, modes, excitation, found, curve),
         curve=curve,
         steady=found,
         paths=() if found is None else point_paths(task.points, found),
@@ -59,26 +62,21 @@ def solve_vibrator(task: VibratorTask) -> VibratorResult:
 
 
 def _errors(
-    modes: Modes,
-    mass: np.ndarray,
-    stiffness: np.ndarray,
-    excitation: Excitation | None,
-    found: Steady | None,
-    curve: Curve | None,
+    device: Device, modes: Modes, excitation: Excitation | None, found: Steady | None, curve: Curve | None
 ) -> dict[str, float]:
     """Of frequencies each relative to itself, of amplitudes to the largest as lengths, of the power to itself."""
     errors = {"frequencies": modes.error}
     if excitation is None:
         return errors
     force = excitation.amplitude(np.ones(1))[0]
-    device = Device(mass, stiffness, damping_matrix(modes, mass), force, modes.weight)
     if found is not None:
         amplitude = (found.cosine - 1j * found.sine)[None]
-        missed, power = amplitude_errors(device, np.array([found.speed]), amplitude)
-        errors |= {"amplitudes": relative(device, missed, amplitude), "power": float(power[0])}
+        missed = amplitude_errors(device, force, np.array([found.speed]), amplitude)
+        errors["amplitudes"] = relative(device, missed, amplitude)
+        errors["power"] = power_error(device, modes, found, missed[0])
     if curve is not None:
         amplitude = (curve.amplitude * np.exp(-1j * curve.phase)).T
-        errors["curve"] = relative(device, amplitude_errors(device, curve.omega, amplitude)[0], amplitude)
+        errors["curve"] = relative(device, amplitude_errors(device, force, curve.omega, amplitude), amplitude)
     return errors
 
 

@@ -1,0 +1,47 @@
+"""The page of docs/make_accuracy.py: every stage with a choice of methods that its scenes run is there."""
+
+from __future__ import annotations
+
+from importlib.util import module_from_spec, spec_from_file_location
+from types import ModuleType
+
+import pytest
+
+from tmmcalc import load_spec
+from tmmcalc.accuracy.subjects import SUBJECTS
+from tmmcalc.pipeline.plan import plan
+from tmmcalc.pipeline.stage import resolve
+from tmmcalc.pipeline.stages import STAGES
+
+from .scenes import CONFIGS
+
+PAGE = CONFIGS.parent / "docs" / "accuracy.md"
+
+
+def _maker() -> ModuleType:
+    found = spec_from_file_location("make_accuracy", CONFIGS.parent / "docs" / "make_accuracy.py")
+    assert found is not None
+    assert found.loader is not None
+    module = module_from_spec(found)
+    found.loader.exec_module(module)
+    return module
+
+
+MAKER = _maker()
+
+
+@pytest.mark.parametrize("name", MAKER.SCENES)
+def test_every_stage_that_a_scene_runs_stands_on_the_page(name: str) -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    if MAKER.HEAD.split("{cores}")[0] not in page:
+        pytest.skip("the page has another head than its maker: make accuracy writes it afresh")
+    part = page.split(f"\n## {MAKER.SCENES[name]}\n")[1].split("\n## ")[0]
+    settled = next((line for line in part.splitlines() if line.startswith(MAKER.SETTLED)), "")
+    running = plan(load_spec(CONFIGS / f"{name}.toml"), None).running
+    told = {stage for stage in SUBJECTS if f"\n### {stage}" in part or f" {stage}" in settled}
+    assert not [stage for stage in running if stage in SUBJECTS and stage not in told]
+
+
+def test_every_subject_is_a_stage_and_has_its_studies() -> None:
+    assert set(SUBJECTS) <= set(STAGES)
+    assert all(callable(resolve(place)) for place in SUBJECTS.values())
