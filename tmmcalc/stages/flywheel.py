@@ -99,10 +99,9 @@ def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
 
 def dump(result: Flywheel) -> Record:
     """Arrays by the names of the fields: the picture and the regime with the flywheel."""
-    errors = {"inertia": result.error}
+    errors = {"inertia": result.error, "fluctuation": result.uneven}
     if result.required is not None:
-        of_regime = result.required.regime.errors
-        errors |= {"speed": of_regime.speed, "fluctuation": of_regime.fluctuation}
+        errors["speed"] = result.required.regime.error
     return to_record(result, errors)
 
 

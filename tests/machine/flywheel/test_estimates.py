@@ -62,8 +62,8 @@ def test_under_the_motor(count: int) -> None:
 
 @pytest.mark.parametrize("count", [4, pytest.param(part(200, 8), marks=pytest.mark.slow)])
 def test_under_forces_of_position(count: int) -> None:
-    """The inertias of all methods by their own formulas."""
-    rng, told = np.random.default_rng(24), list[tuple[float, float]]()
+    """The inertias of all methods by their own formulas, and the unevenness with the exact one by the energy."""
+    rng, told, uneven = np.random.default_rng(24), list[tuple[float, float]](), list[tuple[float, float]]()
     while len(told) < count:
         machine = Drawn(rng)
         if machine.viscous or machine.jumps:
@@ -74,11 +74,35 @@ def test_under_forces_of_position(count: int) -> None:
             continue
         exact = by_methods(machine, delta)
         told.append((found.error, float(abs(found.inertia / exact[0] - 1))))
+        constant = found.inertia * rng.choice([1, 10, 1e6])
+        again = solve_flywheel(machine.cycle, ConstantInertia(constant), wanted(delta), None, machine.speed, 1.0)
+        reached = unevenness(machine, constant)
+        uneven.append((again.uneven, missed(again.rows[0].positional.delta, reached, reached)))
         rows = {row.positional.method: row for row in found.rows}
         for rule, inertia in zip(TANGENT, exact, strict=True):
             row = rows[rule.name]
             assert abs(row.positional.inertia - inertia) < 3 * found.error * abs(exact[0]) + 1e-15 * abs(inertia)
     assert_bounds(told, "inertia", scenes=count)
+    assert_bounds(uneven, "fluctuation", scenes=count)
+
+
+def unevenness(machine: Drawn, constant: float) -> Any:
+    """The exact delta: the intercepts of the tangents with the slopes omega^2/2 are J_c times the slopes apart."""
+    turn, w = WIDE(TURN), WIDE(machine.speed)
+    fine = np.linspace(0, turn, 8001, dtype=WIDE)
+    work, links = primitive(machine, -primitive(machine, WIDE(0), turn) / turn, fine), machine.links(fine)
+
+    def left(delta: Any) -> Any:
+        fast, slow = ((w + side * delta * w / 2) ** 2 / 2 for side in (1, -1))
+        return peak(work - fast * links) + peak(slow * links - work) - constant * w * w * delta
+
+    one, two = WIDE(0), left(WIDE(0)) / (constant * w * w)
+    for _ in range(9):
+        first, second = left(one), left(two)
+        if first == second:
+            break
+        one, two = two, two - second * (two - one) / (second - first)
+    return two
 
 
 def by_methods(machine: Drawn, delta: float) -> list[Any]:

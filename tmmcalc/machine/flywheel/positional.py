@@ -28,9 +28,7 @@ class FlywheelMethod:
     addition: float  # to be added beyond the constant inertia at hand [kg*m^2], not negative
     theta_max: float  # position of the tangent of the largest speed [rad]
     theta_min: float  # position of the tangent of the smallest speed [rad]
-    delta: (
-        float | None
-    )  # coefficient of speed fluctuation reached with it, exactly [-]; None: it cannot carry the cycle
+    delta: float | None  # coefficient of speed fluctuation reached with it, exactly; None: it cannot carry the cycle
     error: float  # relative error of J_F against the exact method [-]
     remark: str
 
@@ -100,7 +98,7 @@ def _compared(curve: EnergyCurve, constant_inertia: float, delta: float, speed: 
 
 def _method(i: int, found: Tangents, tried: Motion, constant_inertia: float, speed: float) -> FlywheelMethod:
     inertia, exact = float(found.inertia[i]), float(found.inertia[0])
-    reached = float(tried.fastest[i] - tried.slowest[i]) / speed if tried.exists[i] else None
+    reached = float(tried.spread[i]) / speed if tried.exists[i] else None
     remark = METHODS[i].statement
     if reached is None:
         remark += "; with it the machine cannot run at this mean speed"

@@ -13,16 +13,17 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.machine.flywheel.curve import EnergyCurve
+from tmmcalc.machine.flywheel.curve import EnergyCurve, Touching
 from tmmcalc.numerics.panels import Values
 
 PASSES = 40
-SETTLED = 4e-16  # relative change of the extreme speeds
+SETTLED = 4e-16  # change of their difference, relative to the speed
 
 
 class Motion(NamedTuple):
     """Steady motions for m constant inertias, arrays (m,); meaningful where ``exists``."""
 
+    spread: Values  # omega_max - omega_min [rad/s], with digits of its own
     fastest: Values  # omega_max [rad/s]
     slowest: Values  # omega_min [rad/s]
     theta_fastest: Values  # [rad]
@@ -34,30 +35,31 @@ class Motion(NamedTuple):
 def motions(curve: EnergyCurve, constant: Values, speed: float) -> Motion:
     """Exact motions with the ``constant`` inertias (m,) [kg*m^2] whose mean (omega_max + omega_min)/2 is ``speed``."""
     m = len(constant)
-    upper = np.repeat((True, False), m)
-    fast = slow = np.full(m, speed)
+    upper, spread = np.repeat((True, False), m), np.zeros(m)
     exists = constant + np.min(curve.inertia) > 0
     for _ in range(PASSES):
-        at = curve.touching(np.concatenate((fast, slow)) ** 2 / 2, upper)
-        before = fast, slow
-        fast, slow, possible = _speeds(at.work, at.inertia + np.tile(constant, 2), speed)
+        slopes = np.concatenate((speed + spread / 2, speed - spread / 2)) ** 2 / 2
+        at, before = curve.touching(slopes, upper), spread
+        spread, possible = _spread(at, constant, speed)
         exists = exists & possible
-        fast, slow = np.where(exists, fast, speed), np.where(exists, slow, speed)
-        if np.all(np.abs(fast - before[0]) + np.abs(slow - before[1]) <= SETTLED * speed):
+        spread = np.where(exists, spread, 0.0)
+        if np.all(np.abs(spread - before) <= SETTLED * speed):
             break
+    fast = speed + spread / 2
     energy = np.where(exists, fast**2 / 2 * (at.inertia[:m] + constant) - at.work[:m], 0.0)
-    return Motion(fast, slow, at.theta[:m], at.theta[m:], energy, exists)
+    return Motion(spread, fast, speed - spread / 2, at.theta[:m], at.theta[m:], energy, exists)
 
 
-def _speeds(work: Values, inertia: Values, speed: float) -> tuple[Values, Values, NDArray[np.bool_]]:
-    """Speeds (m,) at two positions each (2 m,) with the given mean, from the energy between them.
+def _spread(at: Touching, constant: Values, speed: float) -> tuple[Values, NDArray[np.bool_]]:
+    """Difference (m,) of the speeds at two positions each (2 m,) with the given mean, from the energy between them.
 
-    J_a w_a^2 - J_b w_b^2 = 2 (A_a - A_b) and w_a + w_b = 2 w is a quadratic for w_b.
+    With D = w_a - w_b and w_a + w_b = 2 w the balance J_a w_a^2 - J_b w_b^2 = 2 (A_a - A_b) is the quadratic
+    (J_a - J_b) D^2/4 + (J_a + J_b) w D = 2 (A_a - A_b) - (J_a - J_b) w^2, in which a large constant inertia takes no
+    digits from the differences.
     """
-    (work_a, work_b), (inertia_a, inertia_b) = work.reshape(2, -1), inertia.reshape(2, -1)
-    usable = (inertia_a > 0) & (inertia_b > 0)
-    j_a, j_b = np.where(usable, inertia_a, 1.0), np.where(usable, inertia_b, 1.0)
-    c = 2 * (work_a - work_b) / j_a - 4 * speed**2
-    root = np.sqrt(np.maximum(16 * speed**2 - 4 * (j_b / j_a - 1) * c, 0.0))
-    slow = -2 * c / (4 * speed + root)
-    return 2 * speed - slow, slow, usable & (slow > 0)
+    (work_a, work_b), (inertia_a, inertia_b) = at.work.reshape(2, -1), at.inertia.reshape(2, -1)
+    usable = (inertia_a + constant > 0) & (inertia_b + constant > 0)
+    apart, linear = inertia_a - inertia_b, np.where(usable, (inertia_a + inertia_b + 2 * constant) * speed, 1.0)
+    gain = 2 * (work_a - work_b) - apart * speed**2
+    spread = 2 * gain / (linear + np.sqrt(np.maximum(linear**2 + apart * gain, 0.0)))
+    return spread, usable & (spread < 2 * speed)

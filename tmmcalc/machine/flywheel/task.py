@@ -44,6 +44,7 @@ class Flywheel:
     sense: float = 1.0  # of the input's motion: -1 clockwise; places are sense theta
     undriven: bool = False  # without a motor: the loads alone set the speed
     error: float = 0.0  # estimated relative error of the total constant inertia
+    uneven: float = 0.0  # and of the unevenness with it, or with what is at hand where that is more
 
     @property
     def under(self) -> str:
@@ -124,6 +125,10 @@ def flywheel_of(
     addition = required.addition if required is not None else exact.addition
     fastest = required.regime.omega_max if required is not None else speed * (1 + task.delta / 2)
     existing = task.inertia * ratio**2
+    if required is not None:
+        error, uneven = required.error, required.regime.errors.fluctuation
+    else:
+        error, uneven = _inexact(cycle, exact, at_hand.total, task.delta, speed)
     made = wheels(task, addition, fastest, ratio, motor_ratio)
     mean = required.regime.mean if required is not None else speed
     return Flywheel(
@@ -146,15 +151,24 @@ def flywheel_of(
         ),
         sense=sense,
         undriven=driver is not None and driver.characteristic.name == UNDRIVEN,
-        error=required.error if required is not None else _inexact(cycle, exact.inertia, task.delta, speed),
+        error=error,
+        uneven=uneven,
     )
 
 
-def _inexact(cycle: Cycle, inertia: float, delta: float, speed: float) -> float:
-    """Relative error of the inertia by the exact tangents: of two intercepts, beside their difference."""
+def _inexact(cycle: Cycle, exact: FlywheelMethod, at_hand: float, delta: float, speed: float) -> tuple[float, float]:
+    """Relative errors of the inertia by the exact tangents and of the unevenness reached.
+
+    Both hang on two intercepts, beside their difference.
+    """
     square, moment = speed * speed, np.abs(moment_at(cycle, speed))
     turned = float(cycle.panels.total(moment)) + float(np.max(cycle.inertia)) * square / 2 * (1 + delta)
-    return (cycle.error + ROUNDING) * turned / (abs(inertia) * delta * square) if inertia else 0.0
+    off = (cycle.error + ROUNDING) * turned / square
+    least = max(exact.inertia, at_hand) + float(np.min(cycle.inertia))
+    return (
+        off / (abs(exact.inertia) * delta) if exact.inertia else 0.0,
+        off / (least * exact.delta) if exact.delta else 0.0,
+    )
 
 
 def _history(cycle: Cycle, driver: Driver | None, delta: float, at_hand: ConstantInertia) -> tuple[Trial, ...]:
