@@ -16,7 +16,7 @@ import numpy as np
 
 from tmmcalc.accuracy.measure import Clock, Way, relative, series
 from tmmcalc.accuracy.sampled import COUNTS as POINTS
-from tmmcalc.accuracy.sampled import of_positions, summit
+from tmmcalc.accuracy.sampled import NODES, closed_in, of_positions
 from tmmcalc.accuracy.study import FLOOR, Reference, Study
 from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.linkage.balance.circle import enclosing_circle, smallest_circle
@@ -102,13 +102,17 @@ def _circle(force: Shaking, clock: Clock) -> Study:
     least = _least(curve.at(np.array(circle.contacts)))
     size = least if least > ROUNDED * force.size.largest else force.size.largest
 
+    count = max(NODES, DENSER * (2 * curve.highest + 1))
+    nodes = curve.even(count)
+
     def left(center: complex) -> float:
         """The largest force [N] that the counterweight of a centre leaves."""
 
         def apart(phi: Real) -> Real:
             return np.abs(curve.at(phi.astype(float)) - center)[None]
 
-        return float(summit(apart, TURN, [circle.contacts[0]]).values[0])
+        farthest = TURN / count * np.argmax(np.abs(nodes - center), keepdims=True)
+        return float(closed_in(apart, farthest, TURN / count)[0])
 
     def error(center: complex) -> float:
         return max((left(center) - least) / size, FLOOR)

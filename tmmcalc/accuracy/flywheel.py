@@ -90,7 +90,7 @@ class _Problem:
 
         def delta(inertia: float) -> float | None:
             found = motions(curve, np.array([inertia]), speed)
-            return float(found.fastest[0] - found.slowest[0]) / speed if found.exists[0] else None
+            return float(found.spread[0]) / speed if found.exists[0] else None
 
         return delta
 

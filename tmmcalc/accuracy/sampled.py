@@ -51,13 +51,13 @@ def summit(of: Callable[[Real], Real], period: float, named: Sequence[float]) ->
     """
     step = period / (NODES - 1)
     nodes = step * np.arange(NODES)
-    own = _closed_in(of, nodes[np.argmax(of(nodes), axis=1)], step)
-    values = np.maximum(own, _closed_in(of, np.array(named, float), step))
+    own = closed_in(of, nodes[np.argmax(of(nodes), axis=1)], step)
+    values = np.maximum(own, closed_in(of, np.array(named, float), step))
     some = values != 0
     return Summit(values, float(np.max((values - own)[some] / np.abs(values)[some], initial=0.0)))
 
 
-def _closed_in(of: Callable[[Real], Real], places: Real, step: float) -> Real:
+def closed_in(of: Callable[[Real], Real], places: Real, step: float) -> Real:
     """The largest values (F,) that ever finer nodes about the places (F,), a place a function, come to."""
     every, at, width = np.arange(len(places)), places.astype(np.longdouble), np.longdouble(step)
     best = of(at)[every, every]

@@ -35,7 +35,8 @@ class Motion(NamedTuple):
 def motions(curve: EnergyCurve, constant: Values, speed: float) -> Motion:
     """Exact motions with the ``constant`` inertias (m,) [kg*m^2] whose mean (omega_max + omega_min)/2 is ``speed``."""
     m = len(constant)
-    upper, spread = np.repeat((True, False), m), np.zeros(m)
+    upper = np.repeat((True, False), m)
+    spread: Values = np.zeros(m)
     exists = constant + np.min(curve.inertia) > 0
     for _ in range(PASSES):
         slopes = np.concatenate((speed + spread / 2, speed - spread / 2)) ** 2 / 2
