@@ -9,9 +9,8 @@ from itertools import pairwise
 from math import lcm
 
 import numpy as np
-from bounding import assert_bounds
+from bounding import accepted, assert_bounds
 
-from tmmcalc.errors import TmmError
 from tmmcalc.gears.gearing import Gearing, solve_gearing
 from tmmcalc.gears.gearingtask import GearingTask
 from tmmcalc.gears.network.builder import bevel_differential, network_of
@@ -19,7 +18,7 @@ from tmmcalc.gears.network.efficiency import efficiency
 from tmmcalc.gears.network.model import FRAME, Body, Mesh, Network
 from tmmcalc.gears.network.power import PowerFlow
 
-SCENES = 260
+SCENES = 320
 PI = Fraction("3.14159265358979323846264338327950288419716939937510")
 FEW = 200
 LAYOUTS = {"AIbar": 3, "AI": 4, "AA": 4, "II": 4, "AII": 5, "2A-AA": 4, "unfolded3": 6, "coaxial": 4}
@@ -167,13 +166,9 @@ def _known(task: GearingTask, found: Gearing, speeds: dict[str, Fraction]) -> di
 
 
 def _scenes(count: int) -> Iterator[tuple[str, float, float]]:
-    rng, done = np.random.default_rng(11), 0
-    while done < count:
-        task = _task(rng)
-        try:
-            found = solve_gearing(task)
-        except TmmError:
-            continue
+    rng = np.random.default_rng(11)
+    for found in accepted(lambda: solve_gearing(_task(rng)), count):
+        task = found.task
         network, error = task.network, found.error
         speeds = _speeds(network, task)
         yield "speeds", error["speeds"], _own([(found.motion.speed(n), speeds[n]) for n in network.members])
@@ -181,7 +176,6 @@ def _scenes(count: int) -> Iterator[tuple[str, float, float]]:
         yield from _ways(found, speeds)
         if found.flow is None:
             continue
-        done += 1
         flow, exact = found.flow, _exact(network, found.flow, speeds, _known(task, found, speeds))
         told = np.concatenate((flow.torques, flow.mesh_torques.ravel()))
         yield "torques", error["torques"], _far(told, exact["torques"])

@@ -21,7 +21,7 @@ DENSE = 8  # looks at every step
 EDGE = 1e-6  # of a step: a top nearer to its ends is as high as they are
 CLOSE = 1e-8  # of a step, to a top
 NEAR = 0.99  # of the largest so far: lower tops are not found exactly
-BUDGET = 250_000  # evaluations
+BUDGET = 40_000  # evaluations
 REST = 1e-9  # of the speed: a crank that turns back so fast has come to rest before
 PROBE = 1e-4  # of a step: for a slope by differences
 State = list[float]
@@ -77,7 +77,7 @@ class _Drive:
         return [y[2 * n - 1], *y[n : 2 * n - 1], *apart, rates[-1], *lagging]
 
 
-def exact_motion(of: Numbers, fine: float = FINE) -> Exact | None:
+def exact_motion(of: Numbers, fine: float = FINE, budget: int = BUDGET) -> Exact | None:
     """The motion; None where it is too dear, or where a crank that turns comes to rest."""
     drive = _Drive(of)
     n, lags, moment = len(of.masses), bool(of.lag), of.parabola[0]
@@ -94,7 +94,7 @@ def exact_motion(of: Numbers, fine: float = FINE) -> Exact | None:
             before = t, y
             solver.step()
             t, y = solver.t, solver.y
-            if drive.evaluations > BUDGET or solver.status == "failed" or y[2 * n - 1] < -REST * of.speed:
+            if drive.evaluations > budget or solver.status == "failed" or y[2 * n - 1] < -REST * of.speed:
                 return None
             over = gap(y) >= 0
             if over:

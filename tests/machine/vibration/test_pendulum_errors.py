@@ -55,7 +55,7 @@ def _held(scenes: int, soft: float) -> None:
         for name, estimate, error in found:
             pairs[name].append((estimate, error))
     for name, each in pairs.items():
-        assert_bounds(each, name, scenes=scenes // 4)
+        assert_bounds(each, name, scenes=scenes // 5)
 
 
 def test_estimates_of_stiff_rods() -> None:
