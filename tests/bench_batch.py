@@ -62,7 +62,7 @@ def _all_facts() -> None:
     _line("all their facts, one by one", alone)
     made = stacked.prepared(asked)
     assert not isinstance(made, str)
-    assert len(made.rows(range(8))) == 8
+    assert len(made.rows(range(8)).found) == 8
     parts = [range(at, at + made.block) for at in range(0, FACTS, made.block)]
     both = _seconds(lambda: [made.rows(part) for part in parts]) / FACTS
     _line("together", both)
