@@ -20,7 +20,7 @@ from tmmcalc.cli.order import Order
 from tmmcalc.errors import UsageError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
-from tmmcalc.machine.flywheel.task import Flywheel, solve_flywheel
+from tmmcalc.machine.flywheel.task import Flywheel, Machine, solve_flywheel
 from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.motion import solve_motion
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor
@@ -59,7 +59,7 @@ def swinging(links: float = 0.0) -> Cycle:
 
 def wheel(cycle: Cycle, driver: Driver | None = None, existing: float = 0.0, at_hand: float = 4.0) -> Flywheel:
     task = FlywheelTask(0.02, existing, "input", None, 0.6, None, None, "steel", None, None)
-    return solve_flywheel(cycle, ConstantInertia(rotor=at_hand), task, driver, 20.0, 1.0)
+    return solve_flywheel(Machine(cycle, ConstantInertia(rotor=at_hand), task, driver, 20.0, 1.0))
 
 
 class TestFlywheel:

@@ -22,7 +22,7 @@ from tmmcalc.api import run
 from tmmcalc.errors import UsageError
 from tmmcalc.linkage.reduction.reduce import solve_reduction
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
-from tmmcalc.machine.flywheel.task import Flywheel, solve_flywheel
+from tmmcalc.machine.flywheel.task import Flywheel, Machine, solve_flywheel
 from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.motion import Motion, solve_motion
 from tmmcalc.machine.motors.characteristics import Parabolic
@@ -251,7 +251,7 @@ def upset() -> Flywheel:
     motor = Parabolic(*parabola(), given["omega_sync"], given["omega_N"])
     at_hand = ConstantInertia(further=given["J_const_initial"])
     wanted = task(given["delta_allowed"], diameter=0.5, width=0.05)
-    return solve_flywheel(upsetter_cycle(), at_hand, wanted, Driver(motor, 0.0), 10.0, 1.0)
+    return solve_flywheel(Machine(upsetter_cycle(), at_hand, wanted, Driver(motor, 0.0), 10.0, 1.0))
 
 
 @pytest.fixture(scope="module")
@@ -265,7 +265,9 @@ class TestFlywheel:
     def swinging(self, at_hand: float = 0.0, ratio: float = 1.0, **more: Any) -> Flywheel:
         """A load M1 sin(phi): A = M1 (1 - cos phi), and J_F = 2 M1/(delta omega^2) = 25 kg*m^2."""
         inertia = ConstantInertia(rotor=at_hand)
-        return solve_flywheel(sine(self.M1), inertia, task(**{"delta": self.DELTA, **more}), None, self.MEAN, ratio)
+        return solve_flywheel(
+            Machine(sine(self.M1), inertia, task(**{"delta": self.DELTA, **more}), None, self.MEAN, ratio)
+        )
 
     def test_a_sine_of_load(self) -> None:
         case = CASES["dyn-flywheel-sine"]["expected"]
@@ -308,13 +310,15 @@ class TestFlywheel:
     def test_the_other_shafts_beside_it(self) -> None:
         """25 kg*m^2 on the input shaft are 1 on a motor 5 times as fast; sizes are those of the asked shaft alone."""
         found = solve_flywheel(
-            sine(self.M1),
-            ConstantInertia(),
-            task(self.DELTA, diameter=1.2, width=0.1),
-            None,
-            self.MEAN,
-            1.0,
-            motor_ratio=5.0,
+            Machine(
+                sine(self.M1),
+                ConstantInertia(),
+                task(self.DELTA, diameter=1.2, width=0.1),
+                None,
+                self.MEAN,
+                1.0,
+                motor_ratio=5.0,
+            )
         )
         document = flywheel_summary(found, "t")
         assert values(document)["J_motor_shaft[kg*m^2]"] == pytest.approx(1)
@@ -332,7 +336,9 @@ class TestFlywheel:
 
     def test_the_textbook_by_its_table(self) -> None:
         """On 4 positions the trapezoid rule gives A = 0, M h/2, M h, M h/2: J_F = M1 h/(delta omega^2), h = pi/2."""
-        found = solve_flywheel(sine(self.M1), ConstantInertia(), task(self.DELTA), None, self.MEAN, 1.0, steps=4)
+        found = solve_flywheel(
+            Machine(sine(self.M1), ConstantInertia(), task(self.DELTA), None, self.MEAN, 1.0, steps=4)
+        )
         document = flywheel_document(found, "t")
         by_table = self.M1 * math.pi / 2 / (self.DELTA * self.MEAN**2)
         assert values(document)["J_F_by_table[kg*m^2]"] == pytest.approx(by_table)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from tmmcalc.machine.flywheel.task import Flywheel
+from tmmcalc.machine.flywheel.task import Flywheel, Machine, flywheel_of, solve_flywheel
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
 from tmmcalc.pipeline.stage import Record
 from tmmcalc.stages.conversion import from_record, to_record
@@ -39,46 +39,32 @@ def inputs(spec: Spec) -> Given:
 
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Flywheel:
     """All methods, and the wheel itself."""
-    from tmmcalc.machine.flywheel.task import solve_flywheel
-    from tmmcalc.stages.shaft import equal_steps, geared, motor_ratio, sense, shaft_ratio
-
-    task, machine = given[0], asked(given, upstream)
-    gears = geared(upstream, given[2])
-    reduction, power = upstream["reduction"], upstream["power"]
-    return solve_flywheel(
-        reduction.cycle,
-        machine.at_hand,
-        task,
-        machine.driver,
-        machine.speed,
-        shaft_ratio(task, power, gears),
-        motor_ratio=motor_ratio(power, gears),
-        steps=equal_steps(reduction),
-        sense=sense(reduction),
-    )
+    return solve_flywheel(_machine(given, upstream))
 
 
 def of_searches(
     given: Given, upstream: Mapping[str, Any], comparison: Comparison, history: tuple[Trial, ...]
 ) -> Flywheel:
     """The same from what all methods lead to, where that is known."""
-    from tmmcalc.machine.flywheel.task import flywheel_of
+    return flywheel_of(_machine(given, upstream), comparison, history)
+
+
+def _machine(given: Given, upstream: Mapping[str, Any]) -> Machine:
     from tmmcalc.stages.shaft import equal_steps, geared, motor_ratio, sense, shaft_ratio
 
     task, machine = given[0], asked(given, upstream)
     gears = geared(upstream, given[2])
     reduction, power = upstream["reduction"], upstream["power"]
-    return flywheel_of(
+    return Machine(
         reduction.cycle,
         machine.at_hand,
         task,
         machine.driver,
         machine.speed,
-        (shaft_ratio(task, power, gears), motor_ratio(power, gears)),
-        comparison,
-        history,
-        steps=equal_steps(reduction),
-        sense=sense(reduction),
+        shaft_ratio(task, power, gears),
+        motor_ratio(power, gears),
+        equal_steps(reduction),
+        sense(reduction),
     )
 
 

@@ -21,7 +21,7 @@ from tmmcalc.errors import TmmError
 from tmmcalc.machine.driver import ConstantInertia
 from tmmcalc.machine.flywheel.methods import METHODS
 from tmmcalc.machine.flywheel.required import required_inertia
-from tmmcalc.machine.flywheel.task import solve_flywheel
+from tmmcalc.machine.flywheel.task import Machine, solve_flywheel
 
 TANGENT = tuple(rule for rule in METHODS if rule.find is rule.draw)  # those that draw the tangents that they find
 APART = 1e-4  # relative step of the inertia from which its derivative is taken
@@ -69,13 +69,15 @@ def test_under_forces_of_position(count: int) -> None:
         if machine.viscous or machine.jumps:
             continue
         delta = 10 ** rng.uniform(-3, -0.7)
-        found = solve_flywheel(machine.cycle, ConstantInertia(), wanted(delta), None, machine.speed, 1.0)
+        found = solve_flywheel(Machine(machine.cycle, ConstantInertia(), wanted(delta), None, machine.speed, 1.0))
         if found.inertia <= 0:
             continue
         exact = by_methods(machine, delta)
         told.append((found.error, float(abs(found.inertia / exact[0] - 1))))
         constant = found.inertia * rng.choice([1, 10, 1e6])
-        again = solve_flywheel(machine.cycle, ConstantInertia(constant), wanted(delta), None, machine.speed, 1.0)
+        again = solve_flywheel(
+            Machine(machine.cycle, ConstantInertia(constant), wanted(delta), None, machine.speed, 1.0)
+        )
         reached = unevenness(machine, constant)
         uneven.append((again.uneven, missed(again.rows[0].positional.delta, reached, reached)))
         rows = {row.positional.method: row for row in found.rows}

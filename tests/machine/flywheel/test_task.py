@@ -11,7 +11,7 @@ from machines import sine
 
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver
-from tmmcalc.machine.flywheel.task import Flywheel, solve_flywheel
+from tmmcalc.machine.flywheel.task import Flywheel, Machine, solve_flywheel
 from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.motors.characteristics import Kloss, kloss
 from tmmcalc.machine.positional import positional
@@ -24,7 +24,7 @@ def wanted(delta: float) -> FlywheelTask:
 
 def flywheel(cycle: Cycle, delta: float, motor: Kloss | None = None, lag: float = 0.0) -> Flywheel:
     driver = Driver(motor, lag) if motor is not None else None
-    return solve_flywheel(cycle, ConstantInertia(further=0.5), wanted(delta), driver, cycle.speed, 1.0)
+    return solve_flywheel(Machine(cycle, ConstantInertia(further=0.5), wanted(delta), driver, cycle.speed, 1.0))
 
 
 @pytest.mark.parametrize("lag", [0.0, 0.02])

@@ -69,58 +69,46 @@ class Flywheel:
         return self.wheels[0].rim
 
 
-def solve_flywheel(
-    cycle: Cycle,
-    at_hand: ConstantInertia,
-    task: FlywheelTask,
-    driver: Driver | None,
-    speed: float,
-    ratio: float,
-    *,
-    motor_ratio: float | None = None,
-    steps: int | None = None,
-    sense: float = 1.0,
-) -> Flywheel:
-    """The flywheel that keeps ``task.delta`` [-], by all methods; ``driver`` None: forces of position alone.
+@record
+class Machine:
+    """What a flywheel is for."""
 
-    ``speed`` [rad/s] is the mean speed, ``ratio`` the speed of the flywheel's shaft over that of the input shaft and
-    ``motor_ratio`` that of the motor's; ``steps`` are the equal ones of the table of positions, None if they differ;
-    ``sense`` is -1 where the input turns clockwise. Raises `NoSolutionError` where no inertia lets the motor carry the
-    load.
+    cycle: Cycle
+    at_hand: ConstantInertia  # without a flywheel
+    task: FlywheelTask
+    driver: Driver | None  # None: forces of position alone
+    speed: float  # mean [rad/s]
+    ratio: float  # speed of the flywheel's shaft over that of the input shaft
+    motor_ratio: float | None = None  # speed of the motor's over that of the input shaft
+    steps: int | None = None  # the equal ones of the table of positions; None: they differ
+    sense: float = 1.0  # of the input's motion: -1 clockwise
+
+
+def solve_flywheel(machine: Machine) -> Flywheel:
+    """The flywheel that keeps ``task.delta`` [-], by all methods.
+
+    Raises `NoSolutionError` where no inertia lets the motor carry the load.
     """
-    assert task.delta is not None
-    characteristic = driver.characteristic if driver is not None else None
-    lag = driver.time_constant if driver is not None else 0.0
+    cycle, driver, delta = machine.cycle, machine.driver, machine.task.delta
+    assert delta is not None
     comparison = compared(
         cycle,
-        at_hand.total,
-        task.delta,
-        speed=speed if driver is None else None,
-        characteristic=characteristic,
-        time_constant=lag,
-        sense=sense,
+        machine.at_hand.total,
+        delta,
+        speed=machine.speed if driver is None else None,
+        characteristic=driver.characteristic if driver is not None else None,
+        time_constant=driver.time_constant if driver is not None else 0.0,
+        sense=machine.sense,
     )
-    history = _history(cycle, driver, task.delta, at_hand)
-    shafts = ratio, motor_ratio
-    return flywheel_of(cycle, at_hand, task, driver, speed, shafts, comparison, history, steps=steps, sense=sense)
+    return flywheel_of(machine, comparison, _history(cycle, driver, delta, machine.at_hand))
 
 
-def flywheel_of(
-    cycle: Cycle,
-    at_hand: ConstantInertia,
-    task: FlywheelTask,
-    driver: Driver | None,
-    speed: float,
-    shafts: tuple[float, float | None],
-    comparison: Comparison,
-    history: tuple[Trial, ...],
-    *,
-    steps: int | None,
-    sense: float,
-) -> Flywheel:
-    """The result from the methods side by side and the correction of the textbook; ``shafts`` as ratio, motor_ratio."""
+def flywheel_of(machine: Machine, comparison: Comparison, history: tuple[Trial, ...]) -> Flywheel:
+    """The result from the methods side by side and the correction of the textbook."""
+    cycle, at_hand, task, driver = machine.cycle, machine.at_hand, machine.task, machine.driver
+    speed, ratio = machine.speed, machine.ratio
     assert task.delta is not None
-    required, (ratio, motor_ratio) = comparison.required, shafts
+    required = comparison.required
     exact = comparison.rows[0].positional
     addition = required.addition if required is not None else exact.addition
     fastest = required.regime.omega_max if required is not None else speed * (1 + task.delta / 2)
@@ -129,7 +117,7 @@ def flywheel_of(
         error, uneven = required.error, required.regime.errors.fluctuation
     else:
         error, uneven = _inexact(cycle, exact, at_hand.total, task.delta, speed)
-    made = wheels(task, addition, fastest, ratio, motor_ratio)
+    made = wheels(task, addition, fastest, ratio, machine.motor_ratio)
     mean = required.regime.mean if required is not None else speed
     return Flywheel(
         delta=task.delta,
@@ -141,7 +129,7 @@ def flywheel_of(
         existing=existing,
         sufficient=existing >= addition * (1 - 1e-12) if existing else None,
         wheels=made,
-        nodal=None if steps is None else _nodal(cycle, at_hand.total, task.delta, mean, steps),
+        nodal=None if machine.steps is None else _nodal(cycle, at_hand.total, task.delta, mean, machine.steps),
         picture=energy_mass(cycle, task.delta, mean),
         history=history,
         verdicts=(
@@ -149,7 +137,7 @@ def flywheel_of(
             *_verdicts(addition, existing, required),
             *(_resisted_verdicts(cycle, at_hand.total + addition, speed) if driver is None else ()),
         ),
-        sense=sense,
+        sense=machine.sense,
         undriven=driver is not None and driver.characteristic.name == UNDRIVEN,
         error=error,
         uneven=uneven,
