@@ -99,7 +99,7 @@ def test_cheapest_and_front() -> None:
     bad, broken = Point("b", 1, 1e-2, 3.0), Point("x", 1, None, None, failed="no")
     study = Study("s", "q", Reference("r", 0.0), (Series("a", (bad, slow)), Series("b", (coarse, fast, broken))))
     assert [_point(study, t) for t in (1e-1, 1e-5, 1e-9, 1e-12)] == [coarse, fast, slow, None]
-    assert [point for _, point in study.front] == [coarse, fast, slow]
+    assert [point for _, point, _ in study.front] == [coarse, fast, slow]
 
 
 def _timed(*errors: float) -> Series:
@@ -115,7 +115,7 @@ def test_a_setting_near_the_truth_by_chance_counts_as_the_finer_ones_do() -> Non
     assert lucky.cheapest(1e-3) == lucky.points[1], "it does keep what the finer ones keep"
     assert lucky.best == lucky.points[1]
     front = Study("s", "q", Reference("r", 0.0), (lucky,)).front
-    assert [point.setting for _, point in front] == ["0", "1", "3", "4"]
+    assert [(point.setting, kept) for _, point, kept in front] == [("0", 1e-2), ("1", 1e-3), ("3", 1e-4), ("4", 1e-5)]
 
 
 def test_rounding_at_the_fine_end_says_nothing_against_coarser_settings() -> None:

@@ -98,13 +98,13 @@ class Study:
         return min(within, key=lambda each: each[1].seconds or 0.0) if within else None
 
     @property
-    def front(self) -> tuple[tuple[Series, Point], ...]:
-        """The settings that no other beats in both time and the error that it keeps, by rising time."""
+    def front(self) -> tuple[tuple[Series, Point, float], ...]:
+        """The settings that no other beats in both time and the error that it keeps, and that error, by time."""
         told = [(point.seconds or 0.0, kept, series, point) for series in self.series for point, kept in series.sure]
         best, least = [], math.inf
         for _, kept, series, point in sorted(told, key=lambda each: each[:2]):
             if kept < least:
-                best.append((series, point))
+                best.append((series, point, kept))
                 least = kept
         return tuple(best)
 
