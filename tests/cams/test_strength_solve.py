@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import tmmcalc
 from tmmcalc.cams.follower import Follower, contact_path, curvature
 from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.laws.catalogue import LAWS
@@ -16,9 +17,11 @@ from tmmcalc.cams.strength.columns import margin_rows, strength_columns
 from tmmcalc.cams.strength.results import CamStrength
 from tmmcalc.cams.strength.solve import solve_strength
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Guide, Loads, Requirements, Spring
+from tmmcalc.pipeline.runner import run
 from tmmcalc.report.cams.strength import strength_document
 from tmmcalc.stages.conversion import from_record, to_record
 
+CONFIGS = Path(__file__).parents[2] / "configs"
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases/cams.json").read_text())}
 NEEDS = Requirements(
     width=0.008, contact=4e8, rolling_arm=5e-5, roller_friction=0.1, pin_friction=0.1, pin_pressure=5e6,
@@ -154,6 +157,15 @@ def test_extremes_against_a_dense_scan(given, follower):
     assert 1 / found.convex == pytest.approx(bend.max(), rel=1e-5)
     if margin(found, "no slip").value is not None:
         assert margin(found, "no slip").value == pytest.approx(columns["D"].max(), rel=1e-4)
+
+
+def test_the_largest_stress_under_a_face_is_resolved():
+    """R/rho peaks where neither R nor rho does: a scan of a hundredth of a degree comes within its square."""
+    spec = tmmcalc.load_spec(CONFIGS / "cam-flat.toml", ["cam.step='0.01 deg'"])
+    found = run(spec, target="cam_strength").results["cam_strength"]
+    largest = margin(found, "contact stress").value
+    assert 0 <= largest / np.max(found.stress) - 1 < 1e-7
+    assert found.error["extremes"] < 1e-13
 
 
 def test_slipping_is_located_at_the_change_of_walls():

@@ -95,7 +95,7 @@ def test_summary_of_every_ready_spec_fits_80_columns(cli: Cli, name: str) -> Non
     assert (code, err) == (0, "")
     assert max(map(len, out.splitlines())) <= 80
     assert "nan" not in out.lower().split()
-    noise = [line for line in out.splitlines() if "e-1" in line and not line.startswith("relative error")]
+    noise = [line for line in out.splitlines() if "e-1" in line and not line.startswith("error estimate")]
     assert not noise
     assert not list(Path().glob("*.out"))
 

@@ -26,6 +26,7 @@ from tmmcalc.machine.transient.task import Machine, solve_transients
 from tmmcalc.machine.transient.timed import TimedMotions
 from tmmcalc.machine.verdicts import Verdict
 from tmmcalc.report.document import Document
+from tmmcalc.report.errors import with_errors
 from tmmcalc.report.plaintext import lines
 from tmmcalc.report.render import render
 from tmmcalc.report.summary import run_document
@@ -277,7 +278,7 @@ def test_the_last_turn_is_that_of_the_steady_regime(whole: Any) -> None:
 def test_no_fact_is_lost_in_a_whole_run(whole: Any) -> None:
     document = run_document(whole, "t")
     (part,) = [part for part in document.parts if part.title == "transient"]
-    alone = transient_summary(whole.results["transient"], "transient")
+    alone = with_errors(transient_summary(whole.results["transient"], "transient"), whole.record("transient").error)
     assert [fact.label for fact in part.facts] == [fact.label for fact in alone.facts]
 
 

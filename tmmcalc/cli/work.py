@@ -110,6 +110,11 @@ class Job:
 
     def finish(self, document: Document, result: RunResult, form: Format) -> None:
         """Print the document, say where the files are; under ``strict`` warnings are the end."""
+        from tmmcalc.report.errors import with_errors
+
+        target = result.plan.target
+        if target is not None and target in result.outcomes and not document.parts:
+            document = with_errors(document, result.record(target).error)
         show(document, form)
         self.close(document, result)
 

@@ -78,7 +78,7 @@ def _error_fact(result: Kinematics) -> Fact:
     e = result.error
     text = f"position {e.position:.0e}, velocity {e.velocity:.0e}, acceleration {e.acceleration:.0e}"
     values = {"error": {"position": e.position, "velocity": e.velocity, "acceleration": e.acceleration}}
-    return Fact("relative error (est.)", text, values)
+    return Fact("error estimate", text, values)
 
 
 def unit_fact(result: Kinematics) -> Fact:

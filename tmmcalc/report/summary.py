@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from tmmcalc.pipeline.stage import resolve
 from tmmcalc.report.document import Document
+from tmmcalc.report.errors import with_errors
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
@@ -60,5 +61,5 @@ def run_document(run: RunResult, title: str) -> Document:
         part: Document = resolve(SUMMARIES[stage])(run.results[stage], stage)
         facts = tuple(fact for fact in part.facts if fact.label not in said)
         said |= {fact.label for fact in facts}
-        parts.append(replace(part, facts=facts))
+        parts.append(with_errors(replace(part, facts=facts), run.record(stage).error))
     return Document(title, parts=tuple(parts))

@@ -145,11 +145,13 @@ def case_of(task: CamTask, follower: Follower, loads: Loads, first: Course) -> C
 
 def _refined(task: CamTask, loads: Loads, course: Course) -> Course:
     of, roller = course.carried, course.carried.follower.roller
+    flat = of.follower.kind == "flat" and bent(of.follower, course).least > 0
 
     def rows(phi: Values) -> Values:
         at = at_angles(task, loads, phi)
         now = state(of, at)
-        gap = 1 - np.sign(now.contact) * curved(of.follower, at.motion) * roller
+        kappa = curved(of.follower, at.motion)
+        gap = 1 / kappa if flat else 1 - np.sign(now.contact) * kappa * roller
         run = spun(task, loads, of.follower, at, now.contact)
         return np.stack((now.contact / np.where(gap > 0, gap, 1.0), run))
 

@@ -1,0 +1,35 @@
+"""What a stage estimates of its errors, in its document."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from tmmcalc.pipeline.accuracy import estimates
+from tmmcalc.report.document import Document, Fact
+
+FEW = 6  # errors that are all told; of more the largest
+
+
+def with_errors(document: Document, error: Mapping[str, Any]) -> Document:
+    """The document with all estimated relative errors of its stage, in the place of those that it tells itself."""
+    told = dict(estimates(error))
+    if not told:
+        return document
+    own = [k for k, fact in enumerate(document.facts) if isinstance(fact.values.get("error"), Mapping)]
+    fact = Fact("error estimate", _text(told), {"error": told})
+    at = own[0] if own else len(document.facts)
+    return replace(document, facts=(*document.facts[:at], fact, *document.facts[at + 1 :]))
+
+
+def _text(told: Mapping[str, float]) -> str:
+    """Estimates are orders of magnitude: one digit is enough for people.
+
+    >>> _text({"speed": 3.14e-15, "time": 2e-16})
+    'speed 3e-15, time 2e-16'
+    """
+    if len(told) <= FEW:
+        return ", ".join(f"{name} {size:.0e}" if size else f"{name} 0" for name, size in told.items())
+    name = max(told, key=lambda each: told[each])
+    return f"up to {told[name]:.0e}, of {name}"
