@@ -93,10 +93,10 @@ def _lives() -> Iterator[Scene]:
         floor = max(mp.log(r / a) / beta, mp.mpf(0)) if low else mp.inf
 
         def hazard(t: Any, a: Any = a, b: Any = b, h: Any = h, r: Any = r, beta: Any = beta,
-                   start: Any = start, floor: Any = floor) -> Any:  # fmt: skip
+                   start: Any = start, floor: Any = floor, low: float = low) -> Any:  # fmt: skip
             end = max(min(t, floor), start)
             fallen = r * (mp.exp(-beta * start) - mp.exp(-beta * end)) / beta
-            return h / (b - a) * (b * (end - start) - fallen) + (h * max(t - floor, 0) if low else 0)  # noqa: B023
+            return h / (b - a) * (b * (end - start) - fallen) + (h * max(t - floor, 0) if low else 0)
 
         assert found.error is not None
         exact = [mp.exp(-hazard(mp.mpf(float(t)))) for t in found.t]
@@ -148,7 +148,8 @@ def _decays() -> Iterator[Scene]:
         told = mp.mpf(found.decay)
         with mp.workdps(25):
             wanted = mp.mpf(test.mean)
-            exact = mp.findroot(lambda beta: mean(beta) - wanted, (told, told * (1 + mp.mpf(10) ** -8)), tol=1e-30)  # noqa: B023
+            beside = told * (1 + mp.mpf(10) ** -8)
+            exact = mp.findroot(lambda beta, mean=mean, wanted=wanted: mean(beta) - wanted, (told, beside), tol=1e-30)
         yield "decay", found.error.decay, float(abs(told / exact - 1))
 
 

@@ -165,7 +165,8 @@ def passes(load: Pressed, motor: Induction, inertia: float, turns: int = 12) -> 
     def still(_: float, energy: Array) -> float:
         return float(energy[0])
 
-    still.terminal = True  # type: ignore[attr-defined]
+    stop: Any = still
+    stop.terminal = True
     energy = [inertia * motor.synchronous**2 / 2]
     edges = [0.0, load.start, load.end, TURN]
     for turn in range(turns):
@@ -173,7 +174,7 @@ def passes(load: Pressed, motor: Induction, inertia: float, turns: int = 12) -> 
             if last <= first:
                 continue
             span = (turn * TURN + first + 1e-12, turn * TURN + last - 1e-12)
-            found = solve_ivp(rate, span, energy, "LSODA", events=still, rtol=1e-9, atol=1e-9 * energy[0])
+            found = solve_ivp(rate, span, energy, "LSODA", events=stop, rtol=1e-9, atol=1e-9 * energy[0])
             if found.t_events[0].size:
                 return float(found.t_events[0][0])
             energy = list(found.y[:, -1])

@@ -38,8 +38,10 @@ def _conditions(task: Task) -> dict[str, Callable[[Any, Any], Any]]:
     a_t = mp.atan(mp.tan(alpha) / mp.cos(beta))
     r = [n / (2 * mp.cos(beta)) for n in z]
     b = [each * mp.cos(a_t) for each in r]
-    inv = lambda a: mp.tan(a) - a  # noqa: E731
     pitch = mp.pi / mp.cos(beta) * mp.cos(a_t)
+
+    def inv(a: Any) -> Any:
+        return mp.tan(a) - a
 
     def mesh(x1: Any, x2: Any) -> tuple[Any, list[Any], list[Any]]:
         target = inv(a_t) + 2 * (x1 + x2) * mp.tan(alpha) / sum(z)

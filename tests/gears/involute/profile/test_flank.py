@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import cos, pi, radians, sin, tan
+from typing import Any
 
 import numpy as np
 import pytest
@@ -91,8 +92,9 @@ def test_worked_flanks(name: str) -> None:
 def test_worked_ellipse_and_circle() -> None:
     data, expected = CASES["IG-S10"]["inputs"], CASES["IG-S10"]["expected"]
     wheel = Wheel(data["z"], data["x"], radians(15))
-    for shape, key in (("ellipse", "exact_ellipse"), ("circle", "circle")):
-        flank = flank_of(wheel, data["r_a"] / 5, shape)  # type: ignore[arg-type]
+    shapes: dict[Any, str] = {"ellipse": "exact_ellipse", "circle": "circle"}
+    for shape, key in shapes.items():
+        flank = flank_of(wheel, data["r_a"] / 5, shape)
         radii = np.array([row["radius"] for row in expected[key]]) / 5
         angles = [row["half_tooth_angle_rad"] for row in expected[key]]
         assert flank.half_angle_at(radii) == pytest.approx(
