@@ -11,11 +11,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from tmmcalc import load_spec
-from tmmcalc.accuracy.measure import Clock
+from tmmcalc.accuracy.document import TOLERANCES, called, told
 from tmmcalc.accuracy.solve import solve_accuracy
-from tmmcalc.accuracy.study import Accuracy, Ladder, Series, Study
-from tmmcalc.report.accuracy import TOLERANCES, called, told
-from tmmcalc.report.pictures import draw_accuracy
+from tmmcalc.core.studies.measure import Clock
+from tmmcalc.core.studies.study import Accuracy, Ladder, Series, Study
+from tmmcalc.report.drawing import draw_accuracy
 
 HOME = Path(__file__).parent
 ROOT = HOME.parent

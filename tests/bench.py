@@ -28,19 +28,19 @@ import tmmcalc
 from tmmcalc.linkage.chain import Chain, compile_chain
 from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.listing import list_assemblies
-from tmmcalc.linkage.reduction.reduce import solve_reduction
 from tmmcalc.linkage.results import Trace
 from tmmcalc.linkage.structure import solve_structure
+from tmmcalc.linkage.tables.tasks.loading import to_loading
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.linkage.trace import trace
 from tmmcalc.machine.driver import driver_of
 from tmmcalc.machine.flywheel.required import required_inertia
+from tmmcalc.machine.reduction.reduce import solve_reduction
 from tmmcalc.machine.steady import driven
+from tmmcalc.machine.tables.tasks.machine import to_gears, to_motor
 from tmmcalc.machine.transient.model import Drive, Mass
 from tmmcalc.machine.transient.scenario import LoadStep, Scenario
 from tmmcalc.machine.transient.simulate import simulate
-from tmmcalc.spec.linkage import to_linkage
-from tmmcalc.spec.loading import to_loading
-from tmmcalc.spec.machine import to_gears, to_motor
 
 CONFIGS = Path(__file__).parent.parent / "configs"
 SHAPER = CONFIGS / "shaper.toml"
@@ -246,7 +246,7 @@ def memory() -> None:
         "import re, numpy as np, tmmcalc\n"
         "from tmmcalc.linkage.chain import compile_chain\n"
         "from tmmcalc.linkage.trace import Trace, trace\n"
-        "from tmmcalc.spec.linkage import to_linkage\n"
+        "from tmmcalc.linkage.tables.tasks.mechanism import to_linkage\n"
         "m = to_linkage(tmmcalc.load_spec({file!r}).linkage)\n"
         "c = compile_chain(m, tmmcalc.solve_structure(m), {{}})\n"
         "t = trace(c, np.linspace(0, 6.2, {n}))\n"

@@ -21,9 +21,9 @@ from tmmcalc.cams.profile.solve import solve_profile
 from tmmcalc.cams.strength.solve import solve_strength
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.synthesis.translating import lines_of, nearest
+from tmmcalc.cams.tables.tasks.cam import to_cam
+from tmmcalc.cams.tables.tasks.indexing import to_indexing
 from tmmcalc.cams.task import CamTask
-from tmmcalc.spec.cams import to_cam
-from tmmcalc.spec.indexings import to_indexing
 
 CONFIGS = Path(tmmcalc.__file__).parents[1] / "configs"
 FULL, LEAST, OPTIMUM, INDEXING = 100.0, 2.0, 300.0, 100.0  # ms

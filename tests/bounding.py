@@ -8,7 +8,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
 
 T = TypeVar("T")
 

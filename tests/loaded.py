@@ -12,8 +12,8 @@ from tmmcalc.linkage.loading import Body, Constant, Load, Loading, Pair, Polynom
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.spec import load_spec
-from tmmcalc.spec.linkage import to_linkage
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+from tmmcalc.project import load_spec
 
 CONFIGS = Path(__file__).parents[1] / "configs"
 READY = sorted(path.stem for path in CONFIGS.glob("*.toml") if load_spec(path).mechanism is not None)

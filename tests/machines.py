@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import panels
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.numerics.panels import panels
 
 TURN = 2 * math.pi
 

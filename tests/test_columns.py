@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 import numpy as np
 import pytest
 
-from tmmcalc.columns import Column, picked, select
-from tmmcalc.errors import UsageError
+from tmmcalc.core.columns import Column, picked, select
+from tmmcalc.core.errors import UsageError
 
 HEADERS = ["phi[deg]", "x_A[m]", "x_B[m]", "omega_3[rad/s]"]
 

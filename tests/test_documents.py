@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from tmmcalc.spec.schema import json_schema, schema_text
+from tmmcalc.project.schema import json_schema, schema_text
 
 ROOT = Path(__file__).parent.parent
 

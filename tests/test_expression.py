@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmmcalc.errors import UsageError
-from tmmcalc.expression import parse
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.expression import parse
 
 
 def test_a_formula_of_x() -> None:

@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.timelaw import (
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.timelaw import (
     TimeLaw,
     by_duration,
     by_travel,

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmmcalc.timelaw import by_travel, motion
-from tmmcalc.timerows import extremes, time_rows
+from tmmcalc.core.timelaw import by_travel, motion
+from tmmcalc.core.timerows import extremes, time_rows
 
 
 def test_labels_and_sides() -> None:

@@ -66,7 +66,7 @@ _HOMES = {
     ),
     "tmmcalc.batch.regions": ("map_feasibility",),
     "tmmcalc.batch.sheet": ("Sheet",),
-    "tmmcalc.errors": (
+    "tmmcalc.core.errors": (
         "AccuracyError",
         "AssemblyError",
         "LimitError",
@@ -171,11 +171,11 @@ _HOMES = {
         "Output",
     ),
     "tmmcalc.linkage.plan": ("position_plan",),
-    "tmmcalc.linkage.plane": (
+    "tmmcalc.core.plane": (
         "Guide",
         "Point",
     ),
-    "tmmcalc.linkage.reduction.results": ("Reduction",),
+    "tmmcalc.machine.reduction.results": ("Reduction",),
     "tmmcalc.linkage.results": (
         "Kinematics",
         "Method",
@@ -188,13 +188,13 @@ _HOMES = {
     "tmmcalc.machine.power": ("Power",),
     "tmmcalc.machine.transient.timed": ("TimedMotions",),
     "tmmcalc.manipulators.results": ("Manipulator",),
-    "tmmcalc.spec": (
+    "tmmcalc.project": (
         "Spec",
         "load_spec",
         "parse_spec",
     ),
-    "tmmcalc.stages.balance": ("Balances",),
-    "tmmcalc.timelaw": ("TimeLaw",),
+    "tmmcalc.machine.stages.balance": ("Balances",),
+    "tmmcalc.core.timelaw": ("TimeLaw",),
 }
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 

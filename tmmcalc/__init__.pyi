@@ -40,15 +40,18 @@ from tmmcalc.api.machines import solve_transients as solve_transients
 from tmmcalc.api.machines import solve_vibrator as solve_vibrator
 from tmmcalc.batch.regions import map_feasibility as map_feasibility
 from tmmcalc.batch.sheet import Sheet as Sheet
-from tmmcalc.errors import AccuracyError as AccuracyError
-from tmmcalc.errors import AssemblyError as AssemblyError
-from tmmcalc.errors import LimitError as LimitError
-from tmmcalc.errors import NoSolutionError as NoSolutionError
-from tmmcalc.errors import SingularityError as SingularityError
-from tmmcalc.errors import SpecError as SpecError
-from tmmcalc.errors import StructureError as StructureError
-from tmmcalc.errors import TmmError as TmmError
-from tmmcalc.errors import UsageError as UsageError
+from tmmcalc.core.errors import AccuracyError as AccuracyError
+from tmmcalc.core.errors import AssemblyError as AssemblyError
+from tmmcalc.core.errors import LimitError as LimitError
+from tmmcalc.core.errors import NoSolutionError as NoSolutionError
+from tmmcalc.core.errors import SingularityError as SingularityError
+from tmmcalc.core.errors import SpecError as SpecError
+from tmmcalc.core.errors import StructureError as StructureError
+from tmmcalc.core.errors import TmmError as TmmError
+from tmmcalc.core.errors import UsageError as UsageError
+from tmmcalc.core.plane import Guide as Guide
+from tmmcalc.core.plane import Point as Point
+from tmmcalc.core.timelaw import TimeLaw as TimeLaw
 from tmmcalc.feasibility.judge import Feasibility as Feasibility
 from tmmcalc.feasibility.maps import RegionMap as RegionMap
 from tmmcalc.feasibility.regions import characteristic as characteristic
@@ -119,9 +122,6 @@ from tmmcalc.linkage.model import Link as Link
 from tmmcalc.linkage.model import Mechanism as Mechanism
 from tmmcalc.linkage.model import Output as Output
 from tmmcalc.linkage.plan import position_plan as position_plan
-from tmmcalc.linkage.plane import Guide as Guide
-from tmmcalc.linkage.plane import Point as Point
-from tmmcalc.linkage.reduction.results import Reduction as Reduction
 from tmmcalc.linkage.results import Kinematics as Kinematics
 from tmmcalc.linkage.results import Method as Method
 from tmmcalc.linkage.structure import Structure as Structure
@@ -130,12 +130,12 @@ from tmmcalc.machine.cycle import Cycle as Cycle
 from tmmcalc.machine.flywheel.task import Flywheel as Flywheel
 from tmmcalc.machine.motion import Motion as Motion
 from tmmcalc.machine.power import Power as Power
+from tmmcalc.machine.reduction.results import Reduction as Reduction
+from tmmcalc.machine.stages.balance import Balances as Balances
 from tmmcalc.machine.transient.timed import TimedMotions as TimedMotions
 from tmmcalc.manipulators.results import Manipulator as Manipulator
-from tmmcalc.spec import Spec as Spec
-from tmmcalc.spec import load_spec as load_spec
-from tmmcalc.spec import parse_spec as parse_spec
-from tmmcalc.stages.balance import Balances as Balances
-from tmmcalc.timelaw import TimeLaw as TimeLaw
+from tmmcalc.project import Spec as Spec
+from tmmcalc.project import load_spec as load_spec
+from tmmcalc.project import parse_spec as parse_spec
 
 __all__: list[str]

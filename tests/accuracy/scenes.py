@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from tmmcalc import load_spec
-from tmmcalc.accuracy.measure import Clock
 from tmmcalc.accuracy.solve import solve_accuracy
-from tmmcalc.accuracy.study import Series, Study
+from tmmcalc.core.studies.measure import Clock
+from tmmcalc.core.studies.study import Series, Study
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 ONCE = Clock(repeats=1, budget=0.0)

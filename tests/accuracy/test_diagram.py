@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from matplotlib.figure import Figure
 
-from tmmcalc.accuracy.study import Accuracy, Ladder, Point, Reference, Rung, Series, Study
-from tmmcalc.report.accuracy import TOLD, accuracy_document, tidy_document
-from tmmcalc.report.pictures.accuracy import accuracy_figure
+from tmmcalc.accuracy.document import TOLD, accuracy_document, tidy_document
+from tmmcalc.accuracy.picture import accuracy_figure
+from tmmcalc.core.studies.study import Accuracy, Ladder, Point, Reference, Rung, Series, Study
 
 EXACT = Reference("known", 1e-16)
 FINE = Series("fine", (Point("a", 1.0, 1e-3, 1e-3), Point("b", 0.5, 1e-9, 2e-3)), order=2.0, expected=2.0)

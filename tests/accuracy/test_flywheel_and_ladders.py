@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 
 from tmmcalc import load_spec
-from tmmcalc.accuracy.ladder import ASKED, STIFFNESSES, ladders
+from tmmcalc.accuracy.ladder_document import ladder_document
 from tmmcalc.accuracy.solve import solve_accuracy
+from tmmcalc.machine.accuracy.ladder import ASKED, STIFFNESSES, ladders
+from tmmcalc.machine.stages import transient
 from tmmcalc.machine.transient.task import beginning
 from tmmcalc.pipeline.runner import run
-from tmmcalc.report.accuracyladder import ladder_document
-from tmmcalc.stages import transient
 
 from .scenes import CONFIGS, ONCE, errors_in, errors_of, series_of, studies_of
 

@@ -7,8 +7,8 @@ from itertools import pairwise
 import mpmath as mp
 import pytest
 
-from tmmcalc.accuracy.pair import TERMS
-from tmmcalc.accuracy.study import FLOOR
+from tmmcalc.core.studies.study import FLOOR
+from tmmcalc.gears.accuracy.pair import TERMS
 
 from .scenes import errors_in, errors_of, series_of, studies_of
 

@@ -7,13 +7,13 @@ from collections.abc import Iterator
 import pytest
 
 from tmmcalc import load_spec
-from tmmcalc.accuracy import kinematics as accuracy_of_kinematics
 from tmmcalc.accuracy.solve import solve_accuracy
-from tmmcalc.accuracy.study import Study
 from tmmcalc.accuracy.subjects import Scene
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.studies.study import Study
+from tmmcalc.linkage.accuracy import kinematics as accuracy_of_kinematics
 from tmmcalc.pipeline.plan import plan
-from tmmcalc.spec.loader import parse_spec
+from tmmcalc.project.loader import parse_spec
 
 from .scenes import CONFIGS, ONCE, errors_in, errors_of, series_of, studies_of
 

@@ -9,8 +9,8 @@ import pytest
 
 from tmmcalc import load_spec
 from tmmcalc.accuracy.subjects import SUBJECTS
+from tmmcalc.core.stage import resolve
 from tmmcalc.pipeline.plan import plan
-from tmmcalc.pipeline.stage import resolve
 from tmmcalc.pipeline.stages import STAGES
 
 from .scenes import CONFIGS

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from tmmcalc import load_spec
-from tmmcalc.accuracy import forces
-from tmmcalc.accuracy.sampled import COUNTS, beside, summit
 from tmmcalc.accuracy.solve import solve_accuracy
 from tmmcalc.accuracy.subjects import Scene
+from tmmcalc.core.plane import Real
+from tmmcalc.core.stage import resolve
+from tmmcalc.core.studies.sampled import COUNTS, beside, summit
+from tmmcalc.linkage.accuracy import forces
 from tmmcalc.linkage.forces.results import Forces
-from tmmcalc.linkage.plane import Real
 from tmmcalc.pipeline.runner import run
-from tmmcalc.pipeline.stage import resolve
 from tmmcalc.pipeline.stages import STAGES
 
 from .scenes import CONFIGS, ONCE, errors_in, errors_of, series_of, studies_of

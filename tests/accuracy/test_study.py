@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from tmmcalc import NoSolutionError
-from tmmcalc.accuracy.measure import Clock, Way, relative, series
-from tmmcalc.accuracy.order import observed
-from tmmcalc.accuracy.study import FLOOR, Point, Reference, Series, Study
+from tmmcalc.core.studies.measure import Clock, Way, relative, series
+from tmmcalc.core.studies.order import observed
+from tmmcalc.core.studies.study import FLOOR, Point, Reference, Series, Study
 
 SIZES = [1 / 4, 1 / 8, 1 / 16, 1 / 32, 1 / 64, 1 / 128, 1 / 256, 1 / 512]
 

@@ -7,8 +7,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from tmmcalc.accuracy.extrapolation import extrapolated
-from tmmcalc.accuracy.timed import Run, Start, stepped
+from tmmcalc.core.studies.extrapolation import extrapolated
+from tmmcalc.core.studies.timed import Run, Start, stepped
 
 from .scenes import ONCE, errors_in, errors_of, series_of, study_of
 

@@ -17,7 +17,7 @@ import sweeptoy
 
 from tmmcalc.batch.cluster import solve_on
 from tmmcalc.batch.task import Row, Task
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 pytest.importorskip("distributed")
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="kills processes")

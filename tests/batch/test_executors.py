@@ -15,7 +15,7 @@ from tmmcalc.batch.executors import solve, solve_by, solve_there
 from tmmcalc.batch.local import processes
 from tmmcalc.batch.reading import task_of
 from tmmcalc.batch.task import Row, Task
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="kills processes")
 CONFIGS = Path(__file__).parents[2] / "configs"

@@ -15,9 +15,9 @@ from tmmcalc.batch.executors import solve_here
 from tmmcalc.batch.reading import task_of
 from tmmcalc.batch.sweep import Swept, sweep
 from tmmcalc.batch.task import Row, Task
-from tmmcalc.errors import SingularityError
-from tmmcalc.linkage.stacked import records
-from tmmcalc.numerics.alike import SeveralError
+from tmmcalc.core.errors import SingularityError
+from tmmcalc.core.numerics.alike import SeveralError
+from tmmcalc.machine.stacked import records
 
 SHAPER = Path(__file__).parents[2] / "configs" / "shaper.toml"
 CRANK = "mechanism.links[id=1].points.A[0]"
@@ -129,7 +129,7 @@ def test_a_map_from_another_folder(loaded: Path, monkeypatch: pytest.MonkeyPatch
 def test_one_slip_fails_one_row(monkeypatch: pytest.MonkeyPatch, error: Exception, where: str) -> None:
     task, text = facts(), f"a fault of the program: {type(error).__name__}: {error}"
     if where == "stage":
-        from tmmcalc.stages import balance
+        from tmmcalc.machine.stages import balance
 
         def odd(given: Any, upstream: Any, settings: Any) -> bool:
             return bool(abs(upstream["kinematics"].crank_length - 0.2) < 1e-9)

@@ -9,7 +9,7 @@ import pytest
 
 from tmmcalc.batch.journal import Journal
 from tmmcalc.batch.task import Row
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 ROWS = [
     Row(3, "ok", "", ("a.x[m]", "a.y"), array("d", (0.1, 1e-300))),

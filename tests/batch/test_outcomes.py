@@ -10,9 +10,9 @@ import tmmcalc
 from tmmcalc.batch import outcomes, stacked
 from tmmcalc.batch.reading import task_of
 from tmmcalc.batch.stacked_results import Results
-from tmmcalc.errors import SpecError, TmmError, UsageError
+from tmmcalc.core.errors import SpecError, TmmError, UsageError
 from tmmcalc.feasibility.judge import Feasibility
-from tmmcalc.spec.loader import Variants
+from tmmcalc.project.loader import Variants
 
 SHAPER = Path(__file__).parents[2] / "configs" / "shaper.toml"
 CRANK = "mechanism.links[id=1].points.A[0]"

@@ -11,7 +11,7 @@ import tmmcalc
 from tmmcalc.batch.points import solve_points
 from tmmcalc.batch.reading import task_of
 from tmmcalc.batch.task import Row
-from tmmcalc.spec.loader import Variants, read_text
+from tmmcalc.project.loader import Variants, read_text
 
 ROOT = Path(__file__).parents[2]
 SHAPER = ROOT / "configs" / "shaper.toml"

@@ -12,7 +12,7 @@ from tmmcalc.batch.executors import Block, solve_here
 from tmmcalc.batch.sheet import csv_bytes, voucher
 from tmmcalc.batch.sweep import part, sweep
 from tmmcalc.batch.task import Row, Task
-from tmmcalc.errors import NoSolutionError, SpecError, UsageError
+from tmmcalc.core.errors import NoSolutionError, SpecError, UsageError
 
 
 def counting(met: list[int], stop: int | None = None):

@@ -10,7 +10,7 @@ from tmmcalc.batch.quantities import rank, stages_of, unmatched
 from tmmcalc.batch.reading import task_of
 from tmmcalc.batch.table import read_points, row_of
 from tmmcalc.batch.task import Task
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.spec.variants import Axis, grid
 
 SHAPER = Path(__file__).parents[2] / "configs" / "shaper.toml"

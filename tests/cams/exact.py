@@ -11,7 +11,7 @@ from mpmath import mp, mpc, mpf
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.own import of_accelerations
 from tmmcalc.cams.program import Phase, Program
-from tmmcalc.numerics.extended import WIDER
+from tmmcalc.core.numerics.extended import WIDER
 
 mp.dps = 50
 HALF = mpf(1) / 2

@@ -9,7 +9,7 @@ import numpy as np
 from cams.scenes import KINDS, random_cam
 from tmmcalc.cams.speed import TURN, Speed
 from tmmcalc.cams.task import Force, Guide, Loads, Spring
-from tmmcalc.numerics.panels import panels
+from tmmcalc.core.numerics.panels import panels
 
 
 def random_spring(random, stiffness, force):

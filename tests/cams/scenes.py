@@ -10,7 +10,7 @@ from bounding import FLOOR
 from cams.exact import SCENES, judge, random_program
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask
-from tmmcalc.errors import NoSolutionError, SingularityError
+from tmmcalc.core.errors import NoSolutionError, SingularityError
 
 KINDS = ("translating", "oscillating", "flat")
 

@@ -19,9 +19,9 @@ from tmmcalc.cams.program import Phase, Program
 from tmmcalc.cams.response import residual, steady
 from tmmcalc.cams.speed import Speed, constant_speed
 from tmmcalc.cams.task import Elastic, Spring
-from tmmcalc.errors import SingularityError, UsageError
-from tmmcalc.numerics.panels import panels
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.errors import SingularityError, UsageError
+from tmmcalc.core.numerics.panels import panels
 
 ROLLER = Follower("translating", 0.06)
 RATIOS = np.array([0.05, 0.3, 0.77, 1.31, 2.25, 4.6, 11.9, 25.3])
@@ -136,8 +136,8 @@ def test_resonance_and_missing_data_are_refused() -> None:
 
 
 def test_result_round_trip_document_and_picture(tmp_path: Path) -> None:
-    from tmmcalc.report.cams.elastic import elastic_document
-    from tmmcalc.report.pictures.cams import draw_cam
+    from tmmcalc.cams.facts.cam_elastic import elastic_document
+    from tmmcalc.cams.pictures import draw_cam
     from tmmcalc.report.plaintext import lines
 
     task = replace(roller_task(), elastic=Elastic(4e6, 0.03))
@@ -168,8 +168,8 @@ def test_loss_of_contact_by_vibration() -> None:
 
 def test_a_groove_is_changed_from_wall_to_wall() -> None:
     """Two walls hold the roller: no contact is lost; where the load changes its sign the other wall presses."""
-    from tmmcalc.report.cams.elastic import elastic_document
-    from tmmcalc.report.pictures.cams.elastic import elastic_figure
+    from tmmcalc.cams.facts.cam_elastic import elastic_document
+    from tmmcalc.cams.pictures.elastic import elastic_figure
     from tmmcalc.report.plaintext import lines
 
     given = roller_task(spring=Spring("none"))

@@ -6,6 +6,8 @@ from math import radians
 import pytest
 from typer.testing import CliRunner
 
+from tmmcalc.cams.facts.cam_forces import forces_document, forces_summary
+from tmmcalc.cams.facts.cam_strength import strength_document, strength_summary, turn_document
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.laws.catalogue import LAWS
@@ -13,8 +15,6 @@ from tmmcalc.cams.program import TURN, Phase, Program
 from tmmcalc.cams.strength.solve import solve_strength
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Guide, Loads, Requirements, Spring
 from tmmcalc.cli.app import app
-from tmmcalc.report.cams.forces import forces_document, forces_summary
-from tmmcalc.report.cams.strength import strength_document, strength_summary, turn_document
 from tmmcalc.report.render import render
 
 SPEC = """
@@ -131,7 +131,7 @@ def test_jamming_ends_with_its_code(tmp_path):
 @pytest.mark.parametrize(("task", "follower"), list(cams()), ids=["groove", "flat", "rocker"])
 def test_pictures(task, follower, tmp_path):
     pytest.importorskip("matplotlib")
-    from tmmcalc.report.pictures.cams import draw_cam
+    from tmmcalc.cams.pictures import draw_cam
 
     for name, result in (
         ("cam_forces", solve_forces(task, follower)),

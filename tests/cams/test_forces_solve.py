@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from cams.turns import overshooting, task_of
+from tmmcalc.cams.facts.cam_forces import forces_document
 from tmmcalc.cams.follower import Follower, contact_path
 from tmmcalc.cams.forces.columns import force_columns
 from tmmcalc.cams.forces.results import CamForces
@@ -17,9 +18,8 @@ from tmmcalc.cams.forces.turn import crossings, smooth_panels
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.program import Phase, Program
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Force, Guide, Loads, Spring
-from tmmcalc.errors import NoSolutionError, SingularityError, UsageError
-from tmmcalc.report.cams.forces import forces_document
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.errors import NoSolutionError, SingularityError, UsageError
 
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases/cams.json").read_text())}
 

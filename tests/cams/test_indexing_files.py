@@ -12,14 +12,14 @@ import numpy as np
 import pytest
 
 from cams.indexing_scene import SCENES, task
+from tmmcalc.cams.facts.indexing import indexing_document, indexing_summary
+from tmmcalc.cams.files.indexing import nc_table, outlines
 from tmmcalc.cams.indexing import solve_indexing
 from tmmcalc.cams.indexing.columns import indexing_columns
 from tmmcalc.cams.indexing.laws import StepLaw, step_law
-from tmmcalc.errors import UsageError
-from tmmcalc.numerics.strokes import Bow, Cubics
-from tmmcalc.report.cams.indexing import indexing_document, indexing_summary
-from tmmcalc.report.indexingfiles import nc_table, outlines
+from tmmcalc.core.errors import UsageError
 from tmmcalc.report.outlinefiles import dxf, svg
+from tmmcalc.report.strokes import Bow, Cubics
 
 GIVEN = SCENES["3-4-5"]
 FOUND = solve_indexing(GIVEN)
@@ -133,8 +133,8 @@ def test_documents_print_what_was_found() -> None:
 def test_pictures() -> None:
     pytest.importorskip("matplotlib")
     from cams.test_law_profile_pictures import texts
-    from tmmcalc.report.pictures.cams.indexing import indexing_figure
-    from tmmcalc.report.pictures.page import picture
+    from tmmcalc.cams.pictures.indexing import indexing_figure
+    from tmmcalc.report.drawing.page import picture
 
     pointed = task(law=step_law("linear"), ratio=2.0, roller=None)
     made = []
@@ -152,8 +152,8 @@ def test_pictures() -> None:
 def test_the_scheme_stands_where_the_law_has_it() -> None:
     pytest.importorskip("matplotlib")
     from tmmcalc.cams.indexing.solve import drive_of
-    from tmmcalc.report.pictures.cams.indexingscheme import rows_of as rollers_at
-    from tmmcalc.report.pictures.cams.indexingscheme import turned
+    from tmmcalc.cams.pictures.indexingscheme import rows_of as rollers_at
+    from tmmcalc.cams.pictures.indexingscheme import turned
 
     drive = drive_of(GIVEN, GIVEN.ratio)
     assert turned(drive, radians(45)) == pytest.approx(radians(30))
@@ -167,7 +167,7 @@ def test_the_scheme_stands_where_the_law_has_it() -> None:
 
 def test_a_law_without_profile_has_no_picture(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
-    from tmmcalc.report.pictures.cams import draw_indexing
+    from tmmcalc.cams.pictures import draw_indexing
 
     given = task(law=StepLaw("2.9", 1.625), ratio=None, roller=None)
     with pytest.raises(UsageError, match="no picture"):

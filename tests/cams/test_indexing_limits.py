@@ -20,7 +20,7 @@ from tmmcalc.cams.indexing.solve import drive_of
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.constants import constants
 from tmmcalc.cams.laws.own import of_coefficients
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 
 RIGHT = radians(90)
 

@@ -12,13 +12,13 @@ from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.lawresult import solve_law
 from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.task import Loads
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 pytest.importorskip("matplotlib")
 
-from tmmcalc.report.pictures.cams import draw_cam
-from tmmcalc.report.pictures.cams.law import law_figure
-from tmmcalc.report.pictures.cams.profile import profile_figure
+from tmmcalc.cams.pictures import draw_cam
+from tmmcalc.cams.pictures.law import law_figure
+from tmmcalc.cams.pictures.profile import profile_figure
 
 STEM, ROCKER = turn("cosine", "const", high=0), turn("sine", stroke=radians(20))
 SIZES = {"roller": 0.006, "centres": 0.1, "rocker": 0.09}

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from cams.turns import overshooting, task_of, turn
+from tmmcalc.cams.facts.cam_law import law_document, law_summary
 from tmmcalc.cams.lawresult import LawResult, law_columns, solve_law
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.constants import constants
 from tmmcalc.cams.overshoot import backward
 from tmmcalc.cams.program import Phase, Program
 from tmmcalc.cams.task import Loads
-from tmmcalc.report.cams.law import law_document, law_summary
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.core.conversion import from_record, to_record
 
 
 def extreme(result, order, sign):

@@ -12,7 +12,7 @@ from cams.turns import turn
 from tmmcalc.cams.laws.catalogue import LAWS, TITLES, law_of
 from tmmcalc.cams.laws.constants import constants
 from tmmcalc.cams.laws.own import of_coefficients
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 CASES = {c["id"]: c for c in json.loads((Path(__file__).parents[1] / "cases/cams.json").read_text())}
 K = np.linspace(0.0, 1.0, 101)

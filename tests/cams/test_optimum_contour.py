@@ -17,8 +17,8 @@ from tmmcalc.cams.optimum.margins import NUMBERS, judge, margins
 from tmmcalc.cams.optimum.results import CamOptimum
 from tmmcalc.cams.optimum.scene import Scene, scene_of
 from tmmcalc.cams.optimum.solve import solve_optimum
-from tmmcalc.numerics.roots import bracketed
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.numerics.roots import bracketed
 
 ROLLER = Follower("translating", 0.06)
 SEED = np.array([0.055]), np.array([0.008])
@@ -177,8 +177,8 @@ def same(a: Any, b: Any) -> bool:
 
 @pytest.mark.parametrize("kind", ["translating", "flat"])
 def test_round_trip_documents_and_pictures(kind: str, tmp_path: Path) -> None:
-    from tmmcalc.report.cams.optimum import optimum_document, optimum_summary
-    from tmmcalc.report.pictures.cams import draw_cam
+    from tmmcalc.cams.facts.cam_optimum import optimum_document, optimum_summary
+    from tmmcalc.cams.pictures import draw_cam
     from tmmcalc.report.plaintext import lines
     from tmmcalc.report.render import _json
 

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from cams.optimum_scene import CASES, flat_task, roller_task
+from tmmcalc.cams.facts.cam_optimum import optimum_document
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.optimum.game import MOST, with_law
 from tmmcalc.cams.optimum.least import least_height
@@ -20,11 +21,10 @@ from tmmcalc.cams.optimum.slipping import may_roll
 from tmmcalc.cams.optimum.solve import solve_optimum
 from tmmcalc.cams.optimum.steps import search
 from tmmcalc.cams.strength.solve import solve_strength
+from tmmcalc.cams.tables.checks.cam_search import MOST_OPTIONS
 from tmmcalc.cams.task import CamTask, Optimum, Spring
-from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.progress import listening
-from tmmcalc.report.cams.optimum import optimum_document
-from tmmcalc.spec.checks.camsearch import MOST_OPTIONS
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.progress import listening
 
 ROLLER = Follower("translating", 0.06)
 S16 = CASES["cams-s16"]

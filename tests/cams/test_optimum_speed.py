@@ -17,7 +17,7 @@ from tmmcalc.cams.optimum.solve import solve_optimum
 from tmmcalc.cams.speed import Speed
 from tmmcalc.cams.strength.solve import solve_strength
 from tmmcalc.cams.task import CamTask, Spring
-from tmmcalc.numerics.panels import panels
+from tmmcalc.core.numerics.panels import panels
 
 SIZES = Follower("translating", 0.14, 0.004, 0.014)
 

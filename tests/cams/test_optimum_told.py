@@ -10,6 +10,7 @@ import pytest
 
 import tmmcalc
 from cams.optimum_scene import roller_task, turn
+from tmmcalc.cams.facts.cam_optimum import optimum_document, optimum_summary
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.forces.solve import solve_forces
@@ -22,8 +23,7 @@ from tmmcalc.cams.optimum.solve import solve_optimum
 from tmmcalc.cams.optimum.steps import search
 from tmmcalc.cams.pressure import reached
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Optimum, Spring
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.report.cams.optimum import optimum_document, optimum_summary
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.report.plaintext import lines
 
 ROLLER = Follower("translating", 0.06)

@@ -10,7 +10,7 @@ from cams.turns import task_of
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pressure import check_reach, solve_pressure
 from tmmcalc.cams.profile import solve_profile
-from tmmcalc.errors import NoSolutionError, SingularityError
+from tmmcalc.core.errors import NoSolutionError, SingularityError
 
 POINTS = "law = { points = [[0, 0], [0.3, 0.9], [0.35, 0.1], [1, 1]] }\n"
 MOTION = 'rise = "60 deg"\nhigh_dwell = "30 deg"\nreturn_angle = "90 deg"\n' + POINTS

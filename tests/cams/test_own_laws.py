@@ -7,7 +7,7 @@ from scipy.interpolate import make_interp_spline
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.law import Acceleration, of_acceleration
 from tmmcalc.cams.laws.own import of_accelerations, of_coefficients, of_points
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 K = np.linspace(0, 1, 41)
 

@@ -7,16 +7,16 @@ import numpy as np
 import pytest
 
 from cams.turns import task_of, turn
+from tmmcalc.cams.facts.cam_profile import profile_document
+from tmmcalc.cams.facts.cam_synthesis import synthesis_document
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pivot import highest, pivot_room
 from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits, Loads
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.report.cams.profile import profile_document
-from tmmcalc.report.cams.synthesis import synthesis_document
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.errors import NoSolutionError
 
 PROGRAM = turn("sine", stroke=radians(30))
 SIZES = {"centres": 0.1, "rocker": 0.1}

@@ -14,8 +14,8 @@ from tmmcalc.cams.laws.law import polynomial
 from tmmcalc.cams.pressure import Pressure, pressure, pressure_columns, solve_pressure
 from tmmcalc.cams.program import Phase, Program
 from tmmcalc.cams.task import AngleLimits
-from tmmcalc.errors import SingularityError
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.errors import SingularityError
 
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases" / "cams.json").read_text())}
 FOLLOWERS = [

@@ -12,7 +12,7 @@ from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.task import AngleLimits
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 
 CASES = {c["id"]: c for c in json.loads((Path(__file__).parents[1] / "cases/cams.json").read_text())}
 WIDE = 1e-5

@@ -10,17 +10,17 @@ import pytest
 
 from cams.test_law_result import same
 from cams.turns import task_of, turn
+from tmmcalc.cams.facts.cam_profile import profile_document, profile_summary
+from tmmcalc.cams.files.profile import nc_table, outlines
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.profile import Profile, solve_profile
 from tmmcalc.cams.profile.columns import polar_angle, profile_columns
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.outline import adaptive, outline
-from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.numerics.strokes import Bow, Cubics
-from tmmcalc.report.camfiles import nc_table, outlines
-from tmmcalc.report.cams.profile import profile_document, profile_summary
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.report.outlinefiles import dxf, svg
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.report.strokes import Bow, Cubics
 
 STEM = turn("cosine", "shun", rise=80, high=30, back=100)
 ROCKER = turn("sine", "const", rise=80, high=0, back=100, stroke=radians(20))

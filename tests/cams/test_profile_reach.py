@@ -12,7 +12,7 @@ from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 
 ROCKER = {"kind": "oscillating", "centres": 0.1, "rocker": 0.09}
 SCENES = {

@@ -16,7 +16,7 @@ from cams.scenes import briefly, judged, some
 from tmmcalc.cams.indexing import solve_indexing
 from tmmcalc.cams.indexing.laws import step_law
 from tmmcalc.cams.indexing.task import IndexingTask
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 
 FEW = 1
 NAMES = ("sine", "cosine", "linear", "shun", "modified_trapezoid", "modified_sine", "poly4567", "const")

@@ -26,7 +26,7 @@ from tmmcalc.cams.optimum.least import least_height
 from tmmcalc.cams.optimum.margins import margins
 from tmmcalc.cams.optimum.results import ACTIVE
 from tmmcalc.cams.optimum.scene import scene_of
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 
 FEW = 1
 NEAR = 1e-6  # [m] of the differences for the slopes of margins

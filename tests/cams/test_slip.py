@@ -15,7 +15,7 @@ from tmmcalc.cams.speed import Speed
 from tmmcalc.cams.strength.solve import solve_strength
 from tmmcalc.cams.strength.work import spun
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Loads, Requirements, Spring
-from tmmcalc.numerics.panels import panels
+from tmmcalc.core.numerics.panels import panels
 
 FOLLOWER = Follower("translating", 0.06, roller=0.008)
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from cams.turns import overshooting, task_of
+from tmmcalc.cams.facts.cam_forces import forces_summary
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.notes import force_notes
 from tmmcalc.cams.forces.results import Reserve
@@ -17,8 +18,7 @@ from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.law import polynomial
 from tmmcalc.cams.program import Phase, Program
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Force, Loads, Spring
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.report.cams.forces import forces_summary
+from tmmcalc.core.errors import NoSolutionError
 
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases/cams.json").read_text())}
 

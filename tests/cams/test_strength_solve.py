@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import tmmcalc
+from tmmcalc.cams.facts.cam_strength import strength_document
 from tmmcalc.cams.follower import Follower, contact_path, curvature
 from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.laws.catalogue import LAWS
@@ -17,9 +18,8 @@ from tmmcalc.cams.strength.columns import margin_rows, strength_columns
 from tmmcalc.cams.strength.results import CamStrength
 from tmmcalc.cams.strength.solve import solve_strength
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Guide, Loads, Requirements, Spring
+from tmmcalc.core.conversion import from_record, to_record
 from tmmcalc.pipeline.runner import run
-from tmmcalc.report.cams.strength import strength_document
-from tmmcalc.stages.conversion import from_record, to_record
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases/cams.json").read_text())}

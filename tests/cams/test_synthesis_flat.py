@@ -11,8 +11,8 @@ from cams.turns import task_of, turn
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.errors import NoSolutionError
 
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases" / "cams.json").read_text())}
 PROGRAM = turn("sine", rise=70, high=20, back=70, stroke=0.012)

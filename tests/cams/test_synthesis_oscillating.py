@@ -19,8 +19,8 @@ from tmmcalc.cams.synthesis.oscillating import find
 from tmmcalc.cams.synthesis.results import Synthesis, region_columns
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits
-from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.errors import NoSolutionError, UsageError
 
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases" / "cams.json").read_text())}
 FORTY = AngleLimits(radians(40), radians(40))

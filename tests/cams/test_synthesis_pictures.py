@@ -14,9 +14,9 @@ pytest.importorskip("matplotlib")
 from matplotlib.colors import to_hex
 from matplotlib.text import Text
 
-from tmmcalc.report.pictures.cams.pivotzone import swept_of
-from tmmcalc.report.pictures.cams.synthesis import synthesis_figure
-from tmmcalc.report.pictures.cams.zone import LIMIT, PASSING
+from tmmcalc.cams.pictures.pivotzone import swept_of
+from tmmcalc.cams.pictures.synthesis import synthesis_figure
+from tmmcalc.cams.pictures.zone import LIMIT, PASSING
 
 PROGRAM = turn("sine", stroke=radians(30))
 SPRING, BOTH = AngleLimits(radians(45), None), AngleLimits(radians(45), radians(45))

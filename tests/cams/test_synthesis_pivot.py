@@ -13,7 +13,7 @@ from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits, Loads
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 
 pytestmark = pytest.mark.slow
 

@@ -17,9 +17,9 @@ from tmmcalc.cams.synthesis.results import Synthesis, region_columns
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.synthesis.translating import least_start, lines_of, lowest, nearest
 from tmmcalc.cams.task import AngleLimits
-from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.numerics.panels import Panels
-from tmmcalc.stages.conversion import from_record, to_record
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.numerics.panels import Panels
 
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases" / "cams.json").read_text())}
 BOTH = AngleLimits(radians(30), radians(30))

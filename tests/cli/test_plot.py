@@ -48,9 +48,9 @@ def test_stages_that_the_shaper_has_are_drawn(cli: Cli, stage: str) -> None:
 
 
 def test_the_help_tells_every_picture() -> None:
+    from tmmcalc.cams.pictures import FIGURES
     from tmmcalc.cli.drawings import DRAWINGS
     from tmmcalc.cli.plot import command
-    from tmmcalc.report.pictures.cams import FIGURES
 
     told = command.__doc__ or ""
     assert {*FIGURES} <= {*DRAWINGS}

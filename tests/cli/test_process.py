@@ -173,12 +173,12 @@ def imported(folder: Path, *args: str) -> set[str]:
 
 def test_help_imports_no_work(folder: Path) -> None:
     modules = imported(folder, "--help")
-    assert not modules & {"numpy", "scipy", "pydantic", "rich", "tmmcalc.spec", "tmmcalc.cli.kinematics"}
+    assert not modules & {"numpy", "scipy", "pydantic", "rich", "tmmcalc.project", "tmmcalc.cli.kinematics"}
 
 
 def test_check_imports_no_numbers(folder: Path) -> None:
     modules = imported(folder, "check", "my.toml")
-    assert "tmmcalc.spec" in modules
+    assert "tmmcalc.project" in modules
     assert not modules & {"numpy", "scipy", "rich", "tmmcalc.pipeline.runner", "tmmcalc.linkage.kinematics"}
 
 

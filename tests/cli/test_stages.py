@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from tmmcalc.pipeline.plan import plan
-from tmmcalc.spec import load_spec, parse_spec
+from tmmcalc.project import load_spec, parse_spec
 
 from .conftest import CONFIGS, Cli
 from .scenes import PISTON, PLATFORM

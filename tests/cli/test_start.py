@@ -12,8 +12,8 @@ import pytest
 from tmmcalc.cli.check import HELD
 from tmmcalc.cli.commands import CAM, COMMANDS, EXTRA, GEARS, SECTIONS
 from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.project.subject import SUBJECTS
 from tmmcalc.spec import templates
-from tmmcalc.spec.checks.subject import SUBJECTS
 
 from .conftest import CONFIGS, Cli
 from .scenes import ENGINE, ROTOR, TORQUE

@@ -11,7 +11,7 @@ import pytest
 from bounding import assert_bounds, part
 from mpmath import mp, mpf
 
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
 from tmmcalc.extras.falling_ball import BallTask, solve_falling_ball
 
 TERMS = 26  # of a series

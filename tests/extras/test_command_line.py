@@ -11,8 +11,8 @@ from typer.testing import CliRunner
 
 import tmmcalc
 from tmmcalc.cli.app import app
+from tmmcalc.core.conversion import to_record
 from tmmcalc.spec import templates
-from tmmcalc.stages.conversion import to_record
 
 SPECS = {  # command -> stage, words that people read
     "contact": ("contact", "p_max/p0"),

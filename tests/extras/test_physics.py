@@ -12,7 +12,7 @@ from scipy.integrate import dblquad, quad, solve_ivp
 from scipy.special import ellipe, ellipk
 
 import tmmcalc
-from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
 from tmmcalc.extras.activeset import active_set
 from tmmcalc.extras.contact import ContactTask, GapTable
 from tmmcalc.extras.falling_ball import BallTask

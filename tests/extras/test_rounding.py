@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from bounding import assert_bounds
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.extras.bearing import BearingTask, solve_bearing
 from tmmcalc.extras.contact import ContactTask, solve_contact
 from tmmcalc.extras.reliability import LifeTest, ReliabilityTask, solve_reliability

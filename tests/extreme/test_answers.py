@@ -8,9 +8,9 @@ from typing import Any
 import mpmath
 import pytest
 
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
 from tmmcalc.pipeline.outcome import RunResult
-from tmmcalc.spec.loader import Variants
+from tmmcalc.project.loader import Variants
 from tmmcalc.stress.compare import not_finite
 from tmmcalc.stress.expected import Value, disagreements, expected
 from tmmcalc.stress.shipped import end_of

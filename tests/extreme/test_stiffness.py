@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from machine.transient.scenes import constant, cycle, line, run
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
 from tmmcalc.machine.transient.results import Transient
 from tmmcalc.machine.transient.scenario import Scenario

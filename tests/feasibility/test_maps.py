@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from tmmcalc.errors import Fault, NoSolutionError, SpecError, TmmError
+from tmmcalc.core.errors import Fault, NoSolutionError, SpecError, TmmError
 from tmmcalc.feasibility.judge import Constraint, Feasibility, FeasibilityTask, judge
 from tmmcalc.feasibility.logic import FORMS, Form
 from tmmcalc.feasibility.maps import Parameter, RegionMap, region_map

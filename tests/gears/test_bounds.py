@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gears.criteria.worked import CASES, task
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.bounds import half_pitch, most_planets, single_planet_limits, step_bounds
 from tmmcalc.gears.model import Limits
 

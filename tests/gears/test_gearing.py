@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gears.network.trains import EXAMPLES, TEETH
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.gearing import solve_gearing
 from tmmcalc.gears.gearingtask import GearingTask, layout_task
 from tmmcalc.gears.network.basic import basic_train

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from gears.criteria.worked import CASES
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.proportion import curve, equal_strength, module_ratio, standard_ratios
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from gears.criteria.worked import CASES
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.radial import angle_ratios, ratio_limits, real_teeth, usual_assembly
 
 

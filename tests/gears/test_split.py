@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from gears.criteria.worked import CASES, lengths, sets
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.criteria.inertia import reduced_inertia
 from tmmcalc.gears.criteria.size import size
 from tmmcalc.gears.criteria.wheels import wheels

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gears.criteria.worked import CASES, task
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.model import Demands, Limits
 from tmmcalc.gears.stepping import equal_pinions, stepped, wheel_of
 

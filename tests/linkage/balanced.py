@@ -57,8 +57,8 @@ def drawn(mechanism: Mechanism, seed: int = 7) -> tuple[Body, ...]:
 
 
 def config(name: str) -> Mechanism:
-    from tmmcalc.spec import load_spec
-    from tmmcalc.spec.linkage import to_linkage
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+    from tmmcalc.project import load_spec
 
     return to_linkage(load_spec(CONFIGS / f"{name}.toml").mechanism)
 

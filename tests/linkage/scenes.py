@@ -127,8 +127,8 @@ def part(mechanism: Mechanism, low: float, high: float, positions: int = 24) -> 
 
 def shaper(**grid: Any) -> Mechanism:
     """The shaper of configs/shaper.toml as plain values."""
-    from tmmcalc.spec import load_spec
-    from tmmcalc.spec.linkage import to_linkage
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+    from tmmcalc.project import load_spec
 
     return with_grid(to_linkage(load_spec(CONFIGS / "shaper.toml").mechanism), **grid)
 

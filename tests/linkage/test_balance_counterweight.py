@@ -14,9 +14,11 @@ from scipy.optimize import least_squares, minimize
 from linkage.balanced import PRESS, SCENES, TURN, Array, Scene, derivative, scene
 from linkage.scenes import crank_slider, four_bar, yoke
 from tmmcalc import UsageError
-from tmmcalc.linkage.balance.circle import enclosing_circle, smallest_circle
-from tmmcalc.linkage.balance.minimax import minimax_counterweight
-from tmmcalc.linkage.balance.schemes import (
+from tmmcalc.core.numerics.fourier import Series
+from tmmcalc.linkage.loading import Body
+from tmmcalc.machine.balance.circle import enclosing_circle, smallest_circle
+from tmmcalc.machine.balance.minimax import minimax_counterweight
+from tmmcalc.machine.balance.schemes import (
     Balance,
     RotatingWeight,
     lanchester,
@@ -24,10 +26,8 @@ from tmmcalc.linkage.balance.schemes import (
     rotating_weights,
     with_weights,
 )
-from tmmcalc.linkage.balance.shaking import Shaking, crank_angle, crank_pivot, shaking
-from tmmcalc.linkage.loading import Body
-from tmmcalc.machine.balancing.weights import Weight, sized
-from tmmcalc.numerics.fourier import Series
+from tmmcalc.machine.balance.shaking import Shaking, crank_angle, crank_pivot, shaking
+from tmmcalc.machine.balance.weights import Weight, sized
 
 SPEED = -6.0
 X = np.arange(96) * TURN / 96

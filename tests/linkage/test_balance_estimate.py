@@ -16,12 +16,12 @@ from bounding import assert_bounds, part
 from linkage.balanced import chain_of
 from linkage.reduction.drawn import TURN, closed
 from tmmcalc import TmmError
-from tmmcalc.linkage.balance.minimax import minimax_counterweight
-from tmmcalc.linkage.balance.schemes import Balance, lanchester, least_squares_counterweight, per_moment
-from tmmcalc.linkage.balance.shaking import Shaking, crank_angle, inertia_loads, shaking
+from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.loading import Body
-from tmmcalc.numerics.extended import WIDER
+from tmmcalc.machine.balance.minimax import minimax_counterweight
+from tmmcalc.machine.balance.schemes import Balance, lanchester, least_squares_counterweight, per_moment
+from tmmcalc.machine.balance.shaking import Shaking, crank_angle, inertia_loads, shaking
 
 pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here: the estimate has no reference")
 

@@ -14,10 +14,10 @@ from transforms import moved, with_axes
 from linkage.balanced import SCENES, TURN, Array, Scene, chain_of, scene
 from linkage.scenes import crank_slider, four_bar, slotted, yoke
 from tmmcalc import AssemblyError, NoSolutionError, UsageError
-from tmmcalc.linkage.balance.redistribution import Place, Redistribution, redistribute
-from tmmcalc.linkage.balance.shaking import inertia_loads
-from tmmcalc.linkage.balance.sufficient import sufficient_links
 from tmmcalc.linkage.loading import Body
+from tmmcalc.machine.balance.redistribution import Place, Redistribution, redistribute
+from tmmcalc.machine.balance.shaking import inertia_loads
+from tmmcalc.machine.balance.sufficient import sufficient_links
 
 SPEED = 8.0
 X = np.arange(48) * TURN / 48

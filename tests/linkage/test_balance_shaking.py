@@ -15,9 +15,9 @@ from transforms import moved, scaled, with_axes
 from linkage.balanced import PRESS, SCENES, TURN, Array, Scene, chain_of, derivative, momenta, scene
 from linkage.scenes import crank_slider, driven_rod, four_bar, slotted, trammel
 from tmmcalc import AccuracyError, AssemblyError, NoSolutionError, UsageError
-from tmmcalc.linkage.balance.schemes import lanchester, least_squares_counterweight
-from tmmcalc.linkage.balance.shaking import Shaking, inertia_loads, shaking
 from tmmcalc.linkage.loading import Body
+from tmmcalc.machine.balance.schemes import lanchester, least_squares_counterweight
+from tmmcalc.machine.balance.shaking import Shaking, inertia_loads, shaking
 
 SPEED, ACCELERATION = 7.0, -11.0
 X24 = np.arange(24) * TURN / 24

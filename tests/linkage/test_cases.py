@@ -20,7 +20,7 @@ from linkage.scenes import CONFIGS
 from tmmcalc import Guide, Kinematics, Method, Point, load_spec, parse_spec, solve_dyad, solve_kinematics
 from tmmcalc.linkage.columns import columns
 from tmmcalc.linkage.kinematics import step_study
-from tmmcalc.spec.linkage import to_linkage
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
 FILES = ("kinematics.json", "force-groups-and-linkage-synthesis.json")
 Array = NDArray[Any]

@@ -8,7 +8,7 @@ from transforms import scaled
 
 from linkage.scenes import crank_slider, driven_rod, full_turn, shaper, slotted, with_input
 from tmmcalc import Kinematics, UsageError, solve_kinematics
-from tmmcalc.columns import Column, select
+from tmmcalc.core.columns import Column, select
 from tmmcalc.linkage.columns import columns
 
 

@@ -207,7 +207,7 @@ def scanned(mechanism: Mechanism, result: Kinematics, output: Output) -> list[tu
 @pytest.mark.parametrize("config", TEN_KINDS)
 @pytest.mark.parametrize("eps", [0.0, 30.0])
 def test_extremes_of_the_ready_specs(config: str, eps: float) -> None:
-    from tmmcalc.spec.linkage import to_linkage
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     mechanism = with_input(to_linkage(load_spec(CONFIGS / f"{config}.toml").mechanism), acceleration=eps)
     result = solve_kinematics(mechanism)

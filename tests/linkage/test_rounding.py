@@ -11,12 +11,12 @@ from random_mechanisms import build
 
 from linkage.scenes import crank_slider, four_bar, full_turn, shaper, slotted, with_grid
 from tmmcalc import Kinematics, Method, TmmError, solve_kinematics
+from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.linkage import rounding
 from tmmcalc.linkage.chain import compile_chain
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Trace
 from tmmcalc.linkage.trace import trace
-from tmmcalc.numerics.extended import WIDER
 
 pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here: the estimate has no reference")
 KINDS = ("position", "velocity", "acceleration")

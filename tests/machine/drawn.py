@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 
 from machine.exact import WIDE, Exact, Function
+from tmmcalc.core.numerics.panels import panels
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.motors.characteristics import kloss, parabolic, straight
 from tmmcalc.machine.motors.direct_current import series
 from tmmcalc.machine.motors.gearing import reduced
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.steady import driven
-from tmmcalc.numerics.panels import panels
 
 TURN = 2 * np.pi
 KINDS = ("kloss", "line", "parabola", "series", "with losses")

@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 from scipy.integrate import solve_ivp
 
+from tmmcalc.core.numerics.panels import Panels, panels, resolved
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.numerics.panels import Panels, panels, resolved
 
 TURN = 2 * math.pi
 _FILE = Path(__file__).parents[1] / "cases" / "dynamics.json"

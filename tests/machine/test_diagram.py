@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmmcalc.errors import AccuracyError, TmmError, UsageError
-from tmmcalc.expression import parse
+from tmmcalc.core.errors import AccuracyError, TmmError, UsageError
+from tmmcalc.core.expression import parse
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.diagram import (
     balanced,

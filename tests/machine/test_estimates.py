@@ -16,7 +16,7 @@ from bounding import RATE, assert_bounds
 from machine.drawn import TURN, Drawn
 from machine.exact import WIDE, Exact
 from machine.motion import cycle_of
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
 from tmmcalc.machine.motors.characteristics import Straight
 from tmmcalc.machine.positional import positional
 from tmmcalc.machine.regime import Regime

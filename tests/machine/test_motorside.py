@@ -9,12 +9,12 @@ import pytest
 from machines import TURN, positions, sine, steps
 
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
+from tmmcalc.machine.facts.motion import motion_summary
 from tmmcalc.machine.motion import solve_motion
 from tmmcalc.machine.motors.characteristics import Straight
 from tmmcalc.machine.motors.model import Motor
 from tmmcalc.machine.motorside import motor_side
 from tmmcalc.machine.steady import driven
-from tmmcalc.report.motion import motion_summary
 
 RPM = math.pi / 30
 MOTOR = Motor("m", 2e3, 1400 * RPM, 1500 * RPM, 2.2)

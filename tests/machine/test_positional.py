@@ -16,7 +16,7 @@ from scipy.special import ellipe
 
 from machine.flywheel.scenes import press_cycle
 from machine.motion import CASES, TURN, Constant, cycle_of, of_pieces, upsetter, upsetter_functions
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.machine.positional import positional
 from tmmcalc.machine.steady import driven
 

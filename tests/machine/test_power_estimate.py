@@ -14,11 +14,11 @@ import pytest
 from bounding import assert_bounds, part
 from linkage.reduction.drawn import integrals, solved, wide
 
-from tmmcalc.linkage.reduction.causes import Causes
-from tmmcalc.linkage.reduction.results import Reduction
+from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.machine.power import Power
-from tmmcalc.numerics.extended import WIDER
-from tmmcalc.stages.power import solve
+from tmmcalc.machine.reduction.causes import Causes
+from tmmcalc.machine.reduction.results import Reduction
+from tmmcalc.machine.stages.power import solve
 
 pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here: the estimate has no reference")
 

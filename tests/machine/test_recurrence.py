@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from machine.motion import CASES, TURN, Parabola, of_pieces, shaper_inertia, upsetter, upsetter_motor
-from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
 from tmmcalc.machine.recurrence import Nodes, march, multiplier, on_nodes, periodic, turns, warning
 from tmmcalc.machine.steady import driven
 

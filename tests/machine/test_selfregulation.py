@@ -11,13 +11,13 @@ import pytest
 from machines import TURN, positions, steps
 
 from machine.motion import cycle_of, reference
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia
+from tmmcalc.machine.facts.motion import motion_summary
 from tmmcalc.machine.motion import solve_motion
 from tmmcalc.machine.selfregulation import balance_speed, self_regulated
-from tmmcalc.report.motion import motion_summary
-from tmmcalc.spec import parse_spec
+from tmmcalc.project import parse_spec
 
 
 def engine(viscous: float = 0.0, quadratic: float = 0.0, drive: float = 20.0, speed: float = 10.0) -> Cycle:
@@ -165,7 +165,7 @@ def whole() -> Any:
 
 def test_the_flywheel_of_a_machine_without_drive_is_the_true_one(whole: Any) -> None:
     """The flywheel's table and the motion with it tell the same unevenness."""
-    from tmmcalc.report.flywheel import flywheel_document
+    from tmmcalc.machine.facts.flywheel import flywheel_document
 
     assert whole["motion"].regime.delta == pytest.approx(0.01, rel=1e-8)
     assert whole["flywheel"].required.delta == pytest.approx(whole["motion"].regime.delta, rel=1e-9)

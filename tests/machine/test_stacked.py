@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
+from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.linkage.stacked.ragged import Ragged, first
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.motors.characteristics import kloss, parabolic, straight
@@ -14,7 +15,6 @@ from tmmcalc.machine.motors.gearing import reduced
 from tmmcalc.machine.stacked.regimes import is_smooth, machines_of, regimes
 from tmmcalc.machine.stacked.spots import spots
 from tmmcalc.machine.steady import driven
-from tmmcalc.numerics.panels import Panels
 
 PERIOD = 2 * np.pi
 LOADS = (200.0, 500.0, 800.0)

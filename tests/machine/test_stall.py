@@ -11,13 +11,13 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from machine.motion import CASES, TURN, Kloss, Lossy, of_pieces, upsetter, upsetter_functions, upsetter_motor
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.collocation import Orbit
 from tmmcalc.machine import settling
 from tmmcalc.machine.onemass import OneMass
 from tmmcalc.machine.settling import Halt, followed, settled
 from tmmcalc.machine.stall import stall_inertia
 from tmmcalc.machine.steady import driven
-from tmmcalc.numerics.collocation import Orbit
 
 KLOSS = upsetter_motor("kloss")
 CASE = CASES["dyn-upsetter-stall"]

@@ -35,14 +35,14 @@ from machine.motion import (
     upsetter_functions,
     upsetter_motor,
 )
-from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.numerics.collocation import initial, solve
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.motors.gearing import reduced
 from tmmcalc.machine.motors.table import table
 from tmmcalc.machine.onemass import OneMass, onto
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.steady import driven
-from tmmcalc.numerics.collocation import initial, solve
 
 SPEED = 10.0
 MOTORS: dict[str, Any] = {

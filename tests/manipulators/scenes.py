@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.manipulators.task import (
     ArcRoute,
     ArcThrough,
@@ -17,7 +18,6 @@ from tmmcalc.manipulators.task import (
     PolyRoute,
     Route,
 )
-from tmmcalc.numerics.panels import Values
 
 ARMS = {
     "spherical": Arm("spherical", height=0.3),

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tmmcalc.core.plane import Point
 from tmmcalc.linkage.dyad import solve_dyad
 from tmmcalc.linkage.dyads import RRR
-from tmmcalc.linkage.plane import Point
 from tmmcalc.manipulators.arms import direct, elbow_point, inverse, meridian
 from tmmcalc.manipulators.routes import legs_of
 from tmmcalc.manipulators.solve import solve_manipulator

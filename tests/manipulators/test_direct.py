@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.timelaw import by_travel, motion
 from tmmcalc.manipulators.arms import direct
 from tmmcalc.manipulators.courses import course_of_table
 from tmmcalc.manipulators.solve import solve_manipulator
@@ -21,7 +22,6 @@ from tmmcalc.manipulators.task import (
     TableTask,
 )
 from tmmcalc.spec import templates
-from tmmcalc.timelaw import by_travel, motion
 
 from .scenes import derivative
 

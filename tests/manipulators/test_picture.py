@@ -7,9 +7,9 @@ import pytest
 
 pytest.importorskip("matplotlib")
 
+from tmmcalc.manipulators.pictures.manipulator import EVEN, RAMP, manipulator_figure
 from tmmcalc.manipulators.solve import solve_manipulator
 from tmmcalc.manipulators.task import Obstacle
-from tmmcalc.report.pictures.manipulator import EVEN, RAMP, manipulator_figure
 
 from .scenes import task
 

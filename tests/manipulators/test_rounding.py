@@ -10,7 +10,7 @@ import pytest
 from bounding import assert_bounds
 from mpmath import mp, mpf
 
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
 from tmmcalc.manipulators.results import Manipulator
 from tmmcalc.manipulators.solve import solve_manipulator
 from tmmcalc.manipulators.task import (

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.manipulators.routes import legs_of
 from tmmcalc.manipulators.solve import solve_manipulator
 from tmmcalc.manipulators.task import ArcRoute, ArcThrough, PolyRoute

@@ -9,8 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from tmmcalc.linkage.model import Input, Link
-from tmmcalc.numerics.alike import (
+from tmmcalc.core.numerics.alike import (
     Alike,
     MixedError,
     Rows,
@@ -22,6 +21,7 @@ from tmmcalc.numerics.alike import (
     rebuilt,
     shape_of,
 )
+from tmmcalc.linkage.model import Input, Link
 
 
 class Pair(NamedTuple):

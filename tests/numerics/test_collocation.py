@@ -9,12 +9,12 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from tmmcalc.errors import AccuracyError
-from tmmcalc.numerics.collocation import Orbit, initial, solve
-from tmmcalc.numerics.gauss import rule
-from tmmcalc.numerics.newton import Ends, Rates
-from tmmcalc.numerics.panels import Panels, panels
-from tmmcalc.numerics.radau import radau
+from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.numerics.collocation import Orbit, initial, solve
+from tmmcalc.core.numerics.gauss import rule
+from tmmcalc.core.numerics.newton import Ends, Rates
+from tmmcalc.core.numerics.panels import Panels, panels
+from tmmcalc.core.numerics.radau import radau
 
 TURN = 2 * math.pi
 Scalar = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from tmmcalc.numerics.extrema import around, refine, turning, with_turning_points
+from tmmcalc.core.numerics.extrema import around, refine, turning, with_turning_points
 
 TURN = 2 * math.pi
 

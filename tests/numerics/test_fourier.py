@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import minimize_scalar
 
 from tmmcalc import AccuracyError
-from tmmcalc.numerics.fourier import Series, crests, magnitude, resolved
+from tmmcalc.core.numerics.fourier import Series, crests, magnitude, resolved
 
 TURN = 2 * math.pi
 ONE = np.ones(1)

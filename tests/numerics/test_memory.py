@@ -11,7 +11,7 @@ import pytest
 COUNT = """
 import resource
 import numpy as np
-from tmmcalc.numerics.memory import keep_pages
+from tmmcalc.core.numerics.memory import keep_pages
 if {kept}:
     keep_pages()
 def faults():

@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmmcalc.numerics.gauss import ORDER, rule
-from tmmcalc.numerics.panels import NARROWEST, Panels, panels, resolved
-from tmmcalc.numerics.peaks import peaks
+from tmmcalc.core.numerics.gauss import ORDER, rule
+from tmmcalc.core.numerics.panels import NARROWEST, Panels, panels, resolved
+from tmmcalc.core.numerics.peaks import peaks
 
 TURN = 2 * math.pi
 

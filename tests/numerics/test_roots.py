@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from tmmcalc.numerics.roots import bracketed
+from tmmcalc.core.numerics.roots import bracketed
 
 PROBLEMS = [  # name, function, bracket, root
     ("line", lambda x: 3 * x - 1, (0.0, 1.0), 1 / 3),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmmcalc.numerics.systems import solve
+from tmmcalc.core.numerics.systems import solve
 
 
 @pytest.mark.filterwarnings("error")

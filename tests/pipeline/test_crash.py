@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.pipeline.lock import locked
 
 from . import toy

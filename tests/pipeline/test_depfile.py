@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.pipeline import depfile
 
 NAMES = [

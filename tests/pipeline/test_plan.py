@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import pytest
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.stages import STAGES
-from tmmcalc.spec import parse_spec
+from tmmcalc.project import parse_spec
 
 from . import toy
 

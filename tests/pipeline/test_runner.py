@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tmmcalc.errors import AssemblyError, UsageError
+from tmmcalc.core.errors import AssemblyError, UsageError
 from tmmcalc.pipeline import content
 from tmmcalc.pipeline.outcome import Event
 
@@ -269,7 +269,7 @@ def test_out_that_cannot_be_is_refused_before_computing(tmp_path: Path):
 
 LIGHT = """
 import sys
-from tmmcalc.pipeline.stage import Record, Stage
+from tmmcalc.core.stage import Record, Stage
 import tmmcalc.pipeline.runner as runner
 same = lambda value, *rest: value
 dump = lambda result: Record({"x": result})

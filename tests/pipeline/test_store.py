@@ -14,11 +14,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.stage import Record, Table
 from tmmcalc.pipeline import content, manifest
 from tmmcalc.pipeline.manifest import Manifest, Provenance
 from tmmcalc.pipeline.plain import plain_record, plain_table
-from tmmcalc.pipeline.stage import Record, Table
 from tmmcalc.pipeline.store import CSV_ROWS, Damaged, Found, Missing, Store
 
 from .toy import contents

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import pytest
 
+from tmmcalc.core.stage import resolve
 from tmmcalc.pipeline.hashing import content_hash, stage_hash
 from tmmcalc.pipeline.plan import plan
-from tmmcalc.pipeline.stage import resolve
 from tmmcalc.pipeline.stages import STAGES
 from tmmcalc.pipeline.watch import watched
 from tmmcalc.pipeline.why import Why, explain, keyed
-from tmmcalc.spec import Spec, load_spec, parse_spec, templates
+from tmmcalc.project import Spec, load_spec, parse_spec
+from tmmcalc.spec import templates
 
 from . import toy
 

@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.errors import AssemblyError
+from tmmcalc.core.errors import AssemblyError
+from tmmcalc.core.stage import Record, Stage, Table
 from tmmcalc.pipeline.runner import RunResult, run
-from tmmcalc.pipeline.stage import Record, Stage, Table
 
 CALLS: list[str] = []
 

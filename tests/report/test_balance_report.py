@@ -13,25 +13,25 @@ import numpy as np
 import pytest
 from linkage.scenes import crank_slider, four_bar, full_turn, with_input, yoke
 
-from tmmcalc.errors import UsageError
-from tmmcalc.linkage.balance.redistribution import Place
-from tmmcalc.linkage.balance.schemes import RotatingWeight
-from tmmcalc.linkage.balance.shaking import inertia_loads
-from tmmcalc.linkage.balance.task import BalanceTask, Balancing, solve_balance
+from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.chain import compile_chain
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.loading import Body
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.machine.balancing.arrangements import Gear, in_line, vee
-from tmmcalc.machine.balancing.enginetask import solve_engine
-from tmmcalc.machine.balancing.rotors import Rotor, Unbalance
-from tmmcalc.machine.balancing.rotortask import solve_rotor
+from tmmcalc.machine.balance.arrangements import Gear, in_line, vee
+from tmmcalc.machine.balance.enginetask import solve_engine
+from tmmcalc.machine.balance.redistribution import Place
+from tmmcalc.machine.balance.rotors import Rotor, Unbalance
+from tmmcalc.machine.balance.rotortask import solve_rotor
+from tmmcalc.machine.balance.schemes import RotatingWeight
+from tmmcalc.machine.balance.shaking import inertia_loads
+from tmmcalc.machine.balance.task import BalanceTask, Balancing, solve_balance
+from tmmcalc.machine.facts.balance import balance_document, balance_summary
 from tmmcalc.machine.model import EngineTask, RotorTask
-from tmmcalc.report.balance import balance_document, balance_summary
+from tmmcalc.machine.stages.balance import Balances
 from tmmcalc.report.document import Document
 from tmmcalc.report.plaintext import lines
 from tmmcalc.report.render import render
-from tmmcalc.stages.balance import Balances
 
 CASES = {c["id"]: c for c in json.loads((Path(__file__).parents[1] / "cases" / "dynamics.json").read_text())}
 TURN = 2 * math.pi
@@ -420,7 +420,7 @@ class TestPicture:
         pytest.importorskip("matplotlib")
 
     def figure(self, result: Balances) -> Any:
-        from tmmcalc.report.pictures.balance import balance_figure
+        from tmmcalc.machine.pictures.balance import balance_figure
 
         return balance_figure(result)
 
@@ -466,7 +466,7 @@ class TestPicture:
         assert len(self.figure(engine(vee(6, math.pi / 3, 0.1, GEAR))).axes) == 4
 
     def test_sheets_and_what_is_refused(self, tmp_path: Path) -> None:
-        from tmmcalc.report.pictures import draw_balance
+        from tmmcalc.report.drawing import draw_balance
 
         result = Balances(press().linkage, engine(in_line(4, 0.09, GEAR)).engine, None)
         draw_balance(result, tmp_path / "a.svg")

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from cams.turns import task_of, turn
 
+from tmmcalc.cams.facts.cam_pressure import pressure_document, pressure_summary
+from tmmcalc.cams.facts.cam_synthesis import synthesis_document, synthesis_summary
 from tmmcalc.cams.pressure import solve_pressure
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits
-from tmmcalc.report.cams.pressure import pressure_document, pressure_summary
-from tmmcalc.report.cams.synthesis import synthesis_document, synthesis_summary
 
 LIMITS = AngleLimits(radians(32), radians(40))
 TASKS = {

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from tmmcalc.report.timed import within
+from tmmcalc.machine.facts.timed import within
 
 
 @pytest.mark.parametrize("turns", [-3, 0, 1, 4000])

@@ -12,7 +12,11 @@ import pytest
 from linkage.scenes import crank_slider, driven_rod, full_turn, with_input
 from loaded import DEG, press
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.linkage.facts.forces import forces_document, forces_summary
+from tmmcalc.linkage.facts.iteration import iteration_document
+from tmmcalc.linkage.facts.kinematics import kinematics_summary
+from tmmcalc.linkage.facts.structure import structure_document
 from tmmcalc.linkage.forces.columns import columns
 from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.iteration import textbook_iteration
@@ -24,11 +28,7 @@ from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.report.document import Document
-from tmmcalc.report.forces import forces_document, forces_summary
-from tmmcalc.report.iteration import iteration_document
-from tmmcalc.report.kinematics import kinematics_summary
 from tmmcalc.report.plaintext import lines
-from tmmcalc.report.structure import structure_document
 
 R, L, F = 0.1, 0.25, 200.0  # crank, rod [m], force on the slider [N]
 HALF = Window(angles=(0.0, np.pi))  # one half of the turn, so that maxima are single

@@ -17,19 +17,19 @@ from matplotlib.figure import Figure
 from tmmcalc.api import run
 from tmmcalc.cli.drawings import drawing_of
 from tmmcalc.cli.order import Order
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.panels import panels
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
 from tmmcalc.machine.flywheel.task import Flywheel, Machine, solve_flywheel
 from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.motion import solve_motion
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor
+from tmmcalc.machine.pictures.flywheel import flywheel_figure
+from tmmcalc.machine.pictures.motion import motion_figure
 from tmmcalc.machine.power import WorkPart, duty_of, solve_power
-from tmmcalc.numerics.panels import panels
-from tmmcalc.report.pictures.flywheel import flywheel_figure
-from tmmcalc.report.pictures.limits import places, with_limits
-from tmmcalc.report.pictures.motion import motion_figure
-from tmmcalc.spec import load_spec
+from tmmcalc.project import load_spec
+from tmmcalc.report.drawing.limits import places, with_limits
 
 RPM = math.pi / 30
 MINUS = "\N{MINUS SIGN}"

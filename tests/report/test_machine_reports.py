@@ -19,26 +19,26 @@ from machine.motion import shaper
 from machines import TURN, positions, sine, spec_text, steps
 
 from tmmcalc.api import run
-from tmmcalc.errors import UsageError
-from tmmcalc.linkage.reduction.reduce import solve_reduction
+from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
+from tmmcalc.machine.facts.flywheel import flywheel_document, flywheel_summary
+from tmmcalc.machine.facts.motion import motion_document, motion_summary
+from tmmcalc.machine.facts.power import power_document, power_summary
 from tmmcalc.machine.flywheel.task import Flywheel, Machine, solve_flywheel
 from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.motion import Motion, solve_motion
 from tmmcalc.machine.motors.characteristics import Parabolic
 from tmmcalc.machine.motors.model import Motor
 from tmmcalc.machine.power import Power, WorkPart, chosen_motor, duty_of, solve_power
+from tmmcalc.machine.reduction.reduce import solve_reduction
 from tmmcalc.machine.verdicts import Verdict
 from tmmcalc.pipeline.outcome import Event
+from tmmcalc.pipeline.summary import run_document
+from tmmcalc.project import load_spec
+from tmmcalc.project.loader import parse_spec
 from tmmcalc.report.document import Document
 from tmmcalc.report.errors import with_errors
-from tmmcalc.report.flywheel import flywheel_document, flywheel_summary
-from tmmcalc.report.motion import motion_document, motion_summary
 from tmmcalc.report.plaintext import lines
-from tmmcalc.report.power import power_document, power_summary
-from tmmcalc.report.summary import run_document
-from tmmcalc.spec import load_spec
-from tmmcalc.spec.loader import parse_spec
 
 CASES = {c["id"]: c for c in json.loads((Path(__file__).parents[1] / "cases" / "dynamics.json").read_text())}
 RPM = math.pi / 30

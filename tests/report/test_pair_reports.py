@@ -14,17 +14,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.gears.facts.blocking import blocking_document, blocking_summary, chosen_contours
+from tmmcalc.gears.facts.measure import measure_document
+from tmmcalc.gears.facts.pair import chosen_pairs, pair_document, pair_summary
 from tmmcalc.gears.meshing.blocking import solve_blocking
 from tmmcalc.gears.meshing.contours import Area, Blocking, ContourPoint
 from tmmcalc.gears.meshing.remeasure import remeasured
 from tmmcalc.gears.meshing.results import Pairs
 from tmmcalc.gears.meshing.solve import solve_pairs
 from tmmcalc.gears.meshing.task import Measuring, PairsTask, PairTask
-from tmmcalc.report.blocking import blocking_document, blocking_summary, chosen_contours
 from tmmcalc.report.document import Document
-from tmmcalc.report.measure import measure_document
-from tmmcalc.report.pair import chosen_pairs, pair_document, pair_summary
 from tmmcalc.report.plaintext import lines
 from tmmcalc.report.render import Format, render
 

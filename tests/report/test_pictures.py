@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from loaded import READY, anything, press, ready, statics
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.kinematics import solve_kinematics
@@ -19,10 +19,10 @@ from tmmcalc.linkage.loading import Constant, Load, Loading
 from tmmcalc.linkage.model import Grid, Input, Joint, Link, Mechanism, Output
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.polygons import polygons
-from tmmcalc.linkage.reduction.reduce import solve_reduction
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.vectors import VectorPolygons
-from tmmcalc.report.pictures import draw_forces, draw_kinematics, draw_reduction
+from tmmcalc.machine.reduction.reduce import solve_reduction
+from tmmcalc.report.drawing import draw_forces, draw_kinematics, draw_reduction
 
 ROOT = Path(__file__).parents[2]
 CASES = {case["id"]: case for case in json.loads((ROOT / "tests/cases/kinematics.json").read_text())}
@@ -170,7 +170,7 @@ def test_missing_positions_are_refused(shaper, wrong, tmp_path: Path) -> None:
 
 def test_a_missing_matplotlib_gets_one_sentence(shaper, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
-        "tmmcalc.report.pictures.find_spec", lambda name: None if name == "matplotlib" else real_find_spec(name)
+        "tmmcalc.report.drawing.find_spec", lambda name: None if name == "matplotlib" else real_find_spec(name)
     )
     with pytest.raises(UsageError) as caught:
         draw_kinematics(*shaper, tmp_path / "a.svg")
@@ -183,7 +183,7 @@ def test_a_missing_folder_is_the_users_fault(shaper, tmp_path: Path) -> None:
 
 
 def test_the_package_alone_does_not_load_matplotlib() -> None:
-    code = "import sys, tmmcalc.report.pictures; assert 'matplotlib' not in sys.modules"
+    code = "import sys, tmmcalc.report.drawing; assert 'matplotlib' not in sys.modules"
     subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)
 
 
@@ -274,7 +274,7 @@ def test_other_formats_of_forces_and_reduction_are_refused(pressed, tmp_path: Pa
 @pytest.mark.parametrize("name", ["press", "slotter", "engine-compressor"])
 def test_dense_curves_go_through_the_rows(name: str) -> None:
     """At a position both limits stand side by side; a row is one of them."""
-    from tmmcalc.report.pictures.course import course_of
+    from tmmcalc.linkage.pictures.course import course_of
 
     mechanism, loading, _, result = forced(name)
     course = course_of(statics(mechanism, loading))
@@ -299,7 +299,7 @@ def between(course, phi: float) -> np.ndarray:
 
 
 def test_a_jump_of_friction_is_a_vertical_step(pressed) -> None:
-    from tmmcalc.report.pictures.course import course_of
+    from tmmcalc.linkage.pictures.course import course_of
 
     mechanism, loading, _, result = pressed
     course = course_of(statics(mechanism, loading))
@@ -311,7 +311,7 @@ def test_a_jump_of_friction_is_a_vertical_step(pressed) -> None:
 
 
 def test_hodographs_of_a_crank_and_of_a_driven_slider(pressed) -> None:
-    from tmmcalc.report.pictures.hodographs import hodographs_of
+    from tmmcalc.linkage.pictures.hodographs import hodographs_of
 
     def shown(mechanism: Mechanism, result: Forces) -> list[tuple[list[str], bool]]:
         found = hodographs_of(mechanism, result)
@@ -323,7 +323,7 @@ def test_hodographs_of_a_crank_and_of_a_driven_slider(pressed) -> None:
 
 
 def test_sheets_of_free_bodies(pressed) -> None:
-    from tmmcalc.report.pictures.cutting import sheets_of
+    from tmmcalc.linkage.pictures.cutting import sheets_of
 
     mechanism, loading, kinematics, result = pressed
     scene, labels = statics(mechanism, loading), result.labels
@@ -345,7 +345,7 @@ def test_sheets_of_free_bodies(pressed) -> None:
 
 @pytest.mark.parametrize(("name", "counts"), [("press", [2]), ("engine-compressor", [2, 2]), ("four-dyads", [3, 2])])
 def test_bodies_are_dealt_out_evenly(name: str, counts: list[int]) -> None:
-    from tmmcalc.report.pictures.cutting import sheets_of
+    from tmmcalc.linkage.pictures.cutting import sheets_of
 
     mechanism, loading, kinematics, result = forced(name)
     found = sheets_of(statics(mechanism, loading), kinematics, result, 3)
@@ -355,7 +355,7 @@ def test_bodies_are_dealt_out_evenly(name: str, counts: list[int]) -> None:
 def test_arrows_keep_clear_of_what_is_drawn() -> None:
     from matplotlib.figure import Figure
 
-    from tmmcalc.report.pictures.board import Board
+    from tmmcalc.report.drawing.board import Board
 
     axes = Figure(figsize=(4, 4)).add_axes((0, 0, 1, 1))
     board = Board(axes, np.array([-1 - 1j, 1 + 1j]), 5.0)
@@ -378,7 +378,7 @@ def test_arrows_keep_clear_of_what_is_drawn() -> None:
     ],
 )
 def test_units_suit_the_size(peak: float, unit: str, expected: tuple[float, str]) -> None:
-    from tmmcalc.report.pictures.curves import suited
+    from tmmcalc.report.drawing.curves import suited
 
     assert suited(peak, unit) == expected
 
@@ -395,7 +395,7 @@ def test_units_suit_the_size(peak: float, unit: str, expected: tuple[float, str]
     ],
 )
 def test_signs_of_forces(letter: str, index: str, expected: str) -> None:
-    from tmmcalc.report.pictures.labels import symbol
+    from tmmcalc.report.drawing.labels import symbol
 
     assert symbol(letter, index) == expected
 

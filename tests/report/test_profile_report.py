@@ -14,7 +14,9 @@ import numpy as np
 import pytest
 from gears.involute.profile.envelope import CASES
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.gears.facts.profile import profile_document, profile_summary
+from tmmcalc.gears.files import layer_of, outline_csv, outlines
 from tmmcalc.gears.involute.internal.ring import Cutter
 from tmmcalc.gears.involute.profile.mesh import Placing
 from tmmcalc.gears.involute.profile.outline import outline
@@ -26,9 +28,7 @@ from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.meshing.tooth import solve_profiles
 from tmmcalc.gears.meshing.tracks import Track, track
-from tmmcalc.report.gearfiles import layer_of, outline_csv, outlines
 from tmmcalc.report.outlinefiles import dxf, require_dxf, svg
-from tmmcalc.report.profile import profile_document, profile_summary
 
 M, FINE = 0.005, 5e-7
 

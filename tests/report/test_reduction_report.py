@@ -12,17 +12,17 @@ import pytest
 from linkage.scenes import crank_slider, driven_rod, full_turn, with_input
 from loaded import DEG, press
 
+from tmmcalc.linkage.facts.forces import forces_summary
+from tmmcalc.linkage.facts.kinematics import kinematics_summary
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.loading import Body, Constant, Load, Loading, Spring, Viscous
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.reduction.reduce import solve_reduction
-from tmmcalc.linkage.reduction.results import Reduction
 from tmmcalc.linkage.results import Grade
+from tmmcalc.machine.facts.reduction import reduction_document, reduction_summary
+from tmmcalc.machine.reduction.reduce import solve_reduction
+from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.report.document import Document
-from tmmcalc.report.forces import forces_summary
-from tmmcalc.report.kinematics import kinematics_summary
 from tmmcalc.report.plaintext import lines
-from tmmcalc.report.reduction import reduction_document, reduction_summary
 
 R, L = 0.1, 0.25
 CASES = {c["id"]: c for c in json.loads((Path(__file__).parents[1] / "cases" / "dynamics.json").read_text())}

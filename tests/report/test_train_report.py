@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 import tmmcalc
+from tmmcalc.gears.facts.train import train_document, train_summary
 from tmmcalc.pipeline.runner import run
 from tmmcalc.report.document import Document
-from tmmcalc.report.train import train_document, train_summary
 
 TWO = '[train]\nlayout = ["coaxial", "unfolded2"]\nratio = "8.15"\nmodule = "2 mm"\n'
 

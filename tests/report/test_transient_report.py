@@ -16,8 +16,9 @@ from machine.transient.scenes import constant, cycle
 from machines import MOTOR, TURN, spec_text
 
 from tmmcalc.api import run
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.driver import ConstantInertia
+from tmmcalc.machine.facts.transient import mean_of, transient_document, transient_summary
 from tmmcalc.machine.model import DriveShaft, TransientTask
 from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Shaft
@@ -25,13 +26,12 @@ from tmmcalc.machine.transient.scenario import Brake, Scenario
 from tmmcalc.machine.transient.task import Machine, solve_transients
 from tmmcalc.machine.transient.timed import TimedMotions
 from tmmcalc.machine.verdicts import Verdict
+from tmmcalc.pipeline.summary import run_document
+from tmmcalc.project import parse_spec
 from tmmcalc.report.document import Document
 from tmmcalc.report.errors import with_errors
 from tmmcalc.report.plaintext import lines
 from tmmcalc.report.render import render
-from tmmcalc.report.summary import run_document
-from tmmcalc.report.transient import mean_of, transient_document, transient_summary
-from tmmcalc.spec import parse_spec
 
 J = 2.0
 CASES = {c["id"]: c for c in json.loads((Path(__file__).parents[1] / "cases" / "dynamics.json").read_text())}
@@ -295,7 +295,7 @@ class TestPicture:
         pytest.importorskip("matplotlib")
 
     def panels(self, result: TimedMotions) -> list[Any]:
-        from tmmcalc.report.pictures.transient import transient_figure
+        from tmmcalc.machine.pictures.transient import transient_figure
 
         return list(transient_figure(result).axes)
 
@@ -328,7 +328,7 @@ class TestPicture:
         assert names == ["crank", "rotor"]
 
     def test_every_motion_has_a_sheet(self, tmp_path: Path) -> None:
-        from tmmcalc.report.pictures import draw_transient
+        from tmmcalc.report.drawing import draw_transient
 
         result = moved(START, STOP, Scenario("nothing", 1.0, motor=()))
         assert len(self.panels(result)) == 6

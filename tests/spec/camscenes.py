@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
+from tmmcalc.cams.tables.tasks.cam import to_cam
 from tmmcalc.cams.task import CamTask
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.cams import to_cam
+from tmmcalc.project import parse_spec
 
 DEGREE = math.pi / 180
 MOTION = 'rise = "60 deg"\nhigh_dwell = "30 deg"\nreturn_angle = "90 deg"\nlaw = "sine"\n'

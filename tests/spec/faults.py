@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 import pytest
 
-from tmmcalc.errors import Fault, SpecError
-from tmmcalc.spec import parse_spec
+from tmmcalc.core.errors import Fault, SpecError
+from tmmcalc.project import parse_spec
 
 Faults = Callable[[str], list[Fault]]
 

@@ -6,12 +6,12 @@ from typing import get_args
 
 import pytest
 
-from tmmcalc.linkage.balance.task import SCHEMES
-from tmmcalc.machine.balancing.arrangements import FIRING, THROWS
+from tmmcalc.machine.balance.arrangements import FIRING, THROWS
+from tmmcalc.machine.balance.task import SCHEMES
 from tmmcalc.machine.flywheel.materials import MATERIALS
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.balance import BalanceTable
-from tmmcalc.spec.flywheel import FlywheelTable
+from tmmcalc.machine.tables.balance import BalanceTable
+from tmmcalc.machine.tables.flywheel import FlywheelTable
+from tmmcalc.project import parse_spec
 
 from .faults import HOSTILE, Faults, check_lines, check_only_fault
 from .scenes import CONFIGS, ENGINE, ROTOR

@@ -8,11 +8,11 @@ import pytest
 
 from tmmcalc.cams import follower, task
 from tmmcalc.cams.laws.catalogue import LAWS as CATALOGUE
-from tmmcalc.errors import Fault, SpecError
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.cam import CLOSURES, FOLLOWERS
-from tmmcalc.spec.camlaw import LAWS
-from tmmcalc.spec.camspring import SPRING_KEYS
+from tmmcalc.cams.tables.cam import CLOSURES, FOLLOWERS
+from tmmcalc.cams.tables.cam_law import LAWS
+from tmmcalc.cams.tables.cam_spring import SPRING_KEYS
+from tmmcalc.core.errors import Fault, SpecError
+from tmmcalc.project import parse_spec
 
 from .faults import HOSTILE, Faults, check_fault
 

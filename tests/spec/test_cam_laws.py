@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from tmmcalc.cams.laws.catalogue import LAWS, law_of
+from tmmcalc.cams.tables.tasks.cam import to_cam
 from tmmcalc.cams.task import CamTask
-from tmmcalc.errors import SpecError
-from tmmcalc.spec import load_spec
-from tmmcalc.spec.cams import to_cam
-from tmmcalc.spec.files import named_files
+from tmmcalc.core.errors import SpecError
+from tmmcalc.project import load_spec
+from tmmcalc.project.files import named_files
 
 from .camscenes import DEGREE, FOLLOWER, MOTION, cam, law_names, own
 

@@ -6,8 +6,8 @@ import pytest
 
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency
 from tmmcalc.gears.selection.task import SelectionTask
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.sizing import to_selection, to_sizing
+from tmmcalc.gears.tables.tasks.sizing import to_selection, to_sizing
+from tmmcalc.project import parse_spec
 
 from .faults import HOSTILE, check_fault, check_lines
 

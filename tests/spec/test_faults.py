@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tmmcalc.errors import Fault
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.linkage import to_linkage
+from tmmcalc.core.errors import Fault
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+from tmmcalc.project import parse_spec
 
 from .faults import HOSTILE, Faults, check_lines
 

@@ -8,14 +8,14 @@ from pathlib import Path
 
 import pytest
 
-from tmmcalc.errors import Fault, SpecError
+from tmmcalc.core.errors import Fault, SpecError
 from tmmcalc.linkage.loading import Tabulated
+from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.machine.model import TorquePoints
+from tmmcalc.machine.tables.tasks.machine import to_torque
 from tmmcalc.pipeline.hashing import content_hash
-from tmmcalc.spec import load_spec, parse_spec
-from tmmcalc.spec.files import LARGEST_FILE, named_files
-from tmmcalc.spec.loading import to_loading
-from tmmcalc.spec.machine import to_torque
+from tmmcalc.project import load_spec, parse_spec
+from tmmcalc.project.files import LARGEST_FILE, named_files
 from tmmcalc.spec.units import parse
 
 HEAD = '\n[[loads]]\nlink = 5\npoint = "D"\n[loads.table]\nfile = "q.csv"\n'

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tmmcalc.spec import parse_spec
+from tmmcalc.project import parse_spec
 
 from .faults import HOSTILE, Faults, check_lines, check_only_fault
 from .scenes import CONFIGS

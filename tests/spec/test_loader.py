@@ -8,15 +8,16 @@ from pathlib import Path
 import pytest
 from pydantic_core import PydanticUndefined
 
-from tmmcalc.errors import SpecError, UsageError
-from tmmcalc.spec import Spec, load_spec, parse_spec, templates
-from tmmcalc.spec import wording as wording_module
-from tmmcalc.spec.flywheel import FlywheelTable
-from tmmcalc.spec.loader import LARGEST_FILE
-from tmmcalc.spec.motion import MotionTable
-from tmmcalc.spec.motor import MotorTable
-from tmmcalc.spec.reduction import ReductionTable
-from tmmcalc.spec.transmission import TransmissionTable
+from tmmcalc.core.errors import SpecError, UsageError
+from tmmcalc.machine.tables.flywheel import FlywheelTable
+from tmmcalc.machine.tables.motion import MotionTable
+from tmmcalc.machine.tables.motor import MotorTable
+from tmmcalc.machine.tables.reduction import ReductionTable
+from tmmcalc.machine.tables.transmission import TransmissionTable
+from tmmcalc.project import Spec, load_spec, parse_spec
+from tmmcalc.project import wording as wording_module
+from tmmcalc.project.loader import LARGEST_FILE
+from tmmcalc.spec import templates
 
 from .scenes import ENGINE, MACHINE, ROTOR, TORQUE, TRAIN
 
@@ -141,9 +142,9 @@ LATER = ("gearing", "pair", "cam", "indexing", "vibrator", "pendulum", "unsteady
 def loaded_by(spec: str) -> set[str]:
     """Modules in memory after this spec was read by a process of its own."""
     code = (
-        "import sys, tmmcalc.spec; late = set(sys.modules)\n"
+        "import sys, tmmcalc.project; late = set(sys.modules)\n"
         "assert 'pydantic' not in late\n"
-        "from tmmcalc.spec import parse_spec\n"
+        "from tmmcalc.project import parse_spec\n"
         f"parse_spec({spec!r})\n"
         "print(*sys.modules)"
     )
@@ -156,9 +157,9 @@ def test_a_good_spec_loads_nothing_that_only_faults_need(shaper: str) -> None:
         "difflib",
         "numpy",
         "scipy",
-        "tmmcalc.spec.wording",
-        "tmmcalc.spec.examples",
-        "tmmcalc.spec.required",
+        "tmmcalc.project.wording",
+        "tmmcalc.project.examples",
+        "tmmcalc.project.required",
         "tmmcalc.spec.source",
     }
     assert not unneeded & loaded_by(shaper)
@@ -168,20 +169,20 @@ def test_a_good_spec_loads_nothing_that_only_faults_need(shaper: str) -> None:
 
 def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
     names = {
-        f"tmmcalc.spec.{table}"
+        f"tmmcalc.project.{table}"
         for table in (*LATE, *LATER, "constraints", "files", "loading", "linkage", "machine", "balancing")
     }
-    names |= {f"tmmcalc.spec.checks.{table}" for table in (*LATE, *LATER, "feasibility") if table != "drive"}
+    names |= {f"tmmcalc.project.checks.{table}" for table in (*LATE, *LATER, "feasibility") if table != "drive"}
     assert not names & loaded_by(shaper)
-    assert names & loaded_by(f"{shaper}\n[reduction]\n") == {"tmmcalc.spec.reduction"}
-    of_a_machine = {f"tmmcalc.spec.{table}" for table in LATE if table != "torque"}
+    assert names & loaded_by(f"{shaper}\n[reduction]\n") == {"tmmcalc.machine.tables.reduction"}
+    of_a_machine = {f"tmmcalc.project.{table}" for table in LATE if table != "torque"}
     assert of_a_machine <= loaded_by(shaper + MACHINE + ENGINE + ROTOR + TRAIN)
-    alone = {f"tmmcalc.spec.{part}torque" for part in ("", "checks.")}
+    alone = {f"tmmcalc.project.{part}torque" for part in ("", "checks.")}
     assert names & loaded_by(TORQUE) >= alone
 
 
 def test_files_are_read_only_when_a_spec_names_one(shaper: str) -> None:
-    reader = "tmmcalc.spec.files"
+    reader = "tmmcalc.project.files"
     load = "\n[[loads]]\nlink = 5\npoint = [0, 0]\n"
     assert reader not in loaded_by(f"{shaper}{load}force = 100\n{MACHINE}")
     assert reader not in loaded_by(TORQUE)

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.manipulators.tables.manipulator import ManipulatorTable
+from tmmcalc.manipulators.tables.tasks.manipulator import to_manipulator
 from tmmcalc.manipulators.task import ArcRoute, ArcThrough, JointLimit, JointMove, LawTask, ManipulatorTask, PolyRoute
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.manipulator import ManipulatorTable
-from tmmcalc.spec.manipulators import to_manipulator
+from tmmcalc.project import parse_spec
 
 from .faults import HOSTILE, Faults, check_lines, check_only_fault
 from .scenes import CONFIGS

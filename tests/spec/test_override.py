@@ -5,10 +5,10 @@ from typing import Any
 
 import pytest
 
-from tmmcalc.errors import SpecError, UsageError
+from tmmcalc.core.errors import SpecError, UsageError
 from tmmcalc.linkage.loading import Constant
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.loading import to_loading
+from tmmcalc.linkage.tables.tasks.loading import to_loading
+from tmmcalc.project import parse_spec
 from tmmcalc.spec.override import apply
 
 from .scenes import MACHINE

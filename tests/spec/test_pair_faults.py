@@ -7,12 +7,12 @@ from typing import get_args
 
 import pytest
 
-from tmmcalc.errors import Fault, SpecError
+from tmmcalc.core.errors import Fault, SpecError
 from tmmcalc.gears.involute.internal.shifts import INTERNAL_STRATEGIES
 from tmmcalc.gears.involute.shifts import STRATEGIES as CHOICES
 from tmmcalc.gears.involute.shifts import Split
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.shifting import OF_KIND, SPLITS, STRATEGIES
+from tmmcalc.gears.tables.shifting import OF_KIND, SPLITS, STRATEGIES
+from tmmcalc.project import parse_spec
 
 from .faults import HOSTILE, Faults, check_fault
 

@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Iterator
 from typing import Any
 
-from tmmcalc.spec.schema import json_schema, schema_text
+from tmmcalc.project.schema import json_schema, schema_text
 
 from .scenes import ENGINE, MACHINE, ROTOR, TORQUE
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.spec import templates
 
 

@@ -6,17 +6,17 @@ import math
 
 import pytest
 
-from tmmcalc.linkage.balance.redistribution import Place
-from tmmcalc.linkage.balance.schemes import RotatingWeight
-from tmmcalc.linkage.balance.task import BalanceTask
-from tmmcalc.machine.balancing.arrangements import FIRING, THROWS
-from tmmcalc.machine.balancing.cylinders import Cylinder
-from tmmcalc.machine.balancing.firing import firing
-from tmmcalc.machine.balancing.rotors import state
+from tmmcalc.machine.balance.arrangements import FIRING, THROWS
+from tmmcalc.machine.balance.cylinders import Cylinder
+from tmmcalc.machine.balance.firing import firing
+from tmmcalc.machine.balance.redistribution import Place
+from tmmcalc.machine.balance.rotors import state
+from tmmcalc.machine.balance.schemes import RotatingWeight
+from tmmcalc.machine.balance.task import BalanceTask
 from tmmcalc.machine.model import EngineTask
+from tmmcalc.machine.tables.tasks.balance import to_balance, to_engine, to_rotor
 from tmmcalc.pipeline.hashing import content_hash
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.balancing import to_balance, to_engine, to_rotor
+from tmmcalc.project import parse_spec
 
 from .scenes import ENGINE, MACHINE, ROTOR
 

@@ -15,6 +15,17 @@ import numpy as np
 import pytest
 
 from tmmcalc.cams.laws.catalogue import LAWS
+from tmmcalc.cams.tables.cam import CamTable
+from tmmcalc.cams.tables.cam_parts import (
+    CamElasticTable,
+    CamGuideTable,
+    CamLimitsTable,
+    CamLoadsTable,
+    CamOptimumTable,
+    CamRequirementsTable,
+    CamSpringTable,
+)
+from tmmcalc.cams.tables.tasks.cam import to_cam
 from tmmcalc.cams.task import (
     PRESSURE_ANGLES,
     AngleLimits,
@@ -28,22 +39,12 @@ from tmmcalc.cams.task import (
     Requirements,
     Spring,
 )
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.pipeline.hashing import content_hash
-from tmmcalc.spec import load_spec, parse_spec, templates
-from tmmcalc.spec.cam import CamTable
-from tmmcalc.spec.camparts import (
-    CamElasticTable,
-    CamGuideTable,
-    CamLimitsTable,
-    CamLoadsTable,
-    CamOptimumTable,
-    CamRequirementsTable,
-    CamSpringTable,
-)
-from tmmcalc.spec.cams import to_cam
-from tmmcalc.spec.files import named_files
-from tmmcalc.spec.schema import json_schema
+from tmmcalc.project import load_spec, parse_spec
+from tmmcalc.project.files import named_files
+from tmmcalc.project.schema import json_schema
+from tmmcalc.spec import templates
 from tmmcalc.spec.units import parse
 
 from .camscenes import DEGREE, FOLLOWER, LOADS, MOTION, ROCKING, cam, law_names, own
@@ -453,12 +454,12 @@ def test_values_from_the_command_line() -> None:
 
 def test_a_cam_loads_what_it_needs(shaper: str) -> None:
     text = f"[cam]\n{FOLLOWER['RT']}{MOTION}"
-    tables = {f"tmmcalc.spec.{name}" for name in ("cam", "camparts", "camlaw", "cams", "ownlaw")}
+    tables = {f"tmmcalc.project.{name}" for name in ("cam", "camparts", "camlaw", "cams", "ownlaw")}
     assert not (tables | {"numpy"}) & loaded_by(shaper)
-    assert not any(name.startswith("tmmcalc.spec.checks.cam") for name in loaded_by(shaper))
+    assert not any(name.startswith("tmmcalc.cams.tables.checks.cam") for name in loaded_by(shaper))
     plain = loaded_by(text + LOADS)
-    assert not {"numpy", "scipy", "tmmcalc.spec.files", "tmmcalc.spec.examples"} & plain
-    assert {"tmmcalc.spec.cam", "tmmcalc.spec.checks.camsizes"} <= plain
+    assert not {"numpy", "scipy", "tmmcalc.project.files", "tmmcalc.project.examples"} & plain
+    assert {"tmmcalc.cams.tables.cam", "tmmcalc.cams.tables.checks.cam_sizes"} <= plain
     assert "scipy" not in loaded_by(text.replace('"sine"', "{ polynomial = [0, 0, 3, -2] }"))
 
 

@@ -9,11 +9,17 @@ from pathlib import Path
 
 import pytest
 
-from tmmcalc.errors import SpecError
+from tmmcalc.core.errors import SpecError
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask, Lengths, ThreePositions
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.linksynthdwell import DwellLengthsTable, DwellTable, PositionsTable, RangesTable, WeightsTable
-from tmmcalc.spec.linksyntheses import to_synthesis
+from tmmcalc.linkage.tables.synthesis_dwell import (
+    DwellLengthsTable,
+    DwellTable,
+    PositionsTable,
+    RangesTable,
+    WeightsTable,
+)
+from tmmcalc.linkage.tables.tasks.synthesis import to_synthesis
+from tmmcalc.project import parse_spec
 
 DOCS = Path(__file__).parents[2] / "docs" / "spec.md"
 DEGREE = math.pi / 180

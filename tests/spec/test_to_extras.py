@@ -10,14 +10,15 @@ from typing import Any
 
 import pytest
 
-from tmmcalc.errors import SpecError, UsageError
-from tmmcalc.spec import extras, load_spec, parse_spec
-from tmmcalc.spec.extraball import FallingBallTable
-from tmmcalc.spec.extrabearing import BearingTable
-from tmmcalc.spec.extracontact import ContactTable, GapTableTable
-from tmmcalc.spec.extrareliability import ReliabilityTable
-from tmmcalc.spec.extratiedown import SupportTable, ThreadTable, TieDownTable
-from tmmcalc.spec.schema import json_schema
+from tmmcalc.core.errors import SpecError, UsageError
+from tmmcalc.extras.tables.bearing import BearingTable
+from tmmcalc.extras.tables.contact import ContactTable, GapTableTable
+from tmmcalc.extras.tables.falling_ball import FallingBallTable
+from tmmcalc.extras.tables.reliability import ReliabilityTable
+from tmmcalc.extras.tables.tasks import extras
+from tmmcalc.extras.tables.tie_down import SupportTable, ThreadTable, TieDownTable
+from tmmcalc.project import load_spec, parse_spec
+from tmmcalc.project.schema import json_schema
 
 from .scenes import CONFIGS
 from .test_schema import accepts

@@ -11,8 +11,8 @@ import pytest
 import tmmcalc
 from tmmcalc.feasibility.judge import OF, FeasibilityTask
 from tmmcalc.feasibility.logic import FORMS
-from tmmcalc.spec.constraining import to_feasibility
-from tmmcalc.spec.constraints import ConstraintTable, FeasibilityTable
+from tmmcalc.feasibility.tables.constraints import ConstraintTable, FeasibilityTable
+from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
 
 from .faults import HOSTILE, check_lines
 

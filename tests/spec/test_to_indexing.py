@@ -13,13 +13,13 @@ import numpy as np
 import pytest
 
 from tmmcalc.cams.indexing.task import IndexingTask
-from tmmcalc.errors import SpecError, UsageError
-from tmmcalc.spec import load_spec, parse_spec
-from tmmcalc.spec.files import named_files
-from tmmcalc.spec.indexing import IndexingTable
-from tmmcalc.spec.indexinglaw import StepLawTable
-from tmmcalc.spec.indexings import to_indexing
-from tmmcalc.spec.schema import json_schema
+from tmmcalc.cams.tables.indexing import IndexingTable
+from tmmcalc.cams.tables.indexing_law import StepLawTable
+from tmmcalc.cams.tables.tasks.indexing import to_indexing
+from tmmcalc.core.errors import SpecError, UsageError
+from tmmcalc.project import load_spec, parse_spec
+from tmmcalc.project.files import named_files
+from tmmcalc.project.schema import json_schema
 
 from .scenes import CONFIGS
 from .test_schema import accepts

@@ -5,8 +5,8 @@ import math
 import pytest
 
 from tmmcalc.linkage.model import Assembly, Grid, Input, Joint, Output
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.linkage import to_linkage
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+from tmmcalc.project import parse_spec
 from tmmcalc.spec.units import parse, unit_direction
 
 

@@ -22,8 +22,8 @@ from tmmcalc.linkage.loading import (
     Viscous,
     Window,
 )
-from tmmcalc.spec import load_spec, parse_spec
-from tmmcalc.spec.loading import to_loading
+from tmmcalc.linkage.tables.tasks.loading import to_loading
+from tmmcalc.project import load_spec, parse_spec
 
 from .scenes import CONFIGS, MACHINE
 

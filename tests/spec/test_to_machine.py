@@ -15,12 +15,12 @@ from tmmcalc.machine.model import (
     TorquePoints,
     TorqueTask,
 )
+from tmmcalc.machine.tables.tasks.machine import to_flywheel, to_gears, to_scenarios, to_shafts, to_torque
 from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Shaft
 from tmmcalc.machine.transient.scenario import Brake, LoadStep, Scenario
 from tmmcalc.pipeline.hashing import content_hash
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.machine import to_flywheel, to_gears, to_scenarios, to_shafts, to_torque
+from tmmcalc.project import parse_spec
 from tmmcalc.spec.units import parse
 
 from .scenes import MACHINE, TORQUE

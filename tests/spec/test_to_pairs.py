@@ -10,16 +10,16 @@ from typing import Any
 
 import pytest
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.involute.internal.ring import Cutter
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits
 from tmmcalc.gears.involute.rack import RACKS, Rack
 from tmmcalc.gears.meshing.choice import sum_asked
 from tmmcalc.gears.meshing.task import Measuring, PairTask
+from tmmcalc.gears.tables.pair import PairKeys
+from tmmcalc.gears.tables.tasks.pair import profile_points, to_pairs
 from tmmcalc.pipeline.hashing import content_hash
-from tmmcalc.spec import load_spec, parse_spec
-from tmmcalc.spec.pair import PairKeys
-from tmmcalc.spec.pairs import profile_points, to_pairs
+from tmmcalc.project import load_spec, parse_spec
 
 from .scenes import CONFIGS
 

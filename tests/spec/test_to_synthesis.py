@@ -10,13 +10,14 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.errors import SpecError
+from tmmcalc.core.errors import SpecError
 from tmmcalc.linkage.synthesis.kinds import KINDS
 from tmmcalc.linkage.synthesis.task import RotatingTask, SliderCrankTask
-from tmmcalc.spec import parse_spec, templates
-from tmmcalc.spec.linksyntheses import TASKS, to_synthesis
-from tmmcalc.spec.linksynthesis import KINDS as NAMED
-from tmmcalc.spec.linksynthesis import LinkSynthesisTable
+from tmmcalc.linkage.tables.synthesis import KINDS as NAMED
+from tmmcalc.linkage.tables.synthesis import LinkSynthesisTable
+from tmmcalc.linkage.tables.tasks.synthesis import TASKS, to_synthesis
+from tmmcalc.project import parse_spec
+from tmmcalc.spec import templates
 
 from .faults import HOSTILE, Faults, check_lines
 
@@ -203,7 +204,7 @@ def test_a_ready_spec_is_the_mechanism_that_was_checked() -> None:
     from tmmcalc.linkage.model import Grid, Output
     from tmmcalc.linkage.synthesis.builders import FourBar, Scene, SliderCrank, four_bar, slider_crank, slotted_link
     from tmmcalc.linkage.synthesis.ready import ready_spec
-    from tmmcalc.spec.linkage import to_linkage
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     scene = Scene(-1 / 3, 0.1, Grid(18, span=2.0, extra=(0.3, 1.1)), (Output("P", math.pi / 2, label="Py"),))
     plain = Scene(7.0, None, Grid(12, extremes=True), (Output("E", resistance="positive"),))

@@ -8,10 +8,10 @@ from fractions import Fraction
 import pytest
 
 from tmmcalc.gears.model import Interval
+from tmmcalc.gears.tables.tasks.train import to_train
 from tmmcalc.gears.train import Request
 from tmmcalc.pipeline.hashing import content_hash
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.synthesis import to_train
+from tmmcalc.project import parse_spec
 
 from .scenes import TRAIN
 

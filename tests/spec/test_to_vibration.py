@@ -9,15 +9,15 @@ from typing import Any
 
 import pytest
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.machine.tables import pendulum as pendulum_tables
+from tmmcalc.machine.tables import vibrator as vibrator_tables
+from tmmcalc.machine.tables.tasks.vibration import to_pendulum, to_vibrator
 from tmmcalc.machine.vibration.pendulum.task import Disc, Mesh, PendulumTask
 from tmmcalc.machine.vibration.vibrator.task import Damping, VibratorTask
 from tmmcalc.pipeline.hashing import content_hash
-from tmmcalc.spec import load_spec, parse_spec
-from tmmcalc.spec import pendulum as pendulum_tables
-from tmmcalc.spec import vibrator as vibrator_tables
-from tmmcalc.spec.schema import json_schema
-from tmmcalc.spec.vibration import to_pendulum, to_vibrator
+from tmmcalc.project import load_spec, parse_spec
+from tmmcalc.project.schema import json_schema
 
 from .scenes import CONFIGS
 from .test_schema import accepts

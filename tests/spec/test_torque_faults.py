@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tmmcalc.errors import UsageError
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.checks.subject import SUBJECTS
+from tmmcalc.core.errors import UsageError
+from tmmcalc.project import parse_spec
+from tmmcalc.project.subject import SUBJECTS
 
 from .faults import HOSTILE, Faults, check_lines, check_only_fault
 from .scenes import ENGINE, ROTOR, TORQUE

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tmmcalc.errors import Fault, SpecError
-from tmmcalc.spec import parse_spec
+from tmmcalc.core.errors import Fault, SpecError
+from tmmcalc.project import parse_spec
 
 from .faults import HOSTILE, check_fault
 from .scenes import TRAIN

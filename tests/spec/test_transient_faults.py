@@ -6,9 +6,9 @@ from typing import get_args
 
 import pytest
 
+from tmmcalc.machine.tables.transients import TransientTable
 from tmmcalc.machine.transient.methods import METHODS
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.transients import TransientTable
+from tmmcalc.project import parse_spec
 
 from .faults import HOSTILE, Faults, check_lines, check_only_fault
 from .scenes import CONFIGS, TORQUE

@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.linkage.tables.tasks.unsteady import to_unsteady
+from tmmcalc.linkage.tables.unsteady import UnsteadyTable
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
-from tmmcalc.spec import parse_spec
-from tmmcalc.spec.unsteadiness import to_unsteady
-from tmmcalc.spec.unsteady import UnsteadyTable
+from tmmcalc.project import parse_spec
 
 from .faults import HOSTILE, Faults, check_lines, check_only_fault
 from .scenes import CONFIGS

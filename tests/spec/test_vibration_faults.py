@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from tmmcalc.errors import SpecError
-from tmmcalc.spec import parse_spec
+from tmmcalc.core.errors import SpecError
+from tmmcalc.project import parse_spec
 
 from .faults import Faults, check_fault
 from .vibrationscenes import DEVICE, EXCITER, FLATS, GRIPPER, HEAD, MOTOR, PLAIN, RING, ROD, RODS, UNBALANCE

@@ -18,10 +18,10 @@ from scipy.interpolate import CubicSpline
 import tmmcalc
 from tmmcalc.linkage.loading import Constant, GearDrive, Indicator, Load, Loading, Polynomial
 from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.tables.tasks.loading import to_loading
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.spec import templates
-from tmmcalc.spec.linkage import to_linkage
-from tmmcalc.spec.loading import to_loading
 
 Array = NDArray[Any]
 TURN = 2 * math.pi

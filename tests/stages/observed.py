@@ -24,7 +24,7 @@ HEAVY = ("scipy", "matplotlib", "joblib", "dask", "distributed", "ezdxf", "rich"
 def observe(file: str, *overrides: str) -> dict[str, Any]:
     """Run all stages of a spec; counts of the program's functions by ``path:name``, modules, files."""
     from tmmcalc.pipeline.runner import run
-    from tmmcalc.spec import load_spec
+    from tmmcalc.project import load_spec
 
     home = str(Path(sys.modules["tmmcalc"].__file__ or "").parent) + os.sep
     called: Counter[Any] = Counter()

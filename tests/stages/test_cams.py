@@ -13,7 +13,7 @@ from tmmcalc.cams.speed import Speed
 from tmmcalc.cams.task import CamTask
 from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.stages import STAGES
-from tmmcalc.spec import parse_spec
+from tmmcalc.project import parse_spec
 from tmmcalc.spec.templates import folder
 
 CONFIGS = Path(folder())
@@ -64,7 +64,7 @@ def test_a_cam_on_the_crank_takes_the_speed_of_the_machine(begin: float) -> None
 def test_inertia_gives_no_work_at_a_varying_speed() -> None:
     """m (y'' omega^2 + y' eps) y' is the slope of m omega^2 y'^2/2, which a turn brings back."""
     found = run(machine_with_cam(40.0))
-    program = tmmcalc.spec.cams.to_cam(machine_with_cam(40.0)).program
+    program = tmmcalc.cams.tables.tasks.cam.to_cam(machine_with_cam(40.0)).program
     regime = found.results["motion"].regime
     speed = Speed(regime.panels, regime.omega, regime.acceleration, np.radians(40.0))
     edges = np.unique(np.concatenate((program.edges, speed.edges, np.linspace(0, 2 * np.pi, 200))))
@@ -110,9 +110,9 @@ def test_the_optimum_takes_the_speed_of_the_machine() -> None:
 def test_a_picture_shows_the_speed_that_the_stage_had(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, stage: str, turns: bool
 ) -> None:
+    from tmmcalc.cams import pictures as cams
     from tmmcalc.cli.drawings import drawing_of
     from tmmcalc.cli.order import Order
-    from tmmcalc.report.pictures import cams
 
     drawn: list[CamTask] = []
     monkeypatch.setattr(cams, "draw_cam", lambda stage, task, result, file: drawn.append(task))

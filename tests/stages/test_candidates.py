@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.errors import NoSolutionError, SingularityError, UsageError
+from tmmcalc.core.errors import NoSolutionError, SingularityError, UsageError
+from tmmcalc.feasibility.stages.feasibility import dump, load, solve
 from tmmcalc.pipeline import runner
 from tmmcalc.spec import templates
-from tmmcalc.stages.feasibility import dump, load, solve
 
 TEXT = (templates.folder() / "feasibility.toml").read_text()
 
@@ -65,7 +65,7 @@ def test_a_stage_that_no_ready_spec_has() -> None:
 def test_a_design_that_cannot_be_judged_is_last(monkeypatch: pytest.MonkeyPatch) -> None:
     run = found()
     scene, whole = tmmcalc.parse_spec(TEXT.split("\n", 1)[1]), runner.run
-    from tmmcalc.stages.feasibility import inputs
+    from tmmcalc.feasibility.stages.feasibility import inputs
 
     broken = run.results["synthesis"].designs[1].spec
 

@@ -9,10 +9,10 @@ import pytest
 
 import tmmcalc
 from tmmcalc import NoSolutionError, UsageError
-from tmmcalc.records import record
-from tmmcalc.spec import parse_spec
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.records import record
+from tmmcalc.project import parse_spec
 from tmmcalc.spec.templates import folder
-from tmmcalc.stages.conversion import from_record, to_record
 
 DIAGRAM = """
 [torque]

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.selection.columns import chosen_columns
 from tmmcalc.gears.selection.results import MEASURES, Selection
 from tmmcalc.gears.split import best_split

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from tmmcalc import load_spec
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
+from tmmcalc.core.stage import resolve
 from tmmcalc.pipeline.runner import run
-from tmmcalc.pipeline.stage import resolve
 from tmmcalc.pipeline.stages import STAGES
 
 TESTS = Path(__file__).parents[1]

@@ -9,8 +9,8 @@ import pytest
 
 import tmmcalc
 from tmmcalc.feasibility.judge import Feasibility
+from tmmcalc.feasibility.stages.feasibility import dump, load
 from tmmcalc.spec import templates
-from tmmcalc.stages.feasibility import dump, load
 
 SHAPER = (templates.folder() / "shaper.toml").read_text()
 CONSTRAINTS = """

@@ -7,11 +7,11 @@ import pytest
 from machines import MOTOR, spec_text
 
 import tmmcalc
+from tmmcalc.machine.facts.motion import motion_summary
+from tmmcalc.machine.facts.power import power_summary
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.runner import run
-from tmmcalc.report.motion import motion_summary
-from tmmcalc.report.power import power_summary
 
 from .test_laziness import imported, within
 from .trains import STEEL
@@ -113,4 +113,10 @@ def test_a_torque_diagram_moves_with_the_inertia_of_its_train() -> None:
 @pytest.mark.parametrize("file", ["press.toml", "shaper.toml", "elastic-drive.toml"])
 def test_a_scene_without_a_train_imports_no_gears(file: str) -> None:
     names = imported(file)
-    assert not within(names, "tmmcalc.gears", "tmmcalc.spec.sizing", "tmmcalc.spec.criteria", "tmmcalc.spec.strength")
+    assert not within(
+        names,
+        "tmmcalc.gears",
+        "tmmcalc.gears.tables.tasks.sizing",
+        "tmmcalc.gears.tables.criteria",
+        "tmmcalc.gears.tables.strength",
+    )

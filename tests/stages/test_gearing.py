@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.gears.facts.gearing import gearing_document
+from tmmcalc.gears.facts.planetary import planetary_document
 from tmmcalc.gears.gearing import Gearing
 from tmmcalc.pipeline.runner import run
-from tmmcalc.report.gearing import gearing_document
-from tmmcalc.report.planetary import planetary_document
 from tmmcalc.spec import templates
 
 RPM = math.pi / 30

@@ -11,14 +11,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.pipeline import omitted
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.runner import run
 from tmmcalc.pipeline.store import CSV_ROWS
 from tmmcalc.pipeline.why import explain
-from tmmcalc.spec import Spec, load_spec, templates
-from tmmcalc.stages import omitted
+from tmmcalc.project import Spec, load_spec
+from tmmcalc.spec import templates
 
 CONFIGS = templates.folder()
 LONG = 6_000

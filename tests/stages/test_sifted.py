@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.stages.synthesis import inputs
+from tmmcalc.linkage.stages.synthesis import inputs
 
 POSES = """[synthesis]
 solutions = 3

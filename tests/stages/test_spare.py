@@ -15,14 +15,15 @@ from typing import Any, get_args
 
 import pytest
 
+from tmmcalc.pipeline import omitted
 from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.stages import STAGES
 from tmmcalc.pipeline.store import CSV_ROWS
 from tmmcalc.pipeline.why import explain, packages
-from tmmcalc.spec import Spec, load_spec, templates
-from tmmcalc.spec.checks import _OF_TABLE as CHECKS
+from tmmcalc.project import Spec, load_spec
+from tmmcalc.project.checks import _OF_TABLE as CHECKS
+from tmmcalc.spec import templates
 from tmmcalc.spec.late import LateTable
-from tmmcalc.stages import omitted
 
 CONFIGS = templates.folder()
 TESTS = Path(__file__).parents[1]
@@ -250,7 +251,12 @@ def test_no_scene_does_what_it_does_not_need(part: int) -> None:
 def test_what_is_beyond_the_need_is_seen() -> None:
     seen = observed(["scotch-yoke"])["scotch-yoke"]
     assert not faults("scotch-yoke", seen)
-    modules = ("tmmcalc.stages.train", "tmmcalc.spec.motor", "tmmcalc.report.forces", "scipy.linalg")
+    modules = (
+        "tmmcalc.gears.stages.train",
+        "tmmcalc.machine.tables.motor",
+        "tmmcalc.linkage.facts.forces",
+        "scipy.linalg",
+    )
     calls = {"linkage/forces/friction.py:solve": 1, "linkage/rounding.py:estimate": 2}
     beyond = [
         *({**seen, "modules": [*seen["modules"], name]} for name in modules),

@@ -10,7 +10,7 @@ import pytest
 from machines import spec_text
 
 import tmmcalc
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears import sizing
 from tmmcalc.gears.strength.explain import coefficients
 from tmmcalc.pipeline.plan import plan

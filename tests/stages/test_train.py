@@ -11,16 +11,16 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.advice import removals
 from tmmcalc.gears.columns import set_columns
+from tmmcalc.gears.pictures.placed import placed
 from tmmcalc.gears.search.search import synthesise
 from tmmcalc.gears.stepping import stepped
+from tmmcalc.gears.tables.tasks.train import to_train
 from tmmcalc.gears.trace import found_by_textbook
 from tmmcalc.gears.train import Trains, Variant
 from tmmcalc.pipeline.runner import run
-from tmmcalc.report.pictures.gears.placed import placed
-from tmmcalc.spec.synthesis import to_train
 
 CASES: dict[str, Any] = {
     case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases" / "gear-trains.json").read_text())

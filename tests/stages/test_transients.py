@@ -13,18 +13,18 @@ from machines import MOTOR, spec_text
 from scipy.integrate import solve_ivp
 
 from tmmcalc.api import run
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.machine.driver import ConstantInertia
+from tmmcalc.machine.facts.transient import transient_summary
 from tmmcalc.machine.model import DriveShaft, TransientTask
 from tmmcalc.machine.motors.gearing import reduced
+from tmmcalc.machine.stages import transient
 from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Shaft
 from tmmcalc.machine.transient.scenario import LoadStep, Scenario
 from tmmcalc.machine.transient.task import Machine, solve_transients
 from tmmcalc.machine.transient.timed import TimedMotion
-from tmmcalc.report.transient import transient_summary
-from tmmcalc.spec import parse_spec
-from tmmcalc.stages import transient
+from tmmcalc.project import parse_spec
 
 RATIO, EFFICIENCY, ROTOR = 8.0, 0.9, 0.02
 FAST = kloss(242.0 / RATIO / EFFICIENCY, 0.2773, 10.714 * RATIO, 10.0 * RATIO)

@@ -9,10 +9,10 @@ import pytest
 
 import tmmcalc
 from tmmcalc import run
+from tmmcalc.core.conversion import to_record
+from tmmcalc.machine.stages import pendulum, vibrator
 from tmmcalc.pipeline.plan import plan
 from tmmcalc.spec.templates import folder
-from tmmcalc.stages import pendulum, vibrator
-from tmmcalc.stages.conversion import to_record
 
 from .test_laziness import imported, within
 

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 import tmmcalc
+from tmmcalc.core.stage import resolve
 from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.runner import run
-from tmmcalc.pipeline.stage import resolve
 from tmmcalc.pipeline.stages import STAGES
 from tmmcalc.spec import templates
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from tmmcalc.pipeline.runner import run
-from tmmcalc.spec.loader import Variants
+from tmmcalc.project.loader import Variants
 from tmmcalc.stress.scene import Scene
 
 CONFIGS = Path(__file__).parents[2] / "configs"

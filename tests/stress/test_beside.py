@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmmcalc.errors import NoSolutionError, SpecError, UsageError
+from tmmcalc.core.errors import NoSolutionError, SpecError, UsageError
+from tmmcalc.core.stage import Table
 from tmmcalc.pipeline.outcome import Outcome, RunResult
 from tmmcalc.pipeline.runner import run
-from tmmcalc.pipeline.stage import Table
 from tmmcalc.stress import gears, linkage, numbering, scales, synthesis
 from tmmcalc.stress.compare import Alignment, difference
 from tmmcalc.stress.ladders import LADDERS

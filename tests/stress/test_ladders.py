@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.stress import cams, gears, linkage, manipulators, numbering, scales, shipped, synthesis
 from tmmcalc.stress.ladders import LADDERS
 from tmmcalc.stress.limits import limit_of

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.stress.compare import Alignment, difference
 from tmmcalc.stress.mirror import mirrored
 from tmmcalc.stress.similarity import in_units

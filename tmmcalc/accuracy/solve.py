@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from tmmcalc.accuracy.measure import Clock
-from tmmcalc.accuracy.study import Accuracy, Ladder, Study
 from tmmcalc.accuracy.subjects import SUBJECTS, Scene
-from tmmcalc.errors import TmmError, UsageError
+from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.stage import resolve
+from tmmcalc.core.studies.measure import Clock
+from tmmcalc.core.studies.study import Accuracy, Ladder, Study
 from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.runner import run
-from tmmcalc.pipeline.stage import resolve
 from tmmcalc.pipeline.stages import STAGES
 
 if TYPE_CHECKING:
-    from tmmcalc.spec import Spec
+    from tmmcalc.project import Spec
 
 
 def solve_accuracy(

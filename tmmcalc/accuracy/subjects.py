@@ -9,36 +9,36 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
-    from tmmcalc.accuracy.measure import Clock
+    from tmmcalc.core.studies.measure import Clock
 
 SUBJECTS: dict[str, str] = {
-    "train": "tmmcalc.accuracy.train:studies",
-    "pair": "tmmcalc.accuracy.pair:studies",
-    "blocking": "tmmcalc.accuracy.blocking:studies",
-    "profile": "tmmcalc.accuracy.profile:studies",
-    "kinematics": "tmmcalc.accuracy.kinematics:studies",
-    "forces": "tmmcalc.accuracy.forces:studies",
-    "reduction": "tmmcalc.accuracy.reduction:studies",
-    "power": "tmmcalc.accuracy.power:studies",
-    "flywheel": "tmmcalc.accuracy.flywheel:studies",
-    "motion": "tmmcalc.accuracy.motion:studies",
-    "transient": "tmmcalc.accuracy.transient:studies",
-    "balance": "tmmcalc.accuracy.balance:studies",
-    "cam_law": "tmmcalc.accuracy.cam_law:studies",
-    "cam_synthesis": "tmmcalc.accuracy.cam_synthesis:studies",
-    "cam_profile": "tmmcalc.accuracy.cam_profile:studies",
-    "cam_pressure": "tmmcalc.accuracy.cam_pressure:studies",
-    "cam_forces": "tmmcalc.accuracy.cam_forces:studies",
-    "cam_elastic": "tmmcalc.accuracy.cam_elastic:studies",
-    "cam_optimum": "tmmcalc.accuracy.cam_optimum:studies",
-    "indexing": "tmmcalc.accuracy.indexing:studies",
-    "vibrator": "tmmcalc.accuracy.vibrator:studies",
-    "pendulum": "tmmcalc.accuracy.pendulum:studies",
-    "contact": "tmmcalc.accuracy.contact:studies",
-    "falling_ball": "tmmcalc.accuracy.falling_ball:studies",
+    "train": "tmmcalc.gears.accuracy.train:studies",
+    "pair": "tmmcalc.gears.accuracy.pair:studies",
+    "blocking": "tmmcalc.gears.accuracy.blocking:studies",
+    "profile": "tmmcalc.gears.accuracy.profile:studies",
+    "kinematics": "tmmcalc.linkage.accuracy.kinematics:studies",
+    "forces": "tmmcalc.linkage.accuracy.forces:studies",
+    "reduction": "tmmcalc.machine.accuracy.reduction:studies",
+    "power": "tmmcalc.machine.accuracy.power:studies",
+    "flywheel": "tmmcalc.machine.accuracy.flywheel:studies",
+    "motion": "tmmcalc.machine.accuracy.motion:studies",
+    "transient": "tmmcalc.machine.accuracy.transient:studies",
+    "balance": "tmmcalc.machine.accuracy.balance:studies",
+    "cam_law": "tmmcalc.cams.accuracy.cam_law:studies",
+    "cam_synthesis": "tmmcalc.cams.accuracy.cam_synthesis:studies",
+    "cam_profile": "tmmcalc.cams.accuracy.cam_profile:studies",
+    "cam_pressure": "tmmcalc.cams.accuracy.cam_pressure:studies",
+    "cam_forces": "tmmcalc.cams.accuracy.cam_forces:studies",
+    "cam_elastic": "tmmcalc.cams.accuracy.cam_elastic:studies",
+    "cam_optimum": "tmmcalc.cams.accuracy.cam_optimum:studies",
+    "indexing": "tmmcalc.cams.accuracy.indexing:studies",
+    "vibrator": "tmmcalc.machine.accuracy.vibrator:studies",
+    "pendulum": "tmmcalc.machine.accuracy.pendulum:studies",
+    "contact": "tmmcalc.extras.accuracy.contact:studies",
+    "falling_ball": "tmmcalc.extras.accuracy.falling_ball:studies",
 }
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import Event, RunResult
-    from tmmcalc.spec import Spec
+    from tmmcalc.project import Spec
 
 
 def run(

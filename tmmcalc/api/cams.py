@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from tmmcalc.cams.profile.results import Profile as CamProfile
     from tmmcalc.cams.strength.results import CamStrength
     from tmmcalc.cams.synthesis.results import Synthesis as CamSynthesis
-    from tmmcalc.spec import Spec
+    from tmmcalc.project import Spec
 
 
 def solve_cam_law(spec: Spec) -> CamLaw:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from tmmcalc.extras.reliability import Reliability, ReliabilityTask
     from tmmcalc.extras.tie_down import TieDown, TieDownTask
     from tmmcalc.feasibility.judge import Feasibility
-    from tmmcalc.spec import Spec
+    from tmmcalc.project import Spec
 
 
 def solve_contact(scene: Spec | ContactTask) -> Contact:

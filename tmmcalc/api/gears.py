@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from tmmcalc.gears.selection.results import Selection
     from tmmcalc.gears.sizing import Sizing
     from tmmcalc.gears.train import Trains
-    from tmmcalc.spec import Spec
+    from tmmcalc.project import Spec
 
 
 def solve_train(spec: Spec) -> Trains:

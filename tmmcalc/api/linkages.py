@@ -15,12 +15,12 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.forces.results import Forces
     from tmmcalc.linkage.listing import Listing
     from tmmcalc.linkage.loading import Loading
-    from tmmcalc.linkage.reduction.results import Reduction
     from tmmcalc.linkage.synthesis.results import Synthesis as LinkSynthesis
     from tmmcalc.linkage.synthesis.task import SynthesisTask
     from tmmcalc.linkage.unsteady.results import Unsteady
+    from tmmcalc.machine.reduction.results import Reduction
     from tmmcalc.manipulators.results import Manipulator
-    from tmmcalc.spec import Spec
+    from tmmcalc.project import Spec
 
 
 def solve_structure(scene: Spec | Mechanism) -> Structure:
@@ -67,7 +67,7 @@ def solve_reduction(scene: Spec | Mechanism, loading: Loading | None = None) -> 
     """
     if not isinstance(scene, Mechanism):
         return solved(scene, "reduction")
-    from tmmcalc.linkage.reduction.reduce import solve_reduction as _reduction
+    from tmmcalc.machine.reduction.reduce import solve_reduction as _reduction
 
     mechanism, given = _loaded(scene, loading)
     return _reduction(mechanism, given, _kinematics(mechanism))
@@ -108,7 +108,7 @@ def _loaded(scene: Spec | Mechanism, loading: Loading | None) -> tuple[Mechanism
 
     if isinstance(scene, Mechanism):
         return scene, loading or Loading()
-    from tmmcalc.spec.loading import to_loading
+    from tmmcalc.linkage.tables.tasks.loading import to_loading
 
     return _mechanism(scene), loading or to_loading(scene)
 
@@ -116,6 +116,6 @@ def _loaded(scene: Spec | Mechanism, loading: Loading | None) -> tuple[Mechanism
 def _mechanism(scene: Spec | Mechanism) -> Mechanism:
     if isinstance(scene, Mechanism):
         return scene
-    from tmmcalc.spec.linkage import to_linkage
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     return to_linkage(scene.linkage)

@@ -10,13 +10,13 @@ if TYPE_CHECKING:
     from tmmcalc.machine.flywheel.task import Flywheel
     from tmmcalc.machine.motion import Motion
     from tmmcalc.machine.power import Power
+    from tmmcalc.machine.stages.balance import Balances
     from tmmcalc.machine.transient.timed import TimedMotions
     from tmmcalc.machine.vibration.pendulum.results import PendulumResult
     from tmmcalc.machine.vibration.pendulum.task import PendulumTask
     from tmmcalc.machine.vibration.vibrator.results import VibratorResult
     from tmmcalc.machine.vibration.vibrator.task import VibratorTask
-    from tmmcalc.spec import Spec
-    from tmmcalc.stages.balance import Balances
+    from tmmcalc.project import Spec
 
 
 def solve_power(spec: Spec) -> Power:

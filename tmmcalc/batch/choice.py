@@ -10,7 +10,7 @@ from tmmcalc.batch.executors import Solve, solve_by, solve_here
 from tmmcalc.batch.local import available, cores, processes
 from tmmcalc.batch.stacked import SOLVER, together
 from tmmcalc.batch.task import Task
-from tmmcalc.errors import TmmError, UsageError
+from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.pipeline.plan import plan
 
 # Stages that may take longer than a process costs to start: motions in time, searches, contours.

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from tmmcalc.batch.executors import Block, Tell, Workers, solve_by
 from tmmcalc.batch.task import Row, Task
-from tmmcalc.errors import TmmError, UsageError
+from tmmcalc.core.errors import TmmError, UsageError
 
 if TYPE_CHECKING:
     from distributed import Client

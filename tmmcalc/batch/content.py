@@ -50,7 +50,7 @@ def _contents(names: Iterable[str], folder: Path) -> list[tuple[str, bytes]]:
 
 @lru_cache(maxsize=4)  # a spec is read once, its files before every block
 def _named(text: str, file: str, fixed: tuple[str, ...]) -> tuple[str, ...]:
-    from tmmcalc.spec.loader import Variants
+    from tmmcalc.project.loader import Variants
 
     return tuple(_names(Variants(text, file, Path(), fixed).data))
 

@@ -15,9 +15,9 @@ from time import monotonic, sleep
 
 from tmmcalc._version import __version__
 from tmmcalc.batch.task import BROKEN, Row, Task
-from tmmcalc.errors import UsageError
-from tmmcalc.pipeline.stage import resolve
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
+from tmmcalc.core.stage import resolve
 
 Block = Sequence[int]
 Solve = Callable[[Task, Iterable[Block]], Iterator[list[Row]]]

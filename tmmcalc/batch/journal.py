@@ -21,7 +21,7 @@ from typing import Any, BinaryIO
 from zlib import crc32
 
 from tmmcalc.batch.task import Row
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.pipeline.atomic import blamed_on
 from tmmcalc.pipeline.lock import locked_at_once
 

@@ -11,7 +11,7 @@ from concurrent.futures import BrokenExecutor, Executor
 from contextlib import contextmanager
 
 from tmmcalc.batch.executors import Workers
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 
 def processes(jobs: int) -> Workers:

@@ -10,11 +10,11 @@ from tmmcalc.batch.preparing import prepared
 from tmmcalc.batch.stacked import SOLVER
 from tmmcalc.batch.stacked_results import BLOCK, Results
 from tmmcalc.batch.task import Task
-from tmmcalc.errors import TmmError, UsageError
+from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.pipeline.runner import run
 
 if TYPE_CHECKING:
-    from tmmcalc.spec.loader import Variants
+    from tmmcalc.project.loader import Variants
 
 
 def outcomes(task: Task) -> Iterator[Any | TmmError]:

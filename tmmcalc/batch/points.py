@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from tmmcalc.batch.quantities import told
 from tmmcalc.batch.task import Row, Task, verdict
-from tmmcalc.errors import TmmError, UsageError
+from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.runner import run
 from tmmcalc.pipeline.stages import STAGES
 
 if TYPE_CHECKING:
-    from tmmcalc.pipeline.stage import Stage
-    from tmmcalc.spec import Spec
-    from tmmcalc.spec.loader import Variants
+    from tmmcalc.core.stage import Stage
+    from tmmcalc.project import Spec
+    from tmmcalc.project.loader import Variants
 
 Names = tuple[str, ...]
 

@@ -16,7 +16,7 @@ from tmmcalc.batch.stacked_inputs import Inputs
 from tmmcalc.batch.stacked_machine import MACHINE
 from tmmcalc.batch.stacked_results import Results
 from tmmcalc.batch.task import Task, verdict
-from tmmcalc.errors import TmmError, UsageError
+from tmmcalc.core.errors import TmmError, UsageError
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult

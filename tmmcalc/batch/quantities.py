@@ -13,9 +13,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from fnmatch import fnmatchcase
 from typing import Any
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.feasibility.judge import OF, Constraint
-from tmmcalc.stages.feasibility import columns, facts
+from tmmcalc.feasibility.stages.feasibility import columns, facts
 
 Told = Iterator[tuple[str, float]]
 

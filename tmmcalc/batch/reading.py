@@ -10,16 +10,16 @@ from typing import TYPE_CHECKING
 from tmmcalc.batch.quantities import stages_of
 from tmmcalc.batch.table import read_points
 from tmmcalc.batch.task import Task
-from tmmcalc.errors import TmmError, UsageError
+from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.pipeline.plan import known_stage
 from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.project.loader import Variants, read_text
 from tmmcalc.spec.dimensions import DIMENSIONS
-from tmmcalc.spec.loader import Variants, read_text
 from tmmcalc.spec.override import split
 from tmmcalc.spec.variants import MOST, Axis, axis, is_range
 
 if TYPE_CHECKING:
-    from tmmcalc.spec import Spec
+    from tmmcalc.project import Spec
 
 _REMEDY = "give a range, e.g. --set 'mechanism.links[id=1].points.A[0]=*0.9:1.1:21'"
 

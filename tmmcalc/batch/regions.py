@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tmmcalc.batch.task import Task
-from tmmcalc.errors import TmmError, UsageError
+from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.progress import tell
 from tmmcalc.feasibility.judge import Feasibility
 from tmmcalc.feasibility.maps import Parameter, RegionMap, region_map
-from tmmcalc.progress import tell
 
 if TYPE_CHECKING:
     from tmmcalc.spec.variants import Axis
@@ -27,7 +27,7 @@ def map_feasibility(file: str | Path, over: Sequence[str], overrides: Sequence[s
     Raises `UsageError` for ranges that cannot be read and quantities that a stage does not tell, `SpecError` or
     `NoSolutionError` if the scene has no solution at any point.
     """
-    from tmmcalc.spec.loader import read_text
+    from tmmcalc.project.loader import read_text
 
     path = Path(file)
     text = read_text(path)

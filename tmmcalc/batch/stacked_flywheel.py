@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmmcalc.batch.stacked_machine import Machine, given_of, machines_without, regime_of_one
+from tmmcalc.core.numerics.alike import Rows
 from tmmcalc.machine.flywheel.comparison import Comparison, beside
 from tmmcalc.machine.flywheel.required import ample, result_of, searched
 from tmmcalc.machine.flywheel.search import Model, corrections
@@ -15,16 +16,15 @@ from tmmcalc.machine.flywheel.trials import Trial
 from tmmcalc.machine.stacked.figures import figures
 from tmmcalc.machine.stacked.regimes import Machines, regimes
 from tmmcalc.machine.stacked.searches import replayed
-from tmmcalc.numerics.alike import Rows
-from tmmcalc.stages import flywheel
+from tmmcalc.machine.stages import flywheel
 
 if TYPE_CHECKING:
-    from tmmcalc.linkage.stacked.reduction import Cycles
+    from tmmcalc.core.numerics.panels import Values
+    from tmmcalc.core.numerics.roots import Indices
     from tmmcalc.linkage.stacked.scene import Block
     from tmmcalc.machine.flywheel.task import Flywheel
     from tmmcalc.machine.flywheel.trials import RequiredInertia
-    from tmmcalc.numerics.panels import Values
-    from tmmcalc.numerics.roots import Indices
+    from tmmcalc.machine.stacked.reduction import Cycles
 
 Found = Mapping[str, Any]  # results by stage, reduction and power among them
 Sought = tuple[Trial, Trial, list[Trial]]  # with the inertia at hand, with the least that does, all

@@ -18,11 +18,11 @@ from numpy.typing import NDArray
 
 from tmmcalc.batch.stacked_acting import Acting
 from tmmcalc.batch.task import Task, verdict
-from tmmcalc.errors import TmmError
-from tmmcalc.numerics.alike import MixedError, SeveralError, alike, groups, numbers, paths, rebuilt, shape_of
+from tmmcalc.core.errors import TmmError
+from tmmcalc.core.numerics.alike import MixedError, SeveralError, alike, groups, numbers, paths, rebuilt, shape_of
 
 if TYPE_CHECKING:
-    from tmmcalc.spec import Spec
+    from tmmcalc.project import Spec
 
 Numbers = NDArray[np.complexfloating[Any, Any]]
 Flags = NDArray[np.bool_]
@@ -53,9 +53,9 @@ class Together(NamedTuple, Generic[T]):
 
 def given(spec: Spec, loaded: bool, driven: bool) -> Any:
     """The linkage, what acts on it, and the machine, as the stages read them; None for what is not asked for."""
-    from tmmcalc.spec.linkage import to_linkage
-    from tmmcalc.spec.loading import to_loading
-    from tmmcalc.stages.motion import inputs
+    from tmmcalc.linkage.tables.tasks.loading import to_loading
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+    from tmmcalc.machine.stages.motion import inputs
 
     return to_linkage(spec.linkage), to_loading(spec) if loaded else None, inputs(spec)[:4] if driven else None
 

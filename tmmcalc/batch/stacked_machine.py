@@ -9,6 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.alike import Rows
+from tmmcalc.core.numerics.gauss import ORDER
+from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.machine.driver import Driver, driver_of
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
 from tmmcalc.machine.motion import Motion, motion_of
@@ -17,19 +20,16 @@ from tmmcalc.machine.regime import Regime, regime_of
 from tmmcalc.machine.stacked.figures import FIGURES, figures
 from tmmcalc.machine.stacked.regimes import Machines, Regimes, is_smooth, machines_of, regimes
 from tmmcalc.machine.stacked.spots import spots
-from tmmcalc.numerics.alike import Rows
-from tmmcalc.numerics.gauss import ORDER
-from tmmcalc.numerics.panels import Panels, Values
-from tmmcalc.stages import motion
+from tmmcalc.machine.stages import motion
 
 if TYPE_CHECKING:
-    from tmmcalc.linkage.reduction.results import Reduction
-    from tmmcalc.linkage.stacked.reduction import Cycles
+    from tmmcalc.core.numerics.roots import Indices
     from tmmcalc.linkage.stacked.scene import Block
     from tmmcalc.machine.cycle import Cycle
     from tmmcalc.machine.motors.characteristics import Characteristic
     from tmmcalc.machine.motors.model import Motor
-    from tmmcalc.numerics.roots import Indices
+    from tmmcalc.machine.reduction.results import Reduction
+    from tmmcalc.machine.stacked.reduction import Cycles
     from tmmcalc.pipeline.outcome import RunResult
 
 Machine = tuple[MotorChoice | None, Gears, MotionTask, FlywheelTask | None]
@@ -64,7 +64,7 @@ def motions_of(
 
     Only the ``wanted`` columns and figures are found, by their names in the table and the summary.
     """
-    from tmmcalc.linkage.stacked.reduction import cycles_of
+    from tmmcalc.machine.stacked.reduction import cycles_of
 
     own = Rows(machine)(variants)
     motor, speed = own[0], block.chain(variants).mechanism.input.speed

@@ -16,15 +16,15 @@ from tmmcalc.batch.quantities import told
 from tmmcalc.batch.stacked_inputs import Inputs, Together
 from tmmcalc.batch.stacked_machine import MACHINE, given_of, motions_of_each
 from tmmcalc.batch.task import OK, Row, Task, verdict
-from tmmcalc.errors import TmmError
-from tmmcalc.numerics.alike import Rows
-from tmmcalc.pipeline.stage import resolve
-from tmmcalc.spec.machine import speed_key
+from tmmcalc.core.errors import TmmError
+from tmmcalc.core.numerics.alike import Rows
+from tmmcalc.core.stage import resolve
+from tmmcalc.machine.tables.tasks.machine import speed_key
 
 if TYPE_CHECKING:
     from tmmcalc.batch.stacked_machine import Machine
-    from tmmcalc.linkage.stacked.reduction import Cycles
     from tmmcalc.linkage.stacked.scene import Block, Same
+    from tmmcalc.machine.stacked.reduction import Cycles
     from tmmcalc.pipeline.outcome import RunResult
 
 Found = dict[str, Any]  # results by stage
@@ -89,8 +89,8 @@ class Results:
 
     def _solved(self, tree: Any, count: int) -> dict[int, _Variant]:
         """What is solved together of the variants of stacked inputs, by their numbers, of those that are clear."""
-        from tmmcalc.linkage.stacked.records import forces_records, kinematics_records, reduction_records
         from tmmcalc.linkage.stacked.scene import block_of
+        from tmmcalc.machine.stacked.records import forces_records, kinematics_records, reduction_records
 
         mechanism, loading, machine = tree
         block = block_of(self._same, count, mechanism, loading, tracked=True, told=True)

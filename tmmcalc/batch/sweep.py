@@ -16,8 +16,8 @@ from tmmcalc.batch.points import solve_variant
 from tmmcalc.batch.quantities import others, unknown, unmatched
 from tmmcalc.batch.sheet import Sheet, rows_of, sheet_of
 from tmmcalc.batch.task import BROKEN, INVALID, Row, Task
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.records import record
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 
 Told = Callable[[int, int], None]  # points done, of these failed
 

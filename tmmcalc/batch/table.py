@@ -14,8 +14,8 @@ import csv
 import re
 from pathlib import Path
 
-from tmmcalc.errors import UsageError
-from tmmcalc.spec.loader import read_text
+from tmmcalc.core.errors import UsageError
+from tmmcalc.project.loader import read_text
 from tmmcalc.spec.variants import Axis
 
 Labels = tuple[tuple[str, tuple[str, ...]], ...]

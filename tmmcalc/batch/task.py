@@ -7,12 +7,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tmmcalc.errors import SpecError, TmmError
-from tmmcalc.records import record
+from tmmcalc.core.errors import SpecError, TmmError
+from tmmcalc.core.records import record
 from tmmcalc.spec.variants import Axis
 
 if TYPE_CHECKING:
-    from tmmcalc.spec.loader import Variants
+    from tmmcalc.project.loader import Variants
 
 
 @record
@@ -59,7 +59,7 @@ class Task:
 
     def variants(self) -> Variants:
         """The spec, read once for many variants."""
-        from tmmcalc.spec.loader import Variants
+        from tmmcalc.project.loader import Variants
 
         return Variants(self.text, self.file, Path(self.folder), self.fixed)
 
@@ -89,7 +89,7 @@ BROKEN = "failed 1"  # a fault of the program, or a process that died
 def verdict(error: Exception | None) -> tuple[str, str]:
     """Status and reason, one line each.
 
-    >>> from tmmcalc.errors import UsageError
+    >>> from tmmcalc.core.errors import UsageError
     >>> verdict(None), verdict(UsageError("no such thing", where="forces"))
     (('ok', ''), ('failed 2', 'forces: no such thing'))
     """

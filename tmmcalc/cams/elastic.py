@@ -26,9 +26,9 @@ from tmmcalc.cams.rounding import Errors
 from tmmcalc.cams.separation import Contact, contact_notes, contact_of
 from tmmcalc.cams.speed import constant_speed
 from tmmcalc.cams.task import CamTask, Loads
-from tmmcalc.errors import UsageError
-from tmmcalc.numerics.panels import Panels
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.panels import Panels
+from tmmcalc.core.records import record
 
 RATIOS = np.arange(1, 241) / 20  # of the spectra: phase time over natural period
 COMPARED = ("sine", "cosine", "const", "shun", "modified_trapezoid", "modified_sine")

@@ -18,8 +18,8 @@ from tmmcalc.cams.response import SPAN, Course, kicks_of, residual
 from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, relative
 from tmmcalc.cams.speed import Speed
 from tmmcalc.cams.wide import wide
-from tmmcalc.numerics.extended import EPS
-from tmmcalc.numerics.panels import Panels
+from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.numerics.panels import Panels
 
 FEW = 6  # panels integrated again
 RATIOS = (0, -1)  # of a spectrum, the ends

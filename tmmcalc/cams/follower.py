@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 FollowerKind = Literal["translating", "oscillating", "flat"]  # RT, RK, PT of the textbook
 Closure = Literal["force", "groove"]

@@ -11,7 +11,7 @@ from tmmcalc.cams.laws.law import ORDERS, Law, Values
 from tmmcalc.cams.program import Positions, Program
 from tmmcalc.cams.rounding import Errors, again, chosen, law_joints, nearer, relative, sides, steep
 from tmmcalc.cams.wide import wide
-from tmmcalc.numerics.extended import EPS
+from tmmcalc.core.numerics.extended import EPS
 
 NAMES = ("displacement", "velocity", "acceleration", "jerk")
 

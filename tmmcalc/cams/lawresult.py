@@ -18,8 +18,8 @@ from tmmcalc.cams.overshoot import overshoot_remarks
 from tmmcalc.cams.program import PhaseKind, Positions, Program
 from tmmcalc.cams.rounding import Errors, joints
 from tmmcalc.cams.task import CamTask
-from tmmcalc.columns import degrees as degrees_of
-from tmmcalc.records import record
+from tmmcalc.core.columns import degrees as degrees_of
+from tmmcalc.core.records import record
 
 POINTS = {"rise": "a", "high dwell": "b", "return": "c", "low dwell": "d"}  # at which a phase begins (fig. 5.2)
 SHOCKS = {1: "rigid shock", 2: "soft shock", 3: "jump of the jerk"}

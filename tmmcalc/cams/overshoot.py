@@ -11,7 +11,7 @@ from math import degrees
 import numpy as np
 
 from tmmcalc.cams.program import SAME, PhaseKind, Program
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 LEVEL = 1e-9  # of the stroke: what counts
 

@@ -16,7 +16,7 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.program import SAME, Program
 from tmmcalc.cams.task import CamTask
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 NEAR = 1e-12  # of l0: so little beyond the pivot is rounding
 

@@ -22,10 +22,10 @@ from tmmcalc.cams.pressureerrors import pressure_errors
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.rounding import Errors
 from tmmcalc.cams.task import CamTask
-from tmmcalc.errors import SingularityError
-from tmmcalc.numerics.panels import Panels, resolved
-from tmmcalc.numerics.roots import bracketed
-from tmmcalc.records import record
+from tmmcalc.core.errors import SingularityError
+from tmmcalc.core.numerics.panels import Panels, resolved
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.records import record
 
 TOUCH = 1e-9  # [rad] a limit is reached, not exceeded, within it
 

@@ -17,8 +17,8 @@ import numpy as np
 
 from tmmcalc.cams.laws.law import ORDERS, Indices, Law, Values
 from tmmcalc.cams.steadying import steady
-from tmmcalc.numerics.panels import Extreme, Panels, panels
-from tmmcalc.records import record
+from tmmcalc.core.numerics.panels import Extreme, Panels, panels
+from tmmcalc.core.records import record
 
 PhaseKind = Literal["rise", "high dwell", "return", "low dwell"]
 TURN = 2 * pi

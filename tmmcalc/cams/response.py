@@ -20,10 +20,10 @@ from numpy.typing import NDArray
 from tmmcalc.cams.laws.law import Law, Values
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.speed import Speed
-from tmmcalc.errors import SingularityError, UsageError
-from tmmcalc.numerics.gauss import rule
-from tmmcalc.numerics.panels import Panels, panels
-from tmmcalc.records import record
+from tmmcalc.core.errors import SingularityError, UsageError
+from tmmcalc.core.numerics.gauss import rule
+from tmmcalc.core.numerics.panels import Panels, panels
+from tmmcalc.core.records import record
 
 Complex = NDArray[np.complexfloating]
 SPAN = 2.0  # of |lambda| t on a panel

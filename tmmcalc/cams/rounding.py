@@ -17,7 +17,7 @@ import numpy as np
 from tmmcalc.cams.laws.law import ORDERS, Indices, Law, Values
 from tmmcalc.cams.program import SAME, Positions, Program
 from tmmcalc.cams.wide import wide
-from tmmcalc.numerics.extended import CHAIN, EPS, WIDER
+from tmmcalc.core.numerics.extended import CHAIN, EPS, WIDER
 
 CHOSEN = 48  # rows computed again
 MARGIN = 6.0  # factor for the rows left out

@@ -15,8 +15,8 @@ from tmmcalc.cams.follower import Closure
 from tmmcalc.cams.forces.turn import crossings, spans
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.task import CamTask, Loads
-from tmmcalc.numerics.panels import Panels
-from tmmcalc.records import record
+from tmmcalc.core.numerics.panels import Panels
+from tmmcalc.core.records import record
 
 LEVEL = 1e-9  # of the largest load: what counts as none
 Spans = tuple[tuple[float, float], ...]

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.numerics.panels import Panels, panels
-from tmmcalc.records import record
+from tmmcalc.core.numerics.panels import Panels, panels
+from tmmcalc.core.records import record
 
 TURN = 2 * np.pi
 

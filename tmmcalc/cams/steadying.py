@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.numerics.gauss import rule
+from tmmcalc.core.numerics.gauss import rule
 
 FLAT = 1e-13  # of the largest: what varies less is constant
 

@@ -12,7 +12,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.overshoot import Backward, backward
 from tmmcalc.cams.program import Positions, Program, of_step, of_steps
 from tmmcalc.cams.speed import Speed
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 PRESSURE_ANGLES = {"translating": radians(30), "oscillating": radians(45), "flat": radians(90)}  # usual limits
 

@@ -10,7 +10,7 @@ import sys
 def main() -> None:
     """Entry point of the console script: turns the user's faults into one message and an exit code."""
     _start_quickly()
-    from tmmcalc.errors import TmmError
+    from tmmcalc.core.errors import TmmError
 
     try:
         from tmmcalc.cli.app import app

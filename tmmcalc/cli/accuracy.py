@@ -22,7 +22,7 @@ from tmmcalc.cli.work import (
 )
 
 if TYPE_CHECKING:
-    from tmmcalc.accuracy.study import Accuracy
+    from tmmcalc.core.studies.study import Accuracy
     from tmmcalc.report.document import Document
 
 
@@ -89,8 +89,8 @@ def command(
     if plot is not None:
         check_picture(plot, "--plot")
     check_apart(out, plot)
-    from tmmcalc.accuracy.measure import Clock
     from tmmcalc.accuracy.solve import solve_accuracy
+    from tmmcalc.core.studies.measure import Clock
 
     scene = Job(spec, overrides=overrides or ()).spec()
     telling = not quiet and sys.stderr.isatty()
@@ -99,7 +99,7 @@ def command(
     deliver(_document(result, heading, form, tolerance), form, out)
     drawn = plot if result.studies or result.ladders else None
     if drawn is not None:
-        from tmmcalc.report.pictures import draw_accuracy
+        from tmmcalc.report.drawing import draw_accuracy
 
         draw_accuracy(result, drawn, heading, tolerance)
     elif plot is not None:
@@ -111,7 +111,7 @@ def command(
 
 
 def _document(result: Accuracy, heading: str, form: Format, tolerance: float | None) -> Document:
-    from tmmcalc.report.accuracy import accuracy_document, tidy_document
+    from tmmcalc.accuracy.document import accuracy_document, tidy_document
 
     document = tidy_document if form is Format.csv else accuracy_document
     return document(result, heading, tolerance)

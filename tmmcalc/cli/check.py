@@ -10,12 +10,12 @@ import typer
 
 from tmmcalc.cli.messages import put, show_error
 from tmmcalc.cli.options import Set
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
 
 if TYPE_CHECKING:
-    from tmmcalc.spec import Spec
-    from tmmcalc.spec.engine import EngineTable
-    from tmmcalc.spec.pair import PairTable
+    from tmmcalc.gears.tables.pair import PairTable
+    from tmmcalc.machine.tables.engine import EngineTable
+    from tmmcalc.project import Spec
 
 
 def command(
@@ -27,7 +27,7 @@ def command(
 
     Example: tmmcalc check variants/*.toml
     """
-    from tmmcalc.spec import load_spec
+    from tmmcalc.project import load_spec
 
     code = 0
     for file in specs:

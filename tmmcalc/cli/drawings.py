@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tmmcalc.cli.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
-from tmmcalc.errors import UsageError
-from tmmcalc.pipeline.stage import resolve
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.stage import resolve
 
 if TYPE_CHECKING:
-    from tmmcalc.spec import Spec
+    from tmmcalc.project import Spec
 
 
 class Drawing(NamedTuple):
@@ -29,14 +29,14 @@ def _result(stage: str, drawer: str, *, named: bool = False) -> Callable[[Order]
 
     def draw(order: Order) -> None:
         told = (stage,) if named else ()
-        resolve(f"tmmcalc.report.pictures{drawer}")(*told, order.results[stage], order.file)
+        resolve(f"tmmcalc.{drawer}")(*told, order.results[stage], order.file)
 
     return draw
 
 
 def _kinematics(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_kinematics
-    from tmmcalc.spec.linkage import to_linkage
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+    from tmmcalc.report.drawing import draw_kinematics
 
     result = order.results["kinematics"]
     chosen, marked = order.rows(POSITIONS, result.labels), order.row(POLYGONS, result.labels)
@@ -45,9 +45,9 @@ def _kinematics(order: Order) -> None:
 
 
 def _forces(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_forces
-    from tmmcalc.spec.linkage import to_linkage
-    from tmmcalc.spec.loading import to_loading
+    from tmmcalc.linkage.tables.tasks.loading import to_loading
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+    from tmmcalc.report.drawing import draw_forces
 
     result = order.results["forces"]
     marked = order.row(POLYGONS, result.labels)
@@ -56,61 +56,61 @@ def _forces(order: Order) -> None:
 
 
 def _flywheel(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_flywheel
+    from tmmcalc.report.drawing import draw_flywheel
 
     draw_flywheel(order.results["flywheel"], order.results["reduction"].phi, order.file)
 
 
 def _motion(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_motion
+    from tmmcalc.report.drawing import draw_motion
 
     results = order.results
     draw_motion(results["motion"], results["power"], results["reduction"], order.file)
 
 
 def _unsteady(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_unsteady
-    from tmmcalc.spec.linkage import to_linkage
-    from tmmcalc.spec.unsteadiness import to_unsteady
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+    from tmmcalc.linkage.tables.tasks.unsteady import to_unsteady
+    from tmmcalc.report.drawing import draw_unsteady
 
     mechanism, task = to_linkage(order.spec.linkage), to_unsteady(order.spec)
     draw_unsteady(mechanism, task, order.results["kinematics"], order.results["unsteady"], order.file)
 
 
 def _manipulator(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_manipulator
-    from tmmcalc.spec.manipulators import to_manipulator
+    from tmmcalc.manipulators.tables.tasks.manipulator import to_manipulator
+    from tmmcalc.report.drawing import draw_manipulator
 
     draw_manipulator(to_manipulator(order.spec), order.results["manipulator"], order.file)
 
 
 def _train(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_train
+    from tmmcalc.report.drawing import draw_train
 
     choose = order.choice
     draw_train(order.results["train"], order.file, choose=1 if choose is None else choose)
 
 
 def _criteria(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_criteria
+    from tmmcalc.report.drawing import draw_criteria
 
     draw_criteria(order.results["criteria"], order.results["train"], order.file, choose=order.choice)
 
 
 def _pair(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_pair
+    from tmmcalc.report.drawing import draw_pair
 
     draw_pair(order.results["pair"], order.file, choose=order.choice, phase=order.angle(PHASE))
 
 
 def _blocking(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_blocking
+    from tmmcalc.report.drawing import draw_blocking
 
     draw_blocking(order.results["blocking"], order.file, choose=order.choice)
 
 
 def _profile(order: Order) -> None:
-    from tmmcalc.report.pictures import draw_profile
+    from tmmcalc.report.drawing import draw_profile
 
     draw_profile(order.results["pair"], order.file, choose=order.choice)
 
@@ -119,9 +119,9 @@ def _cam(stage: str) -> Callable[[Order], None]:
     """What draws a stage of the cam."""
 
     def draw(order: Order) -> None:
-        from tmmcalc.report.pictures.cams import draw_cam
-        from tmmcalc.spec.cams import to_cam
-        from tmmcalc.stages.camparts import at_speed
+        from tmmcalc.cams.pictures import draw_cam
+        from tmmcalc.cams.stages.parts import at_speed
+        from tmmcalc.cams.tables.tasks.cam import to_cam
 
         task = at_speed(to_cam(order.spec), order.results.get("motion"))
         draw_cam(stage, task, order.results[stage], order.file)
@@ -130,16 +130,16 @@ def _cam(stage: str) -> Callable[[Order], None]:
 
 
 def _indexing(order: Order) -> None:
-    from tmmcalc.report.pictures.cams import draw_indexing
-    from tmmcalc.spec.indexings import to_indexing
+    from tmmcalc.cams.pictures import draw_indexing
+    from tmmcalc.cams.tables.tasks.indexing import to_indexing
 
     draw_indexing(to_indexing(order.spec), order.results["indexing"], order.file, order.angle(PHASE))
 
 
 def _synthesis(order: Order) -> None:
-    from tmmcalc.report.pictures.synthesis import draw_synthesis
-    from tmmcalc.spec import parse_spec
-    from tmmcalc.spec.linkage import to_linkage
+    from tmmcalc.linkage.pictures.synthesis import draw_synthesis
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+    from tmmcalc.project import parse_spec
 
     result = order.results["synthesis"]
     choose = order.choice or _first_feasible(order.spec, result)
@@ -147,7 +147,7 @@ def _synthesis(order: Order) -> None:
         raise UsageError(f"there is no solution {choose}", where=CHOOSE, remedy=f"write 1 to {len(result.designs)}")
     mechanism = to_linkage(parse_spec(result.designs[choose - 1].spec).linkage)
     if result.designs[choose - 1].dwell is not None:
-        from tmmcalc.report.pictures.dwell import draw_dwell
+        from tmmcalc.linkage.pictures.dwell import draw_dwell
 
         draw_dwell(mechanism, result, order.file, choose=choose)
         return
@@ -158,7 +158,7 @@ def _first_feasible(spec: Spec, synthesis: Any) -> int:
     """The number of the solution that ``tmmcalc synth`` chooses."""
     if not spec.constraints:
         return 1
-    from tmmcalc.stages.feasibility import inputs, solve
+    from tmmcalc.feasibility.stages.feasibility import inputs, solve
 
     return solve(inputs(spec), {"synthesis": synthesis}, {}).chosen
 
@@ -172,7 +172,7 @@ DRAWINGS = {
     "forces": Drawing(
         f"reactions, hodographs, drive; with {POLYGONS} load diagrams and force polygons", _forces, (POLYGONS,)
     ),
-    "reduction": Drawing("reduced moments and inertia", _result("reduction", ":draw_reduction")),
+    "reduction": Drawing("reduced moments and inertia", _result("reduction", "report.drawing:draw_reduction")),
     "synthesis": Drawing(
         "the linkage found in its extreme positions with dimensions, or at its points with the coupler curve",
         _synthesis,
@@ -180,12 +180,12 @@ DRAWINGS = {
     ),
     "flywheel": Drawing("energy-mass curve with its tangents, work over the cycle, all methods", _flywheel),
     "motion": Drawing("speed and moments over the cycle, the motor's characteristic", _motion),
-    "transient": Drawing("speeds and moments over the time", _result("transient", ":draw_transient")),
+    "transient": Drawing("speeds and moments over the time", _result("transient", "report.drawing:draw_transient")),
     "unsteady": Drawing("input, outputs and links over the time", _unsteady),
     "manipulator": Drawing("the path with points equally spaced in time, the arm, obstacles, the joints", _manipulator),
     "balance": Drawing(
         "hodographs of the shaking force, what the schemes leave of it, an engine's force and couple",
-        _result("balance", ":draw_balance"),
+        _result("balance", "report.drawing:draw_balance"),
     ),
     "train": Drawing(
         "a tooth set to scale from two sides, all sets by size and error, what constraints removed, curves of choice",
@@ -209,10 +209,12 @@ DRAWINGS = {
     "cam_optimum": Drawing("the blocking contour", _cam("cam_optimum")),
     "cam_elastic": Drawing("the follower's vibration over the turn, what the laws leave of it", _cam("cam_elastic")),
     "vibrator": Drawing(
-        "modes, resonance curve, starts, paths of points", _result("vibrator", ".vibration:draw_vibration", named=True)
+        "modes, resonance curve, starts, paths of points",
+        _result("vibrator", "machine.pictures.vibration:draw_vibration", named=True),
     ),
     "pendulum": Drawing(
-        "mode shapes, Campbell diagram, path of the end", _result("pendulum", ".vibration:draw_vibration", named=True)
+        "mode shapes, Campbell diagram, path of the end",
+        _result("pendulum", "machine.pictures.vibration:draw_vibration", named=True),
     ),
     "indexing": Drawing(
         f"scheme at {PHASE} of a step, pressure angles, tip of the lobe, efficiency, what lambda and the step decide",
@@ -221,16 +223,19 @@ DRAWINGS = {
     ),
     "contact": Drawing(
         "the field of pressure, and along the axis of x beside Hertz",
-        _result("contact", ".extras:draw_extra", named=True),
+        _result("contact", "extras.pictures.extras:draw_extra", named=True),
     ),
     "reliability": Drawing(
-        "reliability and density of failures over the time", _result("reliability", ".extras:draw_extra", named=True)
+        "reliability and density of failures over the time",
+        _result("reliability", "extras.pictures.extras:draw_extra", named=True),
     ),
     "falling_ball": Drawing(
-        "speed and way of the ball over the time", _result("falling_ball", ".extras:draw_extra", named=True)
+        "speed and way of the ball over the time",
+        _result("falling_ball", "extras.pictures.extras:draw_extra", named=True),
     ),
     "feasibility": Drawing(
-        "the margin of every constraint, and the rule", _result("feasibility", ".feasibility:draw_feasibility")
+        "the margin of every constraint, and the rule",
+        _result("feasibility", "feasibility.pictures.feasibility:draw_feasibility"),
     ),
 }
 

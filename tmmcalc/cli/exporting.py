@@ -10,10 +10,10 @@ import typer
 
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.work import check_place
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
-    from tmmcalc.numerics.strokes import Outline
+    from tmmcalc.report.strokes import Outline
 
 Files = Mapping[str, Path]  # by their flags
 

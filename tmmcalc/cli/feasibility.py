@@ -12,7 +12,7 @@ from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.work import Job, check_picture, show, title
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
     from tmmcalc.feasibility.maps import RegionMap
@@ -53,7 +53,7 @@ def command(
         )
     scene = job.spec()
     run = job.run(scene, "feasibility")
-    from tmmcalc.report.feasibility import feasibility_document
+    from tmmcalc.feasibility.facts.feasibility import feasibility_document
 
     job.finish(feasibility_document(run.results["feasibility"], title(scene, job.file, "feasibility")), run, form)
 
@@ -65,12 +65,12 @@ def _map(job: Job, form: Format, over: list[str], picture: Path | None) -> None:
         check_picture(picture, "--picture")
     result = _solved(job, over)
     if picture is not None:
-        from tmmcalc.report.pictures.regions import draw_region
+        from tmmcalc.feasibility.pictures.regions import draw_region
 
         draw_region(result, picture)
         if not job.quiet:
             note_written(picture)
-    from tmmcalc.report.regions import region_document
+    from tmmcalc.feasibility.facts.regions import region_document
 
     printed = region_document(result, f"{job.file.stem}: region", everything=form is not Format.table)
     show(printed, form)

@@ -10,13 +10,13 @@ from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
 from tmmcalc.cli.positions import rows_of
 from tmmcalc.cli.work import Job, table_file, title
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.forces.results import Forces
     from tmmcalc.linkage.results import Kinematics
+    from tmmcalc.project import Spec
     from tmmcalc.report.document import Document
-    from tmmcalc.spec import Spec
 
 ITERATIONS, STOP = "--iterations", "--stop"
 EXAMPLE = f"write e.g. {ITERATIONS} 'RRP(2,3)@6', or '...@67.5 deg'"
@@ -53,7 +53,7 @@ def command(
     if iterations is not None:
         document = _iterations(scene, run.results["kinematics"], result, heading, iterations, stop)
     else:
-        from tmmcalc.report.forces import forces_document
+        from tmmcalc.linkage.facts.forces import forces_document
 
         document = forces_document(
             result,
@@ -81,13 +81,13 @@ def _iterations(
     scene: Spec, kinematics: Kinematics, result: Forces, heading: str, text: str, stop: float | None
 ) -> Document:
     """The passes of the group and at the place that the flag names."""
+    from tmmcalc.linkage.facts.iteration import iteration_document
     from tmmcalc.linkage.forces.iteration import STOP as USUAL
     from tmmcalc.linkage.forces.iteration import textbook_iteration
     from tmmcalc.linkage.forces.kinetostatics import compile_statics
     from tmmcalc.linkage.loads.scene import compile_scene
-    from tmmcalc.report.iteration import iteration_document
-    from tmmcalc.spec.linkage import to_linkage
-    from tmmcalc.spec.loading import to_loading
+    from tmmcalc.linkage.tables.tasks.loading import to_loading
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     group, sign, where = text.rpartition("@")
     if not sign:

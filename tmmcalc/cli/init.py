@@ -9,7 +9,7 @@ import typer
 
 from tmmcalc.cli.messages import put, say
 from tmmcalc.cli.options import Quiet
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 SCHEMA = "tmmcalc.schema.json"
 WIDTH = 80
@@ -72,7 +72,7 @@ def _write(out: Path, text: str, tables: list[Path], force: bool, quiet: bool) -
     """Write the spec, the schema that its first line names, and the tables that it names."""
     from tmmcalc.cli.work import check_place
     from tmmcalc.pipeline.atomic import replace_file
-    from tmmcalc.spec.schema import schema_text
+    from tmmcalc.project.schema import schema_text
 
     check_place(out, "init")
     schema = out.parent / SCHEMA

@@ -12,12 +12,12 @@ from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
 from tmmcalc.cli.positions import rows_of
 from tmmcalc.cli.work import Job, title
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.results import Kinematics
+    from tmmcalc.project import Spec
     from tmmcalc.report.document import Document
-    from tmmcalc.spec import Spec
 
 
 class MethodChoice(StrEnum):
@@ -79,15 +79,15 @@ def command(
     run = job.run(scene, "kinematics")
     result = run.results["kinematics"]
     if plan:
+        from tmmcalc.linkage.facts.plan import plan_document
         from tmmcalc.linkage.plan import position_plan
-        from tmmcalc.report.plan import plan_document
-        from tmmcalc.spec.linkage import to_linkage
+        from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
         document = plan_document(position_plan(to_linkage(scene.linkage), result), f"{heading}, position plan")
     elif study or compare:
         document = _methods_document(scene, result, heading, method, decimals, study)
     else:
-        from tmmcalc.report.kinematics import kinematics_document
+        from tmmcalc.linkage.facts.kinematics import kinematics_document
 
         document = kinematics_document(
             result,
@@ -105,8 +105,8 @@ def _methods_document(
     scene: Spec, result: Kinematics, heading: str, method: MethodChoice, decimals: int | None, study: bool
 ) -> Document:
     """What --study or --compare prints instead of the table of positions."""
-    from tmmcalc.report.methods import comparison_document, study_document
-    from tmmcalc.spec.linkage import to_linkage
+    from tmmcalc.linkage.facts.methods import comparison_document, study_document
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     mechanism = to_linkage(scene.linkage)
     if study:

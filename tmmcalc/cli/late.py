@@ -72,7 +72,7 @@ class LateGroup(TyperGroup):
         """Refuse an unknown command with the nearest known one, without importing any."""
         known = not args or args[0] in self.table or args[0].startswith("-")
         if not known and not ctx.resilient_parsing:  # resilient: the shell asks for completions
-            from tmmcalc.errors import UsageError
+            from tmmcalc.core.errors import UsageError
 
             raise UsageError(f"no command is called {args[0]!r}", remedy=_what_was_meant(args[0], self.table, ctx))
         return super().resolve_command(ctx, args)

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, TextIO
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from tmmcalc.errors import TmmError
+    from tmmcalc.core.errors import TmmError
     from tmmcalc.pipeline.outcome import Event
 
 _COLOURS = {"red": "31", "yellow": "33", "dim": "2"}

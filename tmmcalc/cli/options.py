@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 
 class Format(StrEnum):

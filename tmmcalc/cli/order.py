@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tmmcalc.cli.work import within_turns
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
-    from tmmcalc.spec import Spec
+    from tmmcalc.project import Spec
 
 POSITIONS, POLYGONS, CHOOSE, PHASE = "--positions", "--polygons", "--choose", "--phase"
 

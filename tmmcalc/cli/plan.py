@@ -37,14 +37,14 @@ def command(
     Example: tmmcalc plan my.toml kinematics --why
     """
     from tmmcalc.pipeline.plan import plan
-    from tmmcalc.report.stageplan import plan_document
+    from tmmcalc.pipeline.plan_document import plan_document
 
     scene = Job(spec, overrides=overrides or ()).spec()
     found = plan(scene, target, skip=skip or ())
     heading = title(scene, spec, "plan")
     if why:
         from tmmcalc.pipeline.why import explain
-        from tmmcalc.report.why import why_document
+        from tmmcalc.pipeline.why_document import why_document
 
         show(why_document(explain(scene, found), scene, heading), form)
     else:

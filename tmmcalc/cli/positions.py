@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 
 def rows_of(positions: str | None, labels: Sequence[str], flag: str = "--positions") -> list[int] | None:

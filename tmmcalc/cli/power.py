@@ -4,7 +4,7 @@ from tmmcalc.cli.stage import summary_command
 
 command = summary_command(
     "power",
-    "tmmcalc.report.power:power_document",
+    "tmmcalc.machine.facts.power:power_document",
     """Power: work per cycle by cause, efficiency, mean and peak power, and the motor, given or chosen.
 
     Example: tmmcalc power my.toml

@@ -10,7 +10,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cli.messages import show_event
-from tmmcalc.progress import listening
+from tmmcalc.core.progress import listening
 
 if TYPE_CHECKING:
     from rich.progress import Progress as Bar

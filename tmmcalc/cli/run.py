@@ -11,7 +11,7 @@ import typer
 from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Form, Format, Skip, patterns_of, stages
 from tmmcalc.cli.work import Job, title
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
@@ -70,7 +70,7 @@ def _check_columns(job: Job, columns: str | None) -> None:
 
 def outcome(job: Job, target: str | None) -> tuple[Document, RunResult]:
     """Run one spec; its document."""
-    from tmmcalc.report.summary import run_document
+    from tmmcalc.pipeline.summary import run_document
 
     scene = job.spec()
     result = job.run(scene, target)

@@ -26,7 +26,7 @@ def command(
 
     Example: tmmcalc schema -o tmmcalc.schema.json
     """
-    from tmmcalc.spec.schema import schema_text
+    from tmmcalc.project.schema import schema_text
 
     if out is None:
         put(schema_text())

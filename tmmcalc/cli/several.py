@@ -15,8 +15,8 @@ from tmmcalc.cli.messages import put, say, show_error
 from tmmcalc.cli.options import Format
 from tmmcalc.cli.run import outcome
 from tmmcalc.cli.work import Job, show
-from tmmcalc.errors import TmmError, UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.report.document import Document

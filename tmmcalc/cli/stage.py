@@ -28,7 +28,7 @@ def stage_command(stage: str, document: str, text: str, heading: str = "") -> Ca
         scene = job.spec()
         run = job.run(scene, stage)
         result = run.results[stage]
-        from tmmcalc.pipeline.stage import resolve
+        from tmmcalc.core.stage import resolve
 
         printed = resolve(document)(
             result,
@@ -59,7 +59,7 @@ def summary_command(
     ) -> None:
         scene = job.spec()
         run = job.run(scene, stage)
-        from tmmcalc.pipeline.stage import resolve
+        from tmmcalc.core.stage import resolve
 
         more = {"everything": form is not Format.table} if forms else {}
         printed = resolve(document)(run.results[stage], title(scene, job.file, heading or stage), **more)

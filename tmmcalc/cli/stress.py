@@ -13,7 +13,7 @@ import typer
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Form, Format, Quiet, Set, stages
 from tmmcalc.cli.work import check_apart, check_picture, check_place, deliver
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
     from tmmcalc.report.document import Document
@@ -97,7 +97,7 @@ def command(
     heading = f"{spec.stem if spec else 'extreme scenes'}: stress"
     deliver(_document(result, heading, form), form, out)
     if plot is not None:
-        from tmmcalc.report.pictures import draw_stress
+        from tmmcalc.report.drawing import draw_stress
 
         draw_stress(result, plot, heading)
     for file in (out, plot):
@@ -128,7 +128,7 @@ def _progress(quiet: bool) -> Iterator[Callable[[str, str], None] | None]:
 
 
 def _document(result: Stress, heading: str, form: Format) -> Document:
-    from tmmcalc.report.stress import stress_document, tidy_stress
+    from tmmcalc.stress.document import stress_document, tidy_stress
 
     return tidy_stress(result, heading) if form is Format.csv else stress_document(result, heading)
 
@@ -148,7 +148,7 @@ def _solved(
         from tmmcalc.stress.shipped import solve_shipped
 
         return solve_shipped(telling)
-    from tmmcalc.spec.loader import Variants, read_text
+    from tmmcalc.project.loader import Variants, read_text
     from tmmcalc.stress.run import solve_stress
 
     return solve_stress(Variants(read_text(spec), str(spec), spec.parent, overrides), ladders, stage, telling)

@@ -29,11 +29,11 @@ def command(
     scene = job.spec()
     run = job.run(scene, "structure")
     result = run.results["structure"]
-    from tmmcalc.report.structure import assemblies_document, structure_document
+    from tmmcalc.linkage.facts.structure import assemblies_document, structure_document
 
     if assemblies:
         from tmmcalc.linkage.listing import list_assemblies
-        from tmmcalc.spec.linkage import to_linkage
+        from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
         listing = list_assemblies(to_linkage(scene.linkage), result)
         document = assemblies_document(listing, result, title(scene, job.file, "assemblies"))

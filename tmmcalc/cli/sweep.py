@@ -13,7 +13,7 @@ import typer
 from tmmcalc.cli.messages import put, say
 from tmmcalc.cli.options import Form, Format, Quiet, SpecFile, Tolerance, patterns_of, stages
 from tmmcalc.cli.work import check_place, check_tolerance, show
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
     from tmmcalc.batch.sheet import Sheet
@@ -130,7 +130,7 @@ def command(
 
         put(csv_bytes(swept.sheet).decode())
     else:
-        from tmmcalc.report.sweep import sweep_document
+        from tmmcalc.batch.document import sweep_document
 
         show(sweep_document(swept.sheet, _title(task, spec)), form)
     _end(swept.sheet)

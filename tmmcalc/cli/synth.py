@@ -12,7 +12,7 @@ from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Columns, Form, Format, patterns_of
 from tmmcalc.cli.work import Job, check_place, title
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 
 @with_flags
@@ -55,13 +55,13 @@ def command(
         raise UsageError(
             f"there is no solution {choose}", where="--choose", value=choose, limit=count, remedy=f"write 1 to {count}"
         )
-    from tmmcalc.report.synthesis import synthesis_document
+    from tmmcalc.linkage.facts.synthesis import synthesis_document
 
     heading = title(scene, job.file, "synthesis")
     everything = form is not Format.table
     document = synthesis_document(result, heading, choose=choose, patterns=patterns, everything=everything)
     if judged is not None:
-        from tmmcalc.report.feasibility import candidates_document
+        from tmmcalc.feasibility.facts.feasibility import candidates_document
 
         document = replace(document, parts=(candidates_document(judged, "constraints", choose),))
     if ready is not None:

@@ -11,15 +11,15 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cli.messages import say, show_damage, show_error, show_event, whoever_reads
 from tmmcalc.cli.options import Format
-from tmmcalc.errors import LimitError, TmmError, UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import LimitError, TmmError, UsageError
+from tmmcalc.core.records import record
 
 TURNS = 100  # that an angle of a drawing may have
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import Event, RunResult
+    from tmmcalc.project import Spec
     from tmmcalc.report.document import Document
-    from tmmcalc.spec import Spec
 
 
 @record
@@ -44,7 +44,7 @@ class Job:
 
     def spec(self) -> Spec:
         """Read the spec with its overrides."""
-        from tmmcalc.spec import load_spec
+        from tmmcalc.project import load_spec
 
         return load_spec(self.file, self.overrides)
 
@@ -68,7 +68,7 @@ class Job:
                 result = self._run(spec, target, progress.start, progress.done)
         if self.depfile is not None:
             from tmmcalc.pipeline.depfile import write
-            from tmmcalc.spec.files import named_files
+            from tmmcalc.project.files import named_files
 
             write(self.depfile, result.files, [self.file, *named_files(spec, self.file.parent)])
         return result
@@ -162,7 +162,7 @@ def check_apart(*files: Path | None) -> None:
 
 def check_picture(file: Path, where: str) -> None:
     """Raise UsageError if no picture could be drawn to a file; asked before the computation."""
-    from tmmcalc.report.pictures import check_matplotlib, form_of
+    from tmmcalc.report.drawing import check_matplotlib, form_of
 
     check_place(file, where)
     form_of(file)

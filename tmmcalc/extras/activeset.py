@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import AccuracyError
-from tmmcalc.numerics.panels import Values
+from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.numerics.panels import Values
 
 Mask = NDArray[np.bool_]
 

@@ -11,10 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError
-from tmmcalc.numerics.extended import EPS
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
+from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 
 ROUNDED = 8 * EPS  # of two Bessel functions, each with its factor
 LARGE = 1e7  # argument of Bessel functions

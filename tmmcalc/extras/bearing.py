@@ -10,9 +10,9 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.numerics.extended import PI, apart, widened
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
+from tmmcalc.core.numerics.extended import PI, apart, widened
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 
 SOUND = 3.0  # crest factor of a sound bearing, about
 HIGH = 5.0  # a defect that has begun

@@ -12,12 +12,12 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.extras.activeset import Mask, active_set
 from tmmcalc.extras.hertz import Hertz, hertz
 from tmmcalc.extras.pyramid import HEIGHT, hexagon, settlement
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 BORDER = "warning: the contact reaches the border of the grid; a larger size shows all of it"
 SMALL = 0.3  # half-axis over radius up to which a body is a half-space to the contact
@@ -183,7 +183,7 @@ def _gap(task: ContactTask, x: Values, y: Values) -> Values:
     if task.radii is not None:
         return x**2 / (2 * task.radii[0]) + y**2 / (2 * task.radii[1])
     if task.table is None:
-        from tmmcalc.expression import parse_field
+        from tmmcalc.core.expression import parse_field
 
         return parse_field(task.formula, ("x", "y"), "contact.gap")(x, y)
     from scipy.interpolate import RectBivariateSpline

@@ -12,10 +12,10 @@ from math import exp
 
 import numpy as np
 
+from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.numerics.panels import Panels, Values, panels, resolved
+from tmmcalc.core.records import record
 from tmmcalc.extras.ballspeed import ROUNDED, Fall, drag_way, falling_speed, speed_error, stop_time
-from tmmcalc.numerics.extended import EPS
-from tmmcalc.numerics.panels import Panels, Values, panels, resolved
-from tmmcalc.records import record
 
 BALANCED = 1e-13  # of gravity and reaction: a smaller difference is none
 LONG = 80.0  # lambda t after which nothing moves

@@ -6,7 +6,7 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 
 @record

@@ -11,8 +11,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.roots import Indices
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.roots import Indices
 
 HEIGHT = 3**0.5 / 2  # of a triangle; the volume of a pyramid as well
 

@@ -11,10 +11,10 @@ from math import exp, lgamma, log, pi, sqrt
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.numerics.extended import EPS, MARGIN, apart, spread, widened
-from tmmcalc.numerics.panels import Values, panels, resolved
-from tmmcalc.records import record
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.extended import EPS, MARGIN, apart, spread, widened
+from tmmcalc.core.numerics.panels import Values, panels, resolved
+from tmmcalc.core.records import record
 
 LOOKED = 24  # times at which the reliability is computed again
 FORGOTTEN = 1e-17  # reliability behind which nothing adds to the mean life

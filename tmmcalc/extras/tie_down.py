@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.numerics.extended import apart, widened
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.extended import apart, widened
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 
 
 @record

@@ -13,10 +13,10 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.extended import apart, widened
+from tmmcalc.core.records import record
 from tmmcalc.feasibility.logic import LARGEST, Form, conjunction
 from tmmcalc.feasibility.rule import failing, function, holds
-from tmmcalc.numerics.extended import apart, widened
-from tmmcalc.records import record
 
 Of = Literal["max", "min", "range", "mean", "size", "first", "last"]
 OF: dict[str, Callable[[NDArray[np.floating[Any]]], Any]] = {  # what is asked of columns (..., n)

@@ -16,7 +16,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 Form = Literal["minmax", "R0", "Rm"]
 FORMS = ("minmax", "R0", "Rm")

@@ -11,11 +11,11 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import NoSolutionError, SpecError, TmmError
+from tmmcalc.core.errors import NoSolutionError, SpecError, TmmError
+from tmmcalc.core.records import record
 from tmmcalc.feasibility.judge import Feasibility
 from tmmcalc.feasibility.logic import Form, Values
 from tmmcalc.feasibility.rule import function
-from tmmcalc.records import record
 
 Mask = NDArray[np.bool_]
 

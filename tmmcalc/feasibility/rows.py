@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.records import record
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask
 from tmmcalc.feasibility.quantities import limits, named, of_name
 from tmmcalc.feasibility.rule import failing, may_hold
-from tmmcalc.records import record
 
 
 @record

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import UsageError
-from tmmcalc.expression.tree import NoTreeError, shown, syntax_tree
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.expression.tree import NoTreeError, shown, syntax_tree
 from tmmcalc.feasibility.logic import Form, Values, conjunction, disjunction, negation
 
 DEEPEST = 150  # brackets or words within each other

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.columns import degrees
+from tmmcalc.core.columns import degrees
 from tmmcalc.gears.model import ToothSets, TrainTask, Values
 from tmmcalc.gears.search import measures
 from tmmcalc.gears.train import Request, Trains, Variant

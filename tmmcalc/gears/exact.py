@@ -13,7 +13,7 @@ from math import floor
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.model import Integers, Interval
 
 

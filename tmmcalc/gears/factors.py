@@ -5,8 +5,8 @@ Mating tooth numbers without a common factor wear evenly: every tooth of one whe
 
 from __future__ import annotations
 
-from tmmcalc.errors import UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 
 
 @record

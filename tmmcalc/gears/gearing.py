@@ -11,7 +11,9 @@ from math import copysign
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.records import record
 from tmmcalc.gears.gearingtask import Amounts, GearingTask, ends
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.network.basic import BasicTrain, basic_train
@@ -21,8 +23,6 @@ from tmmcalc.gears.network.model import WHERE
 from tmmcalc.gears.network.power import PowerFlow, power_in_motion
 from tmmcalc.gears.network.speeds import Motion, ratio, solve_speeds
 from tmmcalc.gears.network.types import efficiency as efficiency_of_type
-from tmmcalc.numerics.extended import EPS
-from tmmcalc.records import record
 
 
 @record

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.network.builder import network_of
 from tmmcalc.gears.network.model import FRAME, Network
-from tmmcalc.records import record
 
 Amounts = dict[str, float]  # by member
 

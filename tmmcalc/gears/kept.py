@@ -8,7 +8,7 @@ from dataclasses import fields, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.feasibility.judge import FeasibilityTask
 from tmmcalc.feasibility.rows import Kept, keep
 from tmmcalc.gears.columns import set_columns

@@ -9,8 +9,8 @@ The *tooth ratio* of a train is U = Z2 Z3 / (Z1 Z2') (4.2), always positive, wit
 
 from __future__ import annotations
 
-from tmmcalc.errors import UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 
 
 @record

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.layouts import Layout, layout_of
-from tmmcalc.records import record
 
 Integers = NDArray[np.int64]
 Values = NDArray[np.floating[Any]]

@@ -17,11 +17,11 @@ from typing import Literal
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.roots import Indices, bracketed
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.strength.series import EIGHTHS, eighths
-from tmmcalc.numerics.roots import Indices, bracketed
-from tmmcalc.records import record
 
 RANGE = (4.0, 20.0)  # of the textbook's graph for two external meshes (fig. 4.4)
 RANGE_INTERNAL = (5.0, 40.0)  # for an internal second mesh (fig. 4.11)

@@ -14,9 +14,9 @@ from __future__ import annotations
 
 import math
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.bounds import half_pitch
-from tmmcalc.records import record
 
 WHERE = "train 2A-AA"
 WITHIN = (0.8, 1.2)  # t1 and t2 that are usual

@@ -13,14 +13,14 @@ from fractions import Fraction
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.strength.results import Strength
 from tmmcalc.gears.strength.rounding import StrengthError, strength_error
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.task import StrengthTask, pinion_torque
 from tmmcalc.gears.train import Request, Trains, Variant
-from tmmcalc.records import record
 
 MOST = 20_000  # sets of a variant that are sized
 GIVEN, MOMENT, REDUCTION = "given", "moment", "reduction"  # where the torque comes from

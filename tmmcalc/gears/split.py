@@ -19,10 +19,10 @@ from math import log
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.wheels import Build
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 CRITERIA = ("mass", "inertia", "size")
 ITERATIONS = 60

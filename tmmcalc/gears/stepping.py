@@ -13,11 +13,11 @@ from fractions import Fraction
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.bounds import half_pitch, most_planets, side, step_bounds, tips
 from tmmcalc.gears.model import Integers, ToothSets, TrainTask
 from tmmcalc.gears.split import exponents
-from tmmcalc.records import record
 
 
 @record

@@ -9,7 +9,8 @@ from typing import Literal
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.gears.layouts import Layout
 from tmmcalc.gears.model import Interval, ToothSets, TrainTask
 from tmmcalc.gears.radial import RadialShape
@@ -19,7 +20,6 @@ from tmmcalc.gears.search.rounding import angle_error
 from tmmcalc.gears.search.search import KEPT, Synthesis, synthesise
 from tmmcalc.gears.stepping import stepped
 from tmmcalc.gears.trace import found_by_textbook
-from tmmcalc.records import record
 
 Told = Callable[[float, str], None]  # part of the work that is done, a few words
 

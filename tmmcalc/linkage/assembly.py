@@ -14,13 +14,13 @@ from itertools import pairwise
 
 import numpy as np
 
-from tmmcalc.errors import AssemblyError
+from tmmcalc.core.errors import AssemblyError
+from tmmcalc.core.numerics.extrema import with_turning_points
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Branch, Domain, Interval, Limit
-from tmmcalc.numerics.extrema import with_turning_points
-from tmmcalc.numerics.roots import bracketed
 
 TURN = 2 * math.pi
 SAMPLES = 360  # positions of the dense sample, one a degree on a full turn

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import LinkMotion, Plane, Real, frame
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
 from tmmcalc.linkage.mounts import Motions, Slide, Slides
-from tmmcalc.linkage.plane import LinkMotion, Plane, Real, frame
 from tmmcalc.linkage.steps import Step, build, seat
 from tmmcalc.linkage.structure import Group, Structure
 

@@ -18,9 +18,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmmcalc.columns import Column, degrees
-from tmmcalc.errors import UsageError
-from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.core.columns import Column, degrees
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.results import Kinematics
 
 

@@ -13,12 +13,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.extrema import with_turning_points
+from tmmcalc.core.numerics.roots import Indices, bracketed
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.survey import Survey
-from tmmcalc.numerics.extrema import with_turning_points
-from tmmcalc.numerics.roots import Indices, bracketed
 
 Rates = Callable[[Configuration], list[Real]]
 Flags = NDArray[np.bool_]

@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.chain import Chain
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Trace
 from tmmcalc.linkage.trace import TURN, trace
 

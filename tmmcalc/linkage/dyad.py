@@ -11,14 +11,14 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.errors import AssemblyError, SingularityError
+from tmmcalc.core.errors import AssemblyError, SingularityError
+from tmmcalc.core.plane import Guide, LinkMotion, Point, Real
+from tmmcalc.core.records import record
 from tmmcalc.linkage.dyads import PRP, RPP, RPR, RRP, RRR, Dyad
 from tmmcalc.linkage.mounts import Motions, Mount, PRPMount, RPPMount, RPRMount, RRPMount, RRRMount, Sites, Slide
-from tmmcalc.linkage.plane import Guide, LinkMotion, Point, Real
 from tmmcalc.linkage.quality import SINGULAR
 from tmmcalc.linkage.solvers import closed
 from tmmcalc.linkage.steps import rates
-from tmmcalc.records import record
 
 A, B, SOURCE_1, SOURCE_2 = 1, 2, 3, 4
 

@@ -18,13 +18,13 @@ from typing import Any, Literal
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
 from tmmcalc.linkage.forces.wrench import Slideway
 from tmmcalc.linkage.loading import GearDrive
 from tmmcalc.linkage.loads.sources import Place, Source
 from tmmcalc.linkage.model import Joint
 from tmmcalc.linkage.structure import Group
-from tmmcalc.records import record
 
 Kind = Literal["load", "weight", "inertia", "spring", "damper", "reaction", "friction", "drive"]
 

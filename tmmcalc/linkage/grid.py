@@ -10,10 +10,10 @@ import math
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.model import Grid, Mechanism
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import OutputSummary
 
 SAME = 1e-6  # an extra position nearer than this part of a step to a position is that position

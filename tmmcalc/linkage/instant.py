@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.plane import LinkMotion
+from tmmcalc.core.records import record
 from tmmcalc.linkage.model import FRAME, Mechanism
-from tmmcalc.linkage.plane import LinkMotion
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.records import record
 
 
 @record

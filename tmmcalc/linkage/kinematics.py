@@ -16,7 +16,8 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, SingularityError
+from tmmcalc.core.errors import NoSolutionError, SingularityError
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.assembly import check_range, coordinate
 from tmmcalc.linkage.chain import Chain, chain_of
@@ -31,7 +32,6 @@ from tmmcalc.linkage.grid import analysed_range, positions
 from tmmcalc.linkage.model import Mechanism, Output
 from tmmcalc.linkage.outputs import default_outputs, summarise
 from tmmcalc.linkage.placing import placed
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.quality import assess, check_regular, grade
 from tmmcalc.linkage.results import Domain, Grade, GroupQuality, Kinematics, Method, Trace
 from tmmcalc.linkage.rounding import estimate

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.placing import chosen_at, placed
 from tmmcalc.linkage.structure import Structure, solve_structure
 from tmmcalc.linkage.variants import given_variants
 from tmmcalc.linkage.ways import chosen, ways_of
-from tmmcalc.records import record
 
 
 @record

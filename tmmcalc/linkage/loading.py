@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import Literal
 
+from tmmcalc.core.records import record
 from tmmcalc.linkage.model import FRAME
-from tmmcalc.records import record
 
 
 @record

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from tmmcalc.errors import StructureError
+from tmmcalc.core.errors import StructureError
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
 
 STAGE = "structure"

@@ -23,8 +23,8 @@ from collections.abc import Sequence
 from dataclasses import field
 from typing import Literal
 
-from tmmcalc.errors import UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 
 FRAME = 0
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple, Protocol
 
-from tmmcalc.linkage.plane import Guide, LinkMotion, Plane, Point, Real, rotated
+from tmmcalc.core.plane import Guide, LinkMotion, Plane, Point, Real, rotated
 
 Motions = dict[int, LinkMotion]
 

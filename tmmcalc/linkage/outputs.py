@@ -12,16 +12,16 @@ import math
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.extrema import around, refine, turning, with_turning_points
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.model import Output
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import DeadCentre, Extreme, OutputSummary
 from tmmcalc.linkage.survey import Survey, along_motion
 from tmmcalc.linkage.trace import continuous
-from tmmcalc.numerics.extrema import around, refine, turning, with_turning_points
-from tmmcalc.numerics.roots import bracketed
 
 STILL = 1e-12  # an output whose rate is below this, against the size of the mechanism, does not move
 EQUAL = 1e-9  # strokes that differ by less [rad] count as equal

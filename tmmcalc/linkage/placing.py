@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmmcalc.errors import AssemblyError, NoSolutionError, SingularityError
+from tmmcalc.core.errors import AssemblyError, NoSolutionError, SingularityError
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN, check_range, coordinate, find_domain
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.grid import analysed_range
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.outputs import working_start
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.quality import assess, check_regular
 from tmmcalc.linkage.results import Domain, Interval, Limit
 from tmmcalc.linkage.steps import build

@@ -10,15 +10,15 @@ import math
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.plane import Real
+from tmmcalc.core.records import record
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.grid import SAME
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.outputs import coordinate_of, default_outputs
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.records import record
 
 
 @record

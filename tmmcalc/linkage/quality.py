@@ -14,14 +14,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import SingularityError
+from tmmcalc.core.errors import SingularityError
+from tmmcalc.core.numerics.extrema import around, refine, turning
+from tmmcalc.core.plane import Real, square
 from tmmcalc.linkage.assembly import coordinate
 from tmmcalc.linkage.chain import Chain, Configuration
-from tmmcalc.linkage.plane import Real, square
 from tmmcalc.linkage.results import Extreme, Grade, GroupQuality
 from tmmcalc.linkage.steps import Step
 from tmmcalc.linkage.survey import Survey, along_motion
-from tmmcalc.numerics.extrema import around, refine, turning
 
 SINGULAR = 1e-6  # regularity of a dead point: below it velocities have no trustworthy digits
 NEARLY_SINGULAR = 0.05  # amplification above 20

@@ -10,10 +10,10 @@ from typing import Literal
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
-from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.records import record
 from tmmcalc.linkage.structure import Structure
-from tmmcalc.records import record
 
 MethodName = Literal["closed", "projection", "differences", "splitting"]
 METHODS = ("closed", "projection", "differences", "splitting")

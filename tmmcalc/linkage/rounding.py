@@ -14,11 +14,11 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.extended import CHAIN, EPS, WIDER
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.chain import Chain, Configuration
-from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.results import ErrorEstimate, Trace
 from tmmcalc.linkage.trace import TURN, trace
-from tmmcalc.numerics.extended import CHAIN, EPS, WIDER
 
 CHOSEN = 24  # positions computed again
 MARGIN = 4.0  # factor for the positions left out

@@ -14,7 +14,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane, Real, cross
+from tmmcalc.core.plane import Plane, Real, cross
 
 Rates = tuple[Real, Real]
 PairSolver = Callable[[Plane], Rates]

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Guide, Point, Real
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.dyads import PRP, RPP, RPR, RRP, RRR, Dyad
 from tmmcalc.linkage.dyads.rpr import RPRPlaced
@@ -26,7 +27,6 @@ from tmmcalc.linkage.mounts import (
     Sites,
     Slides,
 )
-from tmmcalc.linkage.plane import Guide, Point, Real
 from tmmcalc.linkage.structure import Group
 
 

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tmmcalc.errors import StructureError
+from tmmcalc.core.errors import StructureError
+from tmmcalc.core.records import record
 from tmmcalc.linkage.matching import STAGE, check_pairs, components, matched, named
 from tmmcalc.linkage.model import FRAME, Input, Joint, Link, Mechanism
-from tmmcalc.records import record
 
 ROMAN = {1: "I", 2: "II", 3: "III", 4: "IV", 5: "V", 6: "VI", 7: "VII", 8: "VIII"}
 

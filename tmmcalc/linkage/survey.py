@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.trace import principal, unwrapped
 
 STEPS = 360  # one a degree on a full turn

@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.chain import Chain, Configuration
-from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.results import Trace
 
 # rows: temporaries of 64 kB stay in cache, and below the 128 kB at which malloc maps fresh pages for every one

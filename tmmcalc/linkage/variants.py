@@ -13,7 +13,7 @@ from itertools import product
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.linkage.assembly import reach_of
 from tmmcalc.linkage.chain import Chain, compile_chain
 from tmmcalc.linkage.model import Mechanism

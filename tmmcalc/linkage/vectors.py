@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 Kind = Literal["absolute", "relative", "normal", "tangential", "sliding", "coriolis"]
 

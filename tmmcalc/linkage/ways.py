@@ -11,13 +11,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.assembly import coordinate
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.mounts import Motions
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.steps import build
 from tmmcalc.linkage.structure import Group
 

@@ -7,7 +7,7 @@ omega_idle omega_textbook   speed without technological loads; by the recurrence
 
 from __future__ import annotations
 
-from tmmcalc.columns import Column, degrees
+from tmmcalc.core.columns import Column, degrees
 from tmmcalc.machine.motion import Motion
 
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 
-from tmmcalc.numerics.panels import Panels, Values
-from tmmcalc.records import record
+from tmmcalc.core.numerics.panels import Panels, Values
+from tmmcalc.core.records import record
 
 
 @record

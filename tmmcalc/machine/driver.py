@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
-    from tmmcalc.machine.balancing.cylinders import Cylinder
-    from tmmcalc.machine.balancing.rotors import Rotor
+    from tmmcalc.machine.balance.cylinders import Cylinder
+    from tmmcalc.machine.balance.rotors import Rotor
     from tmmcalc.machine.motors.model import CharacteristicKind, Motor
     from tmmcalc.machine.transient.methods import Method
     from tmmcalc.machine.transient.model import Shaft

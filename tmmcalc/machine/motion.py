@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.asked import INPUT, off_speed
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver
@@ -17,8 +19,6 @@ from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.textbook import Textbook, Turn
 from tmmcalc.machine.timescales import TimeScales
 from tmmcalc.machine.verdicts import Verdict, verdicts
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.recurrence import Nodes

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.driver import Driver

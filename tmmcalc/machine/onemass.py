@@ -13,16 +13,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.panels import Panels, Values
+from tmmcalc.core.numerics.radau import radau
+from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle, place
-from tmmcalc.numerics.panels import Panels, Values
-from tmmcalc.numerics.radau import radau
-from tmmcalc.records import record
 
 if TYPE_CHECKING:
+    from tmmcalc.core.numerics.collocation import Kinks, System
+    from tmmcalc.core.numerics.newton import Rates
     from tmmcalc.machine.motors.characteristics import Characteristic
-    from tmmcalc.numerics.collocation import Kinks, System
-    from tmmcalc.numerics.newton import Rates
 
 VANISHING = 1e-12  # least inertia against the largest: below it the speed has no bound
 IDLE = 1e-3  # of the largest moment of the motor

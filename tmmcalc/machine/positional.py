@@ -9,14 +9,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.numerics.collocation import TOLERANCE
+from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.numerics.panels import NARROWEST, PASSES, Panels, Values
 from tmmcalc.machine.cycle import Cycle, place
 from tmmcalc.machine.onemass import check_inertia, onto
 from tmmcalc.machine.regime import Regime, regime_of
 from tmmcalc.machine.regimeerrors import ROUNDED
-from tmmcalc.numerics.collocation import TOLERANCE
-from tmmcalc.numerics.extended import EPS
-from tmmcalc.numerics.panels import NARROWEST, PASSES, Panels, Values
 
 WHERE = "steady motion"
 BALANCED = 1e-6  # work that a given driving moment may leave over, against the work of all moments

@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor
 from tmmcalc.machine.motors.plausibility import Curve, contradictions, curve_of
-from tmmcalc.numerics.extended import EPS
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.choice import Choice

@@ -15,11 +15,11 @@ import math
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.textbook import NodalRegime, Turn
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 WHERE = "recurrence (3.57)"
 BOOK = 1e-4  # largest difference of the speeds at both ends of a cycle, textbook program 2.1 [rad/s]

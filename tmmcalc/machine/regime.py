@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Panels, Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.regimeerrors import (
     Balance,
@@ -16,11 +18,9 @@ from tmmcalc.machine.regimeerrors import (
     accelerations,
     regime_errors,
 )
-from tmmcalc.numerics.panels import Panels, Values
-from tmmcalc.records import record
 
 if TYPE_CHECKING:
-    from tmmcalc.numerics.collocation import Orbit
+    from tmmcalc.core.numerics.collocation import Orbit
 
 LOST = 1e-300  # a multiplier below it counts as zero
 

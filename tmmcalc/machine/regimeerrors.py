@@ -10,11 +10,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.numerics.gauss import ORDER, rule
+from tmmcalc.core.numerics.panels import Extreme, Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.numerics.extended import EPS
-from tmmcalc.numerics.gauss import ORDER, rule
-from tmmcalc.numerics.panels import Extreme, Values
-from tmmcalc.records import record
 
 INTERPOLATION = ORDER * EPS  # of a function carried from one set of points to another: a rounding for each point
 ROUNDED = 8 * EPS  # of a solution

@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import Driver
 from tmmcalc.machine.onemass import onto
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.timescales import TimeScales, time_scales
-from tmmcalc.numerics.panels import Values
 
 
 def regime_scales(cycle: Cycle, regime: Regime, driver: Driver) -> TimeScales | None:

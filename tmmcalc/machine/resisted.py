@@ -8,16 +8,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.numerics.collocation import TOLERANCE, Orbit, solve
+from tmmcalc.core.numerics.newton import Ends, Rates
+from tmmcalc.core.numerics.panels import Panels, Values
+from tmmcalc.core.numerics.radau import radau
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.onemass import onto
 from tmmcalc.machine.positional import LEVELS, WHERE, free
 from tmmcalc.machine.regime import Regime, regime_of
 from tmmcalc.machine.regimeerrors import ROUNDED
-from tmmcalc.numerics.collocation import TOLERANCE, Orbit, solve
-from tmmcalc.numerics.newton import Ends, Rates
-from tmmcalc.numerics.panels import Panels, Values
-from tmmcalc.numerics.radau import radau
 
 RAISED = 0.2  # to the logarithm of the energy's level, where the first guess of it does not last
 MEAN = 1e-14  # relative deviation of the mean speed

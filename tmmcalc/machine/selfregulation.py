@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import UNDRIVEN, Driver
 from tmmcalc.machine.motors.characteristics import ConstantMoment

@@ -14,12 +14,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.numerics.collocation import TOLERANCE, Orbit, System, initial, solve
+from tmmcalc.core.numerics.panels import NARROWEST, Panels, Values
 from tmmcalc.machine.cycle import place
 from tmmcalc.machine.onemass import SPEEDS, OneMass, balanced_speed, onto
 from tmmcalc.machine.regime import multipliers
-from tmmcalc.numerics.collocation import TOLERANCE, Orbit, System, initial, solve
-from tmmcalc.numerics.panels import NARROWEST, Panels, Values
 
 TURNS = 300  # cycles followed before the search is given up
 SELDOM = 1.25  # times the cycles followed when the regime was last tried: before that it is not tried again

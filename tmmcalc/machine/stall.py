@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.numerics.collocation import Orbit
 from tmmcalc.machine.cycle import Cycle, place
 from tmmcalc.machine.driver import UNDRIVEN
 from tmmcalc.machine.onemass import SPEEDS, OneMass
 from tmmcalc.machine.settling import Guess, Halt, directly, next_to, settled
-from tmmcalc.numerics.collocation import Orbit
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic

@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.numerics.collocation import TOLERANCE, Orbit
+from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.onemass import SPEEDS, OneMass, balanced_speed, check_inertia, onto
 from tmmcalc.machine.regime import Regime, multipliers, regime_of
 from tmmcalc.machine.settling import Guess, Halt, settled
 from tmmcalc.machine.stall import check_mean_load, halted
-from tmmcalc.numerics.collocation import TOLERANCE, Orbit
-from tmmcalc.numerics.panels import Panels, Values
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic

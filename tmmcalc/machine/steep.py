@@ -13,16 +13,16 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.numerics.collocation import TOLERANCE, Orbit, solve
+from tmmcalc.core.numerics.panels import Panels, Values
+from tmmcalc.core.numerics.radau import radau
+from tmmcalc.core.records import record
 from tmmcalc.machine.onemass import OneMass, onto
 from tmmcalc.machine.regimeerrors import Excess
-from tmmcalc.numerics.collocation import TOLERANCE, Orbit, solve
-from tmmcalc.numerics.panels import Panels, Values
-from tmmcalc.numerics.radau import radau
-from tmmcalc.records import record
 
 if TYPE_CHECKING:
-    from tmmcalc.numerics.newton import Rates
+    from tmmcalc.core.numerics.newton import Rates
 
 NOISE = 2 * float(np.finfo(np.longdouble).eps)  # of a moment in extended precision, over that of the whole speed
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 
 
 @record

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.transient.stability import stable_step
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 
 @record

@@ -15,9 +15,9 @@ import math
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.plane import Plane
 from tmmcalc.manipulators.task import Arm
-from tmmcalc.numerics.panels import Values
 
 TURN = 2 * math.pi
 

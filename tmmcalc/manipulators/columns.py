@@ -15,9 +15,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.columns import Column
+from tmmcalc.core.columns import Column
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.manipulators.results import Manipulator
-from tmmcalc.numerics.panels import Values
 
 AXES = "xyz"
 

@@ -11,6 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.linkage.results import Grade
 from tmmcalc.manipulators.arms import elbow_point
 from tmmcalc.manipulators.motions import Motion
@@ -19,7 +20,6 @@ from tmmcalc.manipulators.results import Contact
 from tmmcalc.manipulators.routes import chord
 from tmmcalc.manipulators.task import ManipulatorTask, Obstacle, PathTask
 from tmmcalc.manipulators.timed import Timed
-from tmmcalc.numerics.panels import Values
 
 HALVINGS = 40
 

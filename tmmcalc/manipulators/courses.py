@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.timelaw import TimeLaw, by_travel, by_travel_and_duration, motion
 from tmmcalc.manipulators.task import JointMove, LawTask, TableTask
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.roots import Indices
-from tmmcalc.timelaw import TimeLaw, by_travel, by_travel_and_duration, motion
 
 WHERE = "manipulator"
 SAME = 1e-12  # of the duration or the length

@@ -11,15 +11,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.timelaw import TimeLaw
 from tmmcalc.manipulators.arms import TURN, direct, elbow_angle, inverse
 from tmmcalc.manipulators.courses import Course, course_of_laws, course_of_table
 from tmmcalc.manipulators.routes import legs_of
 from tmmcalc.manipulators.singular import check_reach
 from tmmcalc.manipulators.task import Arm, JointLimit, LawTask, ManipulatorTask, PathTask, TableTask
 from tmmcalc.manipulators.timed import Timed, timed
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.roots import Indices
-from tmmcalc.timelaw import TimeLaw
 
 States = Callable[[Values, Indices | int], Values]
 

@@ -12,9 +12,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.manipulators.routes import Piece
 from tmmcalc.manipulators.task import Obstacle
-from tmmcalc.numerics.panels import Values
 
 Flags = NDArray[np.bool_]
 

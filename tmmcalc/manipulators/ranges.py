@@ -7,13 +7,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values, resolved
+from tmmcalc.core.numerics.roots import Indices, bracketed
+from tmmcalc.core.timerows import RESOLVED, over_time
 from tmmcalc.linkage.results import Grade
 from tmmcalc.manipulators.motions import Motion
 from tmmcalc.manipulators.results import LimitExcess
 from tmmcalc.manipulators.task import JointLimit
-from tmmcalc.numerics.panels import Values, resolved
-from tmmcalc.numerics.roots import Indices, bracketed
-from tmmcalc.timerows import RESOLVED, over_time
 
 SAME = 1e-12  # of the size of a coordinate: what passes its limit by less, keeps it
 

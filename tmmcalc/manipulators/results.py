@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.records import record
+from tmmcalc.core.timelaw import TimeLaw
+from tmmcalc.core.timerows import TimedExtreme
 from tmmcalc.linkage.results import Grade
 from tmmcalc.manipulators.task import Arm
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.roots import Indices
-from tmmcalc.records import record
-from tmmcalc.timelaw import TimeLaw
-from tmmcalc.timerows import TimedExtreme
 
 
 @record

@@ -16,16 +16,16 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane
+from tmmcalc.core.numerics.extended import CHAIN, EPS, MARGIN, PI, WIDER, spread, widened
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.plane import Plane
 from tmmcalc.manipulators.arms import direct, elbow_point, inverse, meridian
 from tmmcalc.manipulators.courses import course_of_laws, table_in
 from tmmcalc.manipulators.motions import Motion
 from tmmcalc.manipulators.routes import legs_of
 from tmmcalc.manipulators.task import Arm, LawTask, ManipulatorTask, PathTask
 from tmmcalc.manipulators.timed import timed
-from tmmcalc.numerics.extended import CHAIN, EPS, MARGIN, PI, WIDER, spread, widened
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.roots import Indices
 
 CHOSEN = 128  # rows, beside those of the largest values
 ORDERS = ("place", "velocity", "acceleration")

@@ -15,11 +15,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.extended import as_number
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.manipulators.task import ArcRoute, ArcThrough, Place, PolyRoute, Route
-from tmmcalc.numerics.extended import as_number
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 WHERE = "manipulator, path"
 SAME = 1e-12  # of the route's size: nearer points are one, and turns by a smaller angle are none

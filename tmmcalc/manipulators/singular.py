@@ -15,15 +15,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, SingularityError
-from tmmcalc.linkage.plane import Plane
+from tmmcalc.core.errors import NoSolutionError, SingularityError
+from tmmcalc.core.numerics.panels import Values, resolved
+from tmmcalc.core.plane import Plane
+from tmmcalc.core.timerows import over_time
 from tmmcalc.linkage.results import Grade
 from tmmcalc.manipulators.arms import elbow_margin, meridian
 from tmmcalc.manipulators.courses import Course
 from tmmcalc.manipulators.results import SingularPlace
 from tmmcalc.manipulators.task import Arm
-from tmmcalc.numerics.panels import Values, resolved
-from tmmcalc.timerows import over_time
 
 WHERE = "manipulator, inverse problem"
 SINGULAR = 1e-6  # relative size below which rates have no trustworthy digits

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.timerows import TimedExtreme, extremes, time_rows
 from tmmcalc.manipulators.arms import direct, elbow_angle, elbow_point, inverse
 from tmmcalc.manipulators.contacts import contact_grades, find_contacts
 from tmmcalc.manipulators.motions import Motion, motion_of
@@ -16,8 +18,6 @@ from tmmcalc.manipulators.routes import Piece
 from tmmcalc.manipulators.singular import SINGULAR, find_singular, singular_grades
 from tmmcalc.manipulators.task import Drive, ManipulatorTask, PathTask
 from tmmcalc.manipulators.timed import Timed, speed_limit
-from tmmcalc.numerics.panels import Values
-from tmmcalc.timerows import TimedExtreme, extremes, time_rows
 
 
 def solve_manipulator(task: ManipulatorTask) -> Manipulator:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import Literal, NamedTuple
 
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 
 ArmKind = Literal["spherical", "cylindrical", "angular"]
 Place = tuple[float, ...]  # 2 or 3 coordinates [m]

@@ -7,13 +7,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.timelaw import TimeLaw, by_travel, by_travel_and_duration, motion, phase_of, time_at
 from tmmcalc.manipulators.courses import SAME, WHERE, Course, distinct
 from tmmcalc.manipulators.routes import Leg
 from tmmcalc.manipulators.task import Drive
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.roots import Indices
-from tmmcalc.timelaw import TimeLaw, by_travel, by_travel_and_duration, motion, phase_of, time_at
 
 
 class Timed(NamedTuple):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
 from tmmcalc.pipeline.outcome import Outcome
 
 

@@ -13,10 +13,10 @@ from pathlib import Path
 from typing import Any
 
 from tmmcalc._version import __version__
+from tmmcalc.core.stage import Stage
 from tmmcalc.pipeline.hashing import stage_hash
 from tmmcalc.pipeline.manifest import Provenance
 from tmmcalc.pipeline.outcome import Event, Outcome
-from tmmcalc.pipeline.stage import Stage
 from tmmcalc.pipeline.store import Damaged, Found, Missing, Store
 
 LOG_NAME = "run.log"

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 _LEFTOVER = re.compile(r"\..+\.(toml|npz|csv)\.\d+\.tmp")
 

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc._version import __version__
 
 if TYPE_CHECKING:
-    from tmmcalc.pipeline.stage import Stage
+    from tmmcalc.core.stage import Stage
 
 FORMAT = 2  # of the stored files: a new layout makes every older file stale
 

@@ -17,9 +17,9 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
+from tmmcalc.core.records import record
+from tmmcalc.core.stage import Record
 from tmmcalc.pipeline.plain import plain_table
-from tmmcalc.pipeline.stage import Record
-from tmmcalc.records import record
 
 _HEAD = "# Written by tmmcalc. A change by hand is noticed, and the stage is computed again.\n\n"
 _DIGEST = b'\n[digest]\nsha256 = "'

@@ -7,14 +7,14 @@ from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
+from tmmcalc.core.records import record
+from tmmcalc.core.stage import Record, Stage, Table, resolve
 from tmmcalc.pipeline.plan import Plan
-from tmmcalc.pipeline.stage import Record, Stage, Table, resolve
-from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from tmmcalc.errors import TmmError
+    from tmmcalc.core.errors import TmmError
 
 
 @record

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from tmmcalc.errors import UsageError
-from tmmcalc.pipeline.stage import Stage, of_scene, resolve
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
+from tmmcalc.core.stage import Stage, of_scene, resolve
 from tmmcalc.pipeline.stages import STAGES
-from tmmcalc.records import record
 
 SKIP = "--skip"
 SKIPPED = f"left out by {SKIP}"

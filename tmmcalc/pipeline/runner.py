@@ -11,12 +11,12 @@ from dataclasses import replace
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.errors import NoSolutionError, TmmError, UsageError
+from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
+from tmmcalc.core.stage import Stage, matches, of_scene, resolve
 from tmmcalc.pipeline.accuracy import check_accuracy
 from tmmcalc.pipeline.outcome import Event, Outcome, RunResult
 from tmmcalc.pipeline.plain import plain_record
 from tmmcalc.pipeline.plan import Plan, known_stage, plan
-from tmmcalc.pipeline.stage import Stage, matches, of_scene, resolve
 from tmmcalc.pipeline.stages import STAGES
 
 if TYPE_CHECKING:
@@ -163,7 +163,7 @@ def _check_columns(columns: Sequence[str], outcomes: Mapping[str, Outcome]) -> N
     headers = [header for outcome in outcomes.values() if outcome.table is not None for header in outcome.table.header]
     for pattern in columns:
         if not any(matches(header, pattern) for header in headers):
-            from tmmcalc.columns import nearest
+            from tmmcalc.core.columns import nearest
 
             names = list(dict.fromkeys(header.partition("[")[0] for header in headers))
             raise UsageError(

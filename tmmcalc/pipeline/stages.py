@@ -5,7 +5,46 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from tmmcalc.pipeline.stage import Stage
+from tmmcalc.core.stage import Stage
+
+_ROOMS = {
+    "synthesis": "linkage",
+    "structure": "linkage",
+    "kinematics": "linkage",
+    "forces": "linkage",
+    "unsteady": "linkage",
+    "reduction": "machine",
+    "power": "machine",
+    "flywheel": "machine",
+    "motion": "machine",
+    "transient": "machine",
+    "balance": "machine",
+    "vibrator": "machine",
+    "pendulum": "machine",
+    "train": "gears",
+    "gearing": "gears",
+    "strength": "gears",
+    "criteria": "gears",
+    "pair": "gears",
+    "blocking": "gears",
+    "profile": "gears",
+    "cam_law": "cams",
+    "cam_synthesis": "cams",
+    "cam_profile": "cams",
+    "cam_pressure": "cams",
+    "cam_forces": "cams",
+    "cam_strength": "cams",
+    "cam_optimum": "cams",
+    "cam_elastic": "cams",
+    "indexing": "cams",
+    "manipulator": "manipulators",
+    "contact": "extras",
+    "reliability": "extras",
+    "tie_down": "extras",
+    "falling_ball": "extras",
+    "bearing": "extras",
+    "feasibility": "feasibility",
+}
 
 
 def _stage(
@@ -26,16 +65,16 @@ def _stage(
     ``wanted``: not every scene has it; ``spares``: not every scene needs what it uses; ``omits``: it leaves something
     out within itself where the scene has it not; ``packages``: some scenes need a heavy package.
     """
-    home = f"tmmcalc.stages.{name}"
+    home = f"tmmcalc.{_ROOMS[name]}.stages.{name}"
     return Stage(
         name=name,
         title=title,
         needs=needs,
         uses=uses,
-        spares=f"tmmcalc.stages.spared:{name}" if spares else "",
-        wanted=f"tmmcalc.stages.wanted:{name}" if wanted else "",
-        omits=f"tmmcalc.stages.omitted:{name}" if omits else "",
-        packages=f"tmmcalc.stages.packages:{name}" if packages else "",
+        spares=f"tmmcalc.pipeline.spared:{name}" if spares else "",
+        wanted=f"tmmcalc.pipeline.wanted:{name}" if wanted else "",
+        omits=f"tmmcalc.pipeline.omitted:{name}" if omits else "",
+        packages=f"tmmcalc.pipeline.packages:{name}" if packages else "",
         inputs=f"{home}:inputs",
         solve=f"{home}:solve",
         dump=f"{home}:dump",

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 
 @record

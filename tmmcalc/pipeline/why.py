@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
+from tmmcalc.core.records import record
+from tmmcalc.core.stage import Stage, of_scene, resolve
 from tmmcalc.pipeline.plan import Plan, Step
-from tmmcalc.pipeline.stage import Stage, of_scene, resolve
 from tmmcalc.pipeline.stages import STAGES
 from tmmcalc.pipeline.watch import Seen, watched
-from tmmcalc.records import record
 
 
 @record
@@ -101,7 +101,7 @@ def _told(reference: str, spec: object) -> tuple[str, ...]:
 def keyed(key: str, spec: object) -> str:
     """A key as it stands in TOML: ``[flywheel]``, ``[[transients]]``, ``delta in [flywheel]``.
 
-    >>> from tmmcalc.spec import Spec
+    >>> from tmmcalc.project import Spec
     >>> keyed("transients", Spec()), keyed("flywheel.delta", Spec())
     ('[[transients]]', 'delta in [flywheel]')
     """

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field
 from typing import Any
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 Value = float | int | str | bool | None
 

@@ -13,9 +13,9 @@ from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
-from tmmcalc.numerics.curves import Plane
-from tmmcalc.numerics.strokes import Bow, Cubics, Line, Outline, Piece
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.curves import Plane
+from tmmcalc.report.strokes import Bow, Cubics, Line, Outline, Piece
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing

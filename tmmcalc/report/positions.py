@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from tmmcalc.columns import Column, select
+from tmmcalc.core.columns import Column, select
 from tmmcalc.report.document import Document, View
 
 

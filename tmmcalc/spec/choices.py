@@ -8,11 +8,11 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from .dimensions import DIMENSIONS
-from .phrases import listing, nearest, show
-from .quantities import Quantity
-from .reader import Reader
-from .units import UnitError
+from tmmcalc.spec.dimensions import DIMENSIONS
+from tmmcalc.spec.phrases import listing, nearest, show
+from tmmcalc.spec.quantities import Quantity
+from tmmcalc.spec.reader import Reader
+from tmmcalc.spec.units import UnitError
 
 _DECIMAL = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{1,3})?"
 _LONGEST = 60  # characters of a number: the arithmetic is exact, whatever the digits

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from .phrases import Path
+from tmmcalc.spec.phrases import Path
 
 
 class Finding(NamedTuple):

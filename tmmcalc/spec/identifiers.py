@@ -7,9 +7,9 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from .phrases import show
-from .reader import Reader
-from .units import UnitError
+from tmmcalc.spec.phrases import show
+from tmmcalc.spec.reader import Reader
+from tmmcalc.spec.units import UnitError
 
 NAME_PATTERN = "^[A-Za-z][A-Za-z0-9_']*$"
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_']*")

@@ -15,11 +15,11 @@ from pydantic_core import core_schema
 if TYPE_CHECKING:
     from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 
-    from .table import Table
+    from tmmcalc.spec.table import Table
 
 
 class LateTable:
-    """An annotation that stands for the table class ``name`` in ``module`` of this package."""
+    """An annotation that stands for the table class ``name`` in the module ``tmmcalc.<module>``."""
 
     def __init__(self, module: str, name: str) -> None:
         self.module = module
@@ -28,7 +28,7 @@ class LateTable:
     @cached_property
     def table(self) -> type[Table]:
         """The table class."""
-        found: type[Table] = getattr(import_module(f".{self.module}", __package__), self.name)
+        found: type[Table] = getattr(import_module(f"tmmcalc.{self.module}"), self.name)
         return found
 
     def read(self, value: object) -> Table:

@@ -15,9 +15,8 @@ import tomllib
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from tmmcalc.errors import UsageError
-
-from .phrases import Path, listing, show, show_path
+from tmmcalc.core.errors import UsageError
+from tmmcalc.spec.phrases import Path, listing, show, show_path
 
 _KEY = re.compile(r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'""")
 _SELECTOR = re.compile(r"""\[\s*(?:(-?\d+)|([A-Za-z0-9_-]+)\s*=\s*("[^"]*"|'[^']*'|[^\]"']+?))\s*\]""")
@@ -120,7 +119,7 @@ def _find(here: list[Any], where: _Where, path: Path, assignment: str) -> int:
 
 def _named(path: Path, here: list[Any], names: list[Any]) -> list[Any]:
     """The names with those that elements without one get; as they are where something else stands in the list."""
-    from .names import NUMBERED, load_names  # late: few overrides go by a name
+    from tmmcalc.project.names import NUMBERED, load_names  # late: few overrides go by a name
 
     if not all(isinstance(item, dict) for item in here) or not all(isinstance(name, str | None) for name in names):
         return names

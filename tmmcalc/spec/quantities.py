@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import Field
 from pydantic_core import core_schema
 
-from .dimensions import DIMENSIONS, UNITS
-from .phrases import either, nearest, show
-from .reader import Reader
-from .units import LARGEST, UnitError, parse, unit_direction
+from tmmcalc.spec.dimensions import DIMENSIONS, UNITS
+from tmmcalc.spec.phrases import either, nearest, show
+from tmmcalc.spec.reader import Reader
+from tmmcalc.spec.units import LARGEST, UnitError, parse, unit_direction
 
 if TYPE_CHECKING:
     from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler

@@ -6,7 +6,7 @@ import re
 import tomllib
 from typing import Any
 
-from tmmcalc.errors import Fault, SpecError
+from tmmcalc.core.errors import Fault, SpecError
 
 _PLACE = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", re.DOTALL)
 

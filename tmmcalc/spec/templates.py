@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tmmcalc.errors import UsageError
-
-from .phrases import did_you_mean, listing
+from tmmcalc.core.errors import UsageError
+from tmmcalc.spec.phrases import did_you_mean, listing
 
 _PACKAGE = Path(__file__).resolve().parent.parent
 _DIRECTIVE = "#:schema "  # of the editors: the file that follows describes the spec
@@ -51,8 +50,8 @@ def beside(name: str) -> list[Path]:
     >>> [file.name for file in beside("cam-own-law")]
     ['cam-law.csv']
     """
-    from .files import named_files  # late: only what is written needs it
-    from .loader import load_spec
+    from tmmcalc.project.files import named_files  # late: only what is written needs it
+    from tmmcalc.project.loader import load_spec
 
     home = path(name)
     return named_files(load_spec(home), home.parent)

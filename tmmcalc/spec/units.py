@@ -14,8 +14,8 @@ import math
 import re
 from typing import NamedTuple
 
-from .dimensions import DIMENSIONS, UNITS, Factor
-from .phrases import either, nearest, show
+from tmmcalc.spec.dimensions import DIMENSIONS, UNITS, Factor
+from tmmcalc.spec.phrases import either, nearest, show
 
 _QUARTERS = (1 + 0j, 1j, -1 + 0j, -1j)
 FULL_TURN = 2 * math.pi * (1 + 1e-12)  # a bare angle above it is degrees in disguise

@@ -16,11 +16,10 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import Any
 
-from tmmcalc.errors import UsageError
-from tmmcalc.records import record
-
-from .override import split, value_at
-from .phrases import show
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
+from tmmcalc.spec.override import split, value_at
+from tmmcalc.spec.phrases import show
 
 MOST = 1_000_000  # values of one range: more is a slip of the pen
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"

@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 
+from tmmcalc.core.records import record
+from tmmcalc.core.stage import Table
+from tmmcalc.feasibility.stages.feasibility import facts
 from tmmcalc.pipeline.outcome import RunResult
-from tmmcalc.pipeline.stage import Table
-from tmmcalc.records import record
-from tmmcalc.stages.feasibility import facts
 from tmmcalc.stress.stages import between, in_millimetres
 from tmmcalc.stress.units import Factors
 

@@ -16,9 +16,9 @@ import re
 from collections.abc import Iterator
 
 from tmmcalc.batch.quantities import told
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
+from tmmcalc.core.records import record
 from tmmcalc.pipeline.outcome import RunResult
-from tmmcalc.records import record
 
 MARK = "#="
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 LIMITS = (1e-9, 1e-6, 1e-3)  # observed errors at which accuracy counts as degraded
 OK, WARNING, DISPUTED, ERROR, FAULT = "ok", "warning", "disputed", "error", "fault"

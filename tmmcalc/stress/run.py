@@ -7,14 +7,14 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
-from tmmcalc.errors import TmmError, UsageError
+from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.records import record
+from tmmcalc.core.stage import resolve
 from tmmcalc.pipeline.accuracy import estimates
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.plan import known_stage
 from tmmcalc.pipeline.runner import run
-from tmmcalc.pipeline.stage import resolve
 from tmmcalc.pipeline.stages import STAGES
-from tmmcalc.records import record
 from tmmcalc.stress.compare import Alignment, Difference, difference, not_finite
 from tmmcalc.stress.ladders import LADDERS
 from tmmcalc.stress.results import DISPUTED, ERROR, FAULT, OK, WARNING, Ladder, Met, Rung, Stress
@@ -22,7 +22,7 @@ from tmmcalc.stress.scales import TWIN, twin
 from tmmcalc.stress.scene import Climb, Scene, Step
 
 if TYPE_CHECKING:
-    from tmmcalc.spec.loader import Variants
+    from tmmcalc.project.loader import Variants
 
 T = TypeVar("T")
 Told = Callable[[str, str], None]  # ladder, rung
@@ -201,7 +201,7 @@ def _difference(result: RunResult, beside: Beside, name: str) -> Difference:
 
 
 def _warnings(result: RunResult, name: str) -> list[str]:
-    from tmmcalc.report.summary import SUMMARIES
+    from tmmcalc.pipeline.summary import SUMMARIES
 
     document = resolve(SUMMARIES[name])(result.results[name], name)
     notes = [note for part in (document, *document.parts) for note in part.notes]

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.errors import NoSolutionError, TmmError, UsageError
+from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
+from tmmcalc.core.records import record
+from tmmcalc.feasibility.stages.feasibility import facts
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.runner import run
-from tmmcalc.records import record
-from tmmcalc.stages.feasibility import facts
 from tmmcalc.stress.compare import Alignment
 
 if TYPE_CHECKING:
-    from tmmcalc.spec import Spec
+    from tmmcalc.project import Spec
 
 Document = dict[str, Any]
 

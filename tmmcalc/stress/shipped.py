@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.runner import run
+from tmmcalc.project.loader import Variants
 from tmmcalc.spec import templates
-from tmmcalc.spec.loader import Variants
 from tmmcalc.stress.expected import Expected, disagreements, expected
 from tmmcalc.stress.results import ERROR, FAULT, Ladder, Met, Rung, Stress
 from tmmcalc.stress.run import caught, climbed_rung

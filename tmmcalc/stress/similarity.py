@@ -14,14 +14,14 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from tmmcalc.errors import UsageError
-from tmmcalc.spec.camspring import spring_method
+from tmmcalc.cams.tables.cam_spring import spring_method
+from tmmcalc.core.errors import UsageError
+from tmmcalc.project.root import Spec
 from tmmcalc.spec.choices import Listed, OneOrMore, OrFalse, Within
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.late import LateTable
 from tmmcalc.spec.quantities import PolarForm, QualityGrade, Quantity
 from tmmcalc.spec.reader import Reader
-from tmmcalc.spec.root import Spec
 from tmmcalc.spec.units import UnitError, parse
 from tmmcalc.stress.units import Factors
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 Powers = tuple[float, float, float]  # of length, mass and time
 

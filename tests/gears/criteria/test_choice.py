@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from gears.criteria.worked import TEETH, lengths, sets
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.criteria.choice import OBJECTIVES, costs, front, least, minima, ranked
 from tmmcalc.gears.criteria.comparison import compare
 from tmmcalc.gears.criteria.evaluate import Basis, Criteria, evaluate, ratio_error

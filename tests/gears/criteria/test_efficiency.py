@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gears.criteria.worked import CASES, TEETH, sets
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency, efficiency
 from tmmcalc.gears.criteria.speeds import output, speeds
 from tmmcalc.gears.layouts import LAYOUTS

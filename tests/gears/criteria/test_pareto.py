@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.criteria import pareto
 from tmmcalc.gears.criteria.pareto import pareto_front
 from tmmcalc.gears.model import Values

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from gears.criteria.worked import TEETH, lengths, sets, task
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.criteria import series as module
 from tmmcalc.gears.criteria.choice import OBJECTIVES, front, least
 from tmmcalc.gears.criteria.comparison import compare

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from gears.criteria.worked import TEETH, sets
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.criteria.speeds import CARRIER, FIXED, output, speeds
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.model import ToothSets

@@ -9,7 +9,7 @@ import pytest
 
 from gears.criteria.test_speeds import solved
 from gears.criteria.worked import TEETH, lengths, sets
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.criteria.inertia import reduced_inertia
 from tmmcalc.gears.criteria.speeds import CARRIER, FIXED, output
 from tmmcalc.gears.criteria.wheels import MOVING, Build, wheels

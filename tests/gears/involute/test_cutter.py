@@ -5,7 +5,7 @@ from math import cos, pi, radians
 import numpy as np
 import pytest
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.internal.cutter import cutter_margins, largest_tip, tip_lead
 from tmmcalc.gears.involute.internal.ring import Cutter, Ring, cutting

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from gears.involute.cases import wheel
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.internal.contact import internal_contact, internal_extremes, internal_sliding
 from tmmcalc.gears.involute.internal.interference import interferences, trimming_margin, trochoid_margin

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.internal.contact import internal_contact, internal_extremes
 from tmmcalc.gears.involute.internal.line import internal_line, intervals
 from tmmcalc.gears.involute.internal.margins import CONDITIONS, internal_margins, nearest_internal

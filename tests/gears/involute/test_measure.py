@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from gears.involute.cases import case, wheel
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.measure.angles import dms, sexagesimal
 from tmmcalc.gears.involute.measure.balls import ball_diameter, over_balls, usual_diameter

@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import brentq
 
 from gears.involute.cases import case, wheel
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.function import inverse_involute, involute
 from tmmcalc.gears.involute.measure.angles import sexagesimal
 from tmmcalc.gears.involute.pair import Pair, pair_at, pair_of_shifts, sum_of_shifts

@@ -6,7 +6,7 @@ from math import cos, pi, radians, sin, tan
 
 import pytest
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.profile.form import form_radius
 from tmmcalc.gears.involute.profile.rounding import rounding
 from tmmcalc.gears.involute.rack import Rack, require_tool, section

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gears.involute.cases import wheel
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.pair import pair_of_shifts
 from tmmcalc.gears.involute.quality.sliding import sliding
 from tmmcalc.gears.involute.rackpair import rack_pair, rack_sliding

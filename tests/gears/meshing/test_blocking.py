@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tmmcalc.core.conversion import from_record, to_record
 from tmmcalc.gears.involute.contour.margins import margins
 from tmmcalc.gears.involute.function import inverse_involute, involute
 from tmmcalc.gears.involute.profile.form import junction
@@ -25,7 +26,6 @@ from tmmcalc.gears.meshing.contours import Blocking
 from tmmcalc.gears.meshing.results import Pairs
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
-from tmmcalc.stages.conversion import from_record, to_record
 
 CASES = json.loads((Path(__file__).parents[2] / "cases" / "involute-geometry.json").read_text())
 STEP = 0.01  # of the raster

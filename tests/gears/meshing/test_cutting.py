@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.internal.ring import Cutter
 from tmmcalc.gears.meshing.cutting import NAMES
 from tmmcalc.gears.meshing.solve import solve_pair

@@ -10,7 +10,7 @@ import pytest
 
 from gears.involute.cases import case
 from gears.meshing.pairs import MM, M, book, given
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.meshing.blocking import solve_blocking
 from tmmcalc.gears.meshing.remeasure import remeasured
 from tmmcalc.gears.meshing.results import MeshPair, Pairs

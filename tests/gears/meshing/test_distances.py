@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from bounding import assert_bounds
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.meshing.halves import half_tooth
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.gears.meshing.profiles import WheelProfile

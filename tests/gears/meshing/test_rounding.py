@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from bounding import assert_bounds
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.extended import inverse_extended, involute_extended
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.solve import solve_pair

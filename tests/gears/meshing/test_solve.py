@@ -8,7 +8,8 @@ import pytest
 
 from gears.involute.cases import case
 from gears.meshing.pairs import MM, M, book, given, lengths, plain_everywhere
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.contour.margins import margins
 from tmmcalc.gears.involute.measure.angles import sexagesimal
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits
@@ -18,7 +19,6 @@ from tmmcalc.gears.meshing.columns import pair_columns
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.solve import solve_pair, solve_pairs
 from tmmcalc.gears.meshing.task import PairsTask, PairTask
-from tmmcalc.stages.conversion import from_record, to_record
 
 NAMES = {"r": "reference", "r_w": "operating", "r_a": "tip", "r_f": "root", "r_b": "base"}
 

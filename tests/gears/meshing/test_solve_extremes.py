@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gears.meshing.pairs import plain_everywhere
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits
 from tmmcalc.gears.involute.rack import Rack
 from tmmcalc.gears.meshing.results import MeshPair

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from gears.meshing.pairs import MM, M, lengths, plain_everywhere
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.internal.ring import Cutter
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
-from tmmcalc.stages.conversion import from_record, to_record
 
 
 def inside(z1: int, z2: int, beta_deg: float = 0.0, **more) -> PairTask:

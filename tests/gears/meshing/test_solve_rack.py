@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 
 from gears.meshing.pairs import MM, M, lengths, plain_everywhere
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits
 from tmmcalc.gears.involute.rack import RACKS
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
-from tmmcalc.stages.conversion import from_record, to_record
 
 
 def on_rack(z: int, x: float | None = None, beta_deg: float = 0.0, **more) -> PairTask:

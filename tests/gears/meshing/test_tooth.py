@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from gears.involute.profile.envelope import CASES, half_angles
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.internal.ring import Cutter, angle_of_shifts
 from tmmcalc.gears.involute.profile.shaping import shaped_ring
@@ -24,7 +24,7 @@ from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.meshing.tooth import profile_columns, solve_profiles
 from tmmcalc.gears.meshing.tracks import Bow, Cubics, Line
-from tmmcalc.stages import profile as stage
+from tmmcalc.gears.stages import profile as stage
 
 M = 0.005
 SHAPED = Cutter(25, 0.05, 0.2)

@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import brentq
 from stages.trains import AI, AIBAR, COAXIAL, UNFOLDED, chosen
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.layouts import LAYOUTS, layout_of
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairsTask, PairTask

@@ -10,7 +10,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from gears.network.trains import EXAMPLES, trains
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
 from tmmcalc.gears.network.builder import bevel_differential, network_of
 from tmmcalc.gears.network.circulation import elements
 from tmmcalc.gears.network.efficiency import efficiency

@@ -11,7 +11,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from gears.network.trains import ETA, EXAMPLES, TEETH, trains
-from tmmcalc.errors import NoSolutionError, TmmError, UsageError
+from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.gears.network import types
 from tmmcalc.gears.network.builder import (
     Train,

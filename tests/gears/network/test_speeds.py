@@ -10,7 +10,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from gears.network.trains import EXAMPLES, TEETH, sets, trains
-from tmmcalc.errors import NoSolutionError, TmmError, UsageError
+from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.gears.network.builder import bevel_differential, network_of, ratio_of
 from tmmcalc.gears.network.model import FRAME, INTERNAL, Body, Mesh, Network
 from tmmcalc.gears.network.speeds import mobility, ratio, solve_speeds

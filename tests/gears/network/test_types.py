@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from gears.network.trains import EXAMPLES
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.network import types
 from tmmcalc.gears.network.choice import admissible_types, proposals
 from tmmcalc.gears.network.curves import efficiency_over_ratio, efficiency_over_reduction, ratio_over_inverted

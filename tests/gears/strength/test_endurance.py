@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from gears.strength.scenes import MPA, steel_40kh
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.strength.endurance import Endurance, endurance
 from tmmcalc.gears.strength.hardness import parse_hardness
 from tmmcalc.gears.strength.material import Material

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from gears.strength.scenes import sets_of, steel_40kh, task_of
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.strength.explain import coefficients, reason, remarks
 from tmmcalc.gears.strength.hardness import Hardness

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gears.strength.scenes import TRAINS, sets_of
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.strength.loads import mesh_loads
 

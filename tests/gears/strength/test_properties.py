@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from gears.strength.scenes import MM, MPA, random_sets, sets_of, steel_40kh, task_of
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.strength.hardness import parse_hardness
 from tmmcalc.gears.strength.loads import mesh_loads

@@ -9,16 +9,16 @@ import pytest
 from pydantic import TypeAdapter, ValidationError
 
 from gears.strength.scenes import MM, MPA, sets_of
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.strength import material, task
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.tables import Arrangement, table
-from tmmcalc.spec.checks.outline import Outline
-from tmmcalc.spec.checks.strength import CHECKS
+from tmmcalc.gears.tables.checks.strength import CHECKS
+from tmmcalc.gears.tables.strength import ROWS, MaterialTable, StrengthTable
+from tmmcalc.gears.tables.tasks.strength import to_strength
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.gears import to_strength
+from tmmcalc.spec.outline import Outline
 from tmmcalc.spec.phrases import show_path
-from tmmcalc.spec.strength import ROWS, MaterialTable, StrengthTable
 
 STEEL = 'treatment = "improved"\nsteel = "40Kh"\nhardness = "300 HB"\n'
 PLAIN = f'[strength]\ntorque = "75 N*m"\nface_width = 0.6\n[strength.material]\n{STEEL}'

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from gears.strength.scenes import CASES
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.strength.hardness import Hardness, parse_hardness
 from tmmcalc.gears.strength.material import BLANKS, LOADS, STRUCTURES, TREATMENTS, WEARS
 from tmmcalc.gears.strength.steels import check_steel, known, latin, steel_key

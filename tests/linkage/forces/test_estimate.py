@@ -10,11 +10,11 @@ from random_mechanisms import build
 
 from linkage.forces.loadings import random_loading
 from tmmcalc import TmmError, solve_kinematics
+from tmmcalc.core.numerics.extended import WIDER
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
 from tmmcalc.linkage.loads.scene import compile_scene
-from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.numerics.extended import WIDER
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(not WIDER, reason="no wider float here")]
 SCENES = 240

@@ -21,7 +21,7 @@ from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.spec.linkage import to_linkage
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
 EXAMPLES = settings(derandomize=True, deadline=None, max_examples=20, database=None)
 

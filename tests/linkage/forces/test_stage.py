@@ -40,9 +40,9 @@ from tmmcalc.linkage.loading import (
 )
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.reduction.reduce import solve_reduction
 from tmmcalc.linkage.results import Extreme
-from tmmcalc.spec.linkage import to_linkage
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+from tmmcalc.machine.reduction.reduce import solve_reduction
 
 EXAMPLES = settings(derandomize=True, deadline=None, max_examples=15, database=None)
 

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc import solve_kinematics
+from tmmcalc.core.numerics.panels import Panels, panels
 from tmmcalc.linkage.loading import Load, Loading, Spring
 from tmmcalc.linkage.loads.scene import Scene, compile_scene
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.numerics.panels import Panels, panels
 
 Array = NDArray[Any]
 

@@ -23,7 +23,7 @@ from tmmcalc import NoSolutionError, solve_kinematics
 from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.loading import Constant, Load, Loading, Polynomial, Tabulated, Window
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.reduction.reduce import solve_reduction
+from tmmcalc.machine.reduction.reduce import solve_reduction
 
 TURN = 2 * np.pi
 DEGREE = np.pi / 180

@@ -12,9 +12,9 @@ import tmmcalc
 from linkage.loops.groups import CLASS_III, CLASS_IV, CLASS_VI, drawn, loops_of, scene
 from linkage.loops.worked import case, class_four
 from linkage.scenes import CONFIGS
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.loops.assemblies import assemblies
 from tmmcalc.linkage.loops.closure import Loops
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.structure import solve_structure
 
 STARTS = 600

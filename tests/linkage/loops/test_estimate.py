@@ -16,9 +16,9 @@ from bounding import assert_bounds, part
 from linkage.loops.groups import CLASS_III, CLASS_IV, CLASS_VI, MARK, scene
 from linkage.scenes import with_grid
 from tmmcalc import TmmError, solve_kinematics
+from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.numerics.extended import WIDER
 
 pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here: the estimate has no reference")
 

@@ -14,7 +14,7 @@ from transforms import moved, renumbered, scaled, with_axes
 import tmmcalc
 from linkage.loops.groups import CLASS_III, CLASS_IV, drawn, scene
 from tmmcalc import Grid, Input, Kinematics, Mechanism
-from tmmcalc.linkage.plane import Plane
+from tmmcalc.core.plane import Plane
 from tmmcalc.linkage.structure import solve_structure
 
 pytestmark = pytest.mark.slow

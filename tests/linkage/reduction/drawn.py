@@ -14,6 +14,7 @@ from random_mechanisms import build
 from linkage.forces.loadings import random_loading, unit
 from linkage.scenes import crank_slider, four_bar, full_turn, part, slotted, trammel, with_input, yoke
 from tmmcalc import TmmError, solve_kinematics
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.loading import (
     Body,
     Constant,
@@ -30,10 +31,9 @@ from tmmcalc.linkage.loading import (
 )
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.reduction.causes import Causes, causes_of
-from tmmcalc.linkage.reduction.reduce import solve_reduction
-from tmmcalc.linkage.reduction.results import Reduction
+from tmmcalc.machine.reduction.causes import Causes, causes_of
+from tmmcalc.machine.reduction.reduce import solve_reduction
+from tmmcalc.machine.reduction.results import Reduction
 
 TURN = 2 * math.pi
 ROUNDS = 30  # of halving panels of the truth

@@ -26,6 +26,7 @@ from linkage.loads.test_indicator import AREA, BACK, FOUR, engine, expected_work
 from linkage.scenes import crank_slider, driven_rod, four_bar, full_turn, part, shaper, with_grid, with_input
 from linkage.test_properties import regular
 from tmmcalc import NoSolutionError, solve_kinematics
+from tmmcalc.core.numerics.simpson import simpson
 from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.loading import (
     Body,
@@ -43,11 +44,10 @@ from tmmcalc.linkage.loading import (
 )
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.reduction.causes import causes_of
-from tmmcalc.linkage.reduction.inertia import reduced_inertia, rods_of
-from tmmcalc.linkage.reduction.reduce import solve_reduction
-from tmmcalc.linkage.reduction.results import Reduction
-from tmmcalc.numerics.simpson import simpson
+from tmmcalc.machine.reduction.causes import causes_of
+from tmmcalc.machine.reduction.inertia import reduced_inertia, rods_of
+from tmmcalc.machine.reduction.reduce import solve_reduction
+from tmmcalc.machine.reduction.results import Reduction
 
 EXAMPLES = settings(derandomize=True, deadline=None, max_examples=20, database=None)
 TURN = 2 * np.pi

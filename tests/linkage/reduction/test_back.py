@@ -10,7 +10,7 @@ import pytest
 from linkage.scenes import crank_slider, full_turn, with_input
 from tmmcalc import NoSolutionError, solve_kinematics
 from tmmcalc.linkage.loading import Body, Constant, Load, Loading, Pair, Quadratic, Viscous
-from tmmcalc.linkage.reduction.reduce import solve_back, solve_reduction
+from tmmcalc.machine.reduction.reduce import solve_back, solve_reduction
 
 TURN = 2 * np.pi
 SLIDER = Loading(

@@ -13,9 +13,9 @@ from linkage.scenes import bar, four_bar, full_turn, pin, shaper, slide, with_in
 from tmmcalc import solve_kinematics
 from tmmcalc.linkage.loading import Body, Constant, Load, Loading, Tabulated, Window
 from tmmcalc.linkage.model import Assembly, Input, Link, Mechanism, Output
-from tmmcalc.linkage.reduction.inertia import lumped, reduced_inertia
-from tmmcalc.linkage.reduction.reduce import solve_reduction
-from tmmcalc.linkage.reduction.results import Contribution, Reduction
+from tmmcalc.machine.reduction.inertia import lumped, reduced_inertia
+from tmmcalc.machine.reduction.reduce import solve_reduction
+from tmmcalc.machine.reduction.results import Contribution, Reduction
 
 
 def like(case: str, key: str, found: Any) -> None:

@@ -12,12 +12,12 @@ import pytest
 from linkage.scenes import crank_slider, full_turn, with_grid, with_input
 from tmmcalc import solve_kinematics
 from tmmcalc.linkage.loading import Constant, Load, Loading, Pair, Window
-from tmmcalc.linkage.reduction.columns import cells, columns
-from tmmcalc.linkage.reduction.efficiency import efficiency
-from tmmcalc.linkage.reduction.reduce import solve_reduction
-from tmmcalc.linkage.reduction.results import Reduction
-from tmmcalc.report.reduction import reduction_document
-from tmmcalc.stages.reduction import table
+from tmmcalc.machine.facts.reduction import reduction_document
+from tmmcalc.machine.reduction.columns import cells, columns
+from tmmcalc.machine.reduction.efficiency import efficiency
+from tmmcalc.machine.reduction.reduce import solve_reduction
+from tmmcalc.machine.reduction.results import Reduction
+from tmmcalc.machine.stages.reduction import table
 
 R, L, F, Q = 0.1, 0.25, 0.2, 500.0
 OUT, BACK = (np.pi, 2 * np.pi), (0.0, np.pi)  # along the motion: the slider moves along +x, along -x

@@ -18,16 +18,16 @@ from bounding import assert_bounds, part
 from linkage.reduction.drawn import drawn, integrals, solved, wide
 from linkage.scenes import crank_slider, four_bar, full_turn, with_input
 from tmmcalc import solve_kinematics
+from tmmcalc.core.numerics.extended import WIDER
+from tmmcalc.core.numerics.panels import Panels
+from tmmcalc.core.numerics.simpson import simpson
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.loading import Body, Constant, Load, Loading, Quadratic, Spring, Viscous
-from tmmcalc.linkage.plane import Real
-from tmmcalc.linkage.reduction.causes import Causes
-from tmmcalc.linkage.reduction.inertia import slope_size
-from tmmcalc.linkage.reduction.mesh import SLIGHT
-from tmmcalc.linkage.reduction.reduce import solve_reduction
-from tmmcalc.linkage.reduction.results import Reduction
-from tmmcalc.numerics.extended import WIDER
-from tmmcalc.numerics.panels import Panels
-from tmmcalc.numerics.simpson import simpson
+from tmmcalc.machine.reduction.causes import Causes
+from tmmcalc.machine.reduction.inertia import slope_size
+from tmmcalc.machine.reduction.mesh import SLIGHT
+from tmmcalc.machine.reduction.reduce import solve_reduction
+from tmmcalc.machine.reduction.results import Reduction
 
 pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here: the estimate has no reference")
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Panels, panels
 from tmmcalc.linkage.forces import kinks
 from tmmcalc.linkage.stacked.ragged import cut, first
-from tmmcalc.numerics.panels import Panels, panels
 
 PERIOD = 2 * np.pi
 BREAKS = np.array([[1.0, 4.0, 2.0], [0.0, PERIOD, 3.0], [2.0, 2.0 + 1e-9, 5.0], [1e-8, PERIOD - 1e-8, 6.0]])

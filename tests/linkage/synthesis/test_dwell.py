@@ -11,9 +11,9 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 import tmmcalc
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.plane import Plane, cross
 from tmmcalc.linkage.kinematics import solve_kinematics
-from tmmcalc.linkage.plane import Plane, cross
 from tmmcalc.linkage.synthesis.dwell.criteria import rated
 from tmmcalc.linkage.synthesis.dwell.exact import figures
 from tmmcalc.linkage.synthesis.dwell.linkages import (
@@ -391,7 +391,7 @@ def test_missing_parameters() -> None:
 
 
 def test_the_ready_spec_moves_as_the_synthesis_says() -> None:
-    from tmmcalc.spec.linkage import to_linkage
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     for asked in (replace(SLIDER, stroke=0.2), ROCKER):
         result = solved(asked, crank_speed=3.0)

@@ -9,15 +9,15 @@ import pytest
 
 import tmmcalc
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask
+from tmmcalc.feasibility.stages.feasibility import facts
+from tmmcalc.linkage.stages.synthesis import table
 from tmmcalc.linkage.synthesis.dwell.criteria import rated
 from tmmcalc.linkage.synthesis.dwell.kept import BARRIER, OF, Rule, told_columns, told_values
 from tmmcalc.linkage.synthesis.dwell.parameters import NAMES, drawn, given
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.turn import whole_turn
 from tmmcalc.linkage.synthesis.results import Synthesis
-from tmmcalc.spec.linksyntheses import to_synthesis
-from tmmcalc.stages.feasibility import facts
-from tmmcalc.stages.synthesis import table
+from tmmcalc.linkage.tables.tasks.synthesis import to_synthesis
 
 pytestmark = pytest.mark.slow
 

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.synthesis import posefit
 from tmmcalc.linkage.synthesis.atlas import atlas
 from tmmcalc.linkage.synthesis.curvefit import Wanted, fitted

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.synthesis.burmester import Poses, centres, circle_points, curve_points, line_points
 from tmmcalc.linkage.synthesis.function import chebyshev
 from tmmcalc.linkage.synthesis.kinds import solve_synthesis

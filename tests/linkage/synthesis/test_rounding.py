@@ -12,7 +12,7 @@ import pytest
 from bounding import assert_bounds
 from mpmath import mp, mpf
 
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
 from tmmcalc.linkage.synthesis.kinds import solve_synthesis
 from tmmcalc.linkage.synthesis.posesearch import EXACT
 from tmmcalc.linkage.synthesis.results import Design

@@ -122,7 +122,9 @@ def test_position_plan() -> None:
         text = spec_of(book(source)["inputs"], kind)
         ready = tmmcalc.solve_synthesis(tmmcalc.parse_spec("[synthesis]\npositions = 12\n" + text)).best.spec
         spec = tmmcalc.parse_spec(ready)
-        plan = tmmcalc.position_plan(tmmcalc.spec.linkage.to_linkage(spec.linkage), tmmcalc.solve_kinematics(spec))
+        plan = tmmcalc.position_plan(
+            tmmcalc.linkage.tables.tasks.mechanism.to_linkage(spec.linkage), tmmcalc.solve_kinematics(spec)
+        )
         plain = [k for k, label in enumerate(plan.labels) if "'" not in label]
         assert len(plain) == 12
         off = np.degrees(plan.x[plain]) - expected["crank_angles_deg"]

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.numerics.panels import Values
+from tmmcalc.core.numerics.panels import Values
 
 
 class Crane(NamedTuple):

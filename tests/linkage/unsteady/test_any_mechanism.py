@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.errors import AssemblyError, NoSolutionError, UsageError
+from tmmcalc.core.errors import AssemblyError, NoSolutionError, UsageError
+from tmmcalc.core.timelaw import motion
 from tmmcalc.linkage.chain import chain_of
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.linkage.trace import trace
 from tmmcalc.linkage.unsteady.solve import solve_unsteady
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
 from tmmcalc.spec import templates
-from tmmcalc.spec.linkage import to_linkage
-from tmmcalc.timelaw import motion
 
 CONFIGS = templates.folder()
 TURN = 2 * math.pi

@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.timelaw import motion
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.linkage.unsteady.solve import solve_unsteady
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
-from tmmcalc.numerics.panels import Values
 from tmmcalc.spec import templates
-from tmmcalc.spec.linkage import to_linkage
-from tmmcalc.timelaw import motion
 
 from .cranes import Crane
 

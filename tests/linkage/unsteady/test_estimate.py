@@ -14,11 +14,11 @@ from bounding import assert_bounds, part
 
 from linkage.reduction.drawn import drawn
 from tmmcalc import Kinematics, TmmError, Unsteady, solve_kinematics
+from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.trace import trace
 from tmmcalc.linkage.unsteady.solve import solve_unsteady
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
-from tmmcalc.numerics.extended import WIDER
 
 pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here: the estimate has no reference")
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from tmmcalc import NoSolutionError, UsageError
-from tmmcalc.machine.balancing.arrangements import FIRING, Gear, in_line, vee
-from tmmcalc.machine.balancing.cylinders import piston
-from tmmcalc.machine.balancing.firing import firing
+from tmmcalc.machine.balance.arrangements import FIRING, Gear, in_line, vee
+from tmmcalc.machine.balance.cylinders import piston
+from tmmcalc.machine.balance.firing import firing
 
 GEAR = Gear(0.04, 0.14, 0.5, 0.6)
 

@@ -14,11 +14,11 @@ from linkage.scenes import crank_slider
 from numpy.typing import NDArray
 
 from tmmcalc import UsageError
-from tmmcalc.linkage.balance.shaking import inertia_loads, shaking
 from tmmcalc.linkage.loading import Body
-from tmmcalc.machine.balancing.arrangements import FIRING, Gear, in_line, vee
-from tmmcalc.machine.balancing.cylinders import Cylinder, cylinder_force, piston
-from tmmcalc.machine.balancing.engines import EngineBalance, corrected, engine_balance, shaft_weights
+from tmmcalc.machine.balance.arrangements import FIRING, Gear, in_line, vee
+from tmmcalc.machine.balance.cylinders import Cylinder, cylinder_force, piston
+from tmmcalc.machine.balance.engines import EngineBalance, corrected, engine_balance, shaft_weights
+from tmmcalc.machine.balance.shaking import inertia_loads, shaking
 
 Array = NDArray[Any]
 TURN = 2 * math.pi

@@ -8,9 +8,9 @@ from typing import Any
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
 
-from tmmcalc.machine.balancing.cylinders import Cylinder
-from tmmcalc.machine.balancing.engines import engine_balance
-from tmmcalc.machine.balancing.rotors import Rotor, Unbalance, rotor_balance
+from tmmcalc.machine.balance.cylinders import Cylinder
+from tmmcalc.machine.balance.engines import engine_balance
+from tmmcalc.machine.balance.rotors import Rotor, Unbalance, rotor_balance
 
 SCENES = 200
 SPEED = 10.0

@@ -12,7 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from tmmcalc import UsageError
-from tmmcalc.machine.balancing.grades import (
+from tmmcalc.machine.balance.grades import (
     EXAMPLES,
     GRADES,
     grade_reached,
@@ -20,7 +20,7 @@ from tmmcalc.machine.balancing.grades import (
     permissible_unbalance,
     shared,
 )
-from tmmcalc.machine.balancing.rotors import (
+from tmmcalc.machine.balance.rotors import (
     Rotor,
     Unbalance,
     correction,
@@ -30,7 +30,7 @@ from tmmcalc.machine.balancing.rotors import (
     two_plane_correction,
     verdict,
 )
-from tmmcalc.machine.balancing.weights import Weight, sized
+from tmmcalc.machine.balance.weights import Weight, sized
 
 Array = NDArray[Any]
 

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.panels import panels
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.numerics.panels import panels
 
 Array = NDArray[Any]
 TURN = 2 * np.pi

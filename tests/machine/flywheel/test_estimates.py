@@ -17,7 +17,7 @@ from machine.drawn import TURN, Drawn
 from machine.exact import WIDE
 from machine.flywheel.test_task import wanted
 from machine.test_estimates import THETA, missed, peak, primitive
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
 from tmmcalc.machine.driver import ConstantInertia
 from tmmcalc.machine.flywheel.methods import METHODS
 from tmmcalc.machine.flywheel.required import required_inertia

@@ -10,7 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from machine.flywheel.scenes import CASES, TURN, brute_delta, press, press_cycle
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.panels import panels
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.diagram import from_harmonics, from_pieces
 from tmmcalc.machine.flywheel.curve import energy_curve, nodal_work
@@ -19,7 +20,6 @@ from tmmcalc.machine.flywheel.positional import FlywheelMethod, on_nodes, positi
 from tmmcalc.machine.flywheel.resimulation import motions
 from tmmcalc.machine.flywheel.wittenbauer import energy_mass
 from tmmcalc.machine.positional import positional
-from tmmcalc.numerics.panels import panels
 
 
 def by_name(methods: tuple[FlywheelMethod, ...]) -> dict[str, FlywheelMethod]:

@@ -12,7 +12,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from machine.flywheel.scenes import CASES, TURN, parabola, upsetter, upsetter_cycle
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.diagram import from_harmonics
 from tmmcalc.machine.flywheel.comparison import compared

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.machine.flywheel.materials import CAST_IRON, MATERIALS, RECOMMENDED, STEEL, Material
 from tmmcalc.machine.flywheel.placement import wheels
 from tmmcalc.machine.flywheel.rim import (

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from machine.flywheel.scenes import CASES, TURN, parabola, upsetter
-from tmmcalc.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.machine.flywheel.search import corrections, least_inertia, tried
 from tmmcalc.machine.flywheel.trials import Trial
 

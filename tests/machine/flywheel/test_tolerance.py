@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 
 from tmmcalc import load_spec
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
+from tmmcalc.machine.stages import transient
 from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.simulate import simulate
 from tmmcalc.machine.transient.task import drive_of
 from tmmcalc.pipeline.runner import run
-from tmmcalc.stages import transient
 
 CONFIGS = Path(__file__).parents[3] / "configs"
 

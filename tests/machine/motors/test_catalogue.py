@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tmmcalc.errors import SpecError, UsageError
+from tmmcalc.core.errors import SpecError, UsageError
 from tmmcalc.machine.motors.catalogue import COLUMNS, find, load_catalogue
 from tmmcalc.machine.motors.model import Motor, characteristic
 

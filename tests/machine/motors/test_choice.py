@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.machine.motors.catalogue import load_catalogue
 from tmmcalc.machine.motors.choice import Choice, choose
 from tmmcalc.machine.motors.model import Motor

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.motors.model import Motor, characteristic, electromagnetic_time_constant, with_lag
 
 GOOD: dict[str, Any] = {"name": "X", "power": 7500.0, "speed": 152.0, "synchronous": 157.08, "overload": 2.2}

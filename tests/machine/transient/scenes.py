@@ -10,13 +10,13 @@ from typing import Any
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import panels
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Drive, Mass
 from tmmcalc.machine.transient.results import Transient
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.simulate import simulate
-from tmmcalc.numerics.panels import panels
 
 CASES = Path(__file__).parents[2] / "cases" / "dynamics.json"
 PERIOD = 2 * math.pi

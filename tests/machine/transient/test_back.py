@@ -11,7 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from machine.transient.scenes import constant, cycle, event, line, run
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
 from tmmcalc.machine.transient.scenario import Brake, LoadStep, Scenario

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from machine.transient.scenes import Motor, constant, cycle, event, kloss, line, run, upsetter, upsetter_drive
-from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
 from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
 from tmmcalc.machine.transient.scenario import Brake, LoadStep, Scenario

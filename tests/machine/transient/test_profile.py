@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from machine.transient.scenes import PERIOD, Shape, cycle, travel, upsetter
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.transient.profile import Profile, profile
 from tmmcalc.machine.transient.reading import reader, slopes, stretches, tabulated

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from machine.transient.scenes import constant, cycle, event, kloss, line, run
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
 from tmmcalc.machine.transient.scenario import Brake, LoadStep, Scenario
 

@@ -10,15 +10,15 @@ import pytest
 from machine.transient.scenes import at, cycle
 from machine.transient.scenes import run as driven
 from tmmcalc import load_spec
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
 from tmmcalc.machine.motors.characteristics import parabolic
+from tmmcalc.machine.stages import transient
 from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Drive, Mass
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.simulate import simulate
 from tmmcalc.machine.transient.task import beginning
 from tmmcalc.pipeline.runner import run
-from tmmcalc.stages import transient
 
 CONFIGS = Path(__file__).parents[3] / "configs"
 MOTOR = 'motor={power="0.55 kW", speed="1390 rpm", synchronous_speed="1500 rpm", overload=2.2, characteristic="kloss"}'

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from machine.transient.scenes import Motor, constant, cycle, event, kloss, line, run, upsetter_drive
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
 from tmmcalc.machine.motors.characteristics import parabolic, straight
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
 from tmmcalc.machine.transient.results import Transient

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 from scipy.special import jn_zeros
 
 import tmmcalc
-from tmmcalc.errors import NoSolutionError, SingularityError, UsageError
+from tmmcalc.core.errors import NoSolutionError, SingularityError, UsageError
 from tmmcalc.machine.vibration.pendulum.basis import Basis, gauss, sample
 from tmmcalc.machine.vibration.pendulum.energies import matrices
 from tmmcalc.machine.vibration.pendulum.solve import solve_pendulum

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.machine.vibration.pendulum.basis import Basis
 from tmmcalc.machine.vibration.pendulum.energies import matrices
 from tmmcalc.machine.vibration.pendulum.solve import solve_pendulum

@@ -11,7 +11,7 @@ import pytest
 from scipy.linalg import eigh
 
 import tmmcalc
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.machine.vibration.vibrator.energies import excitation_of, mass_matrix, stiffness_matrix
 from tmmcalc.machine.vibration.vibrator.modes import damping_matrix, modes_of
 from tmmcalc.machine.vibration.vibrator.solve import solve_vibrator

@@ -11,7 +11,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar
 
-from tmmcalc.errors import NoSolutionError, SingularityError, UsageError
+from tmmcalc.core.errors import NoSolutionError, SingularityError, UsageError
 from tmmcalc.machine.motors.model import Motor
 from tmmcalc.machine.vibration.vibrator.energies import excitation_of
 from tmmcalc.machine.vibration.vibrator.results import VibratorResult

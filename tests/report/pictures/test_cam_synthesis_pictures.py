@@ -11,13 +11,13 @@ from cams.turns import task_of, turn
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
 
+from tmmcalc.cams.pictures import draw_cam
+from tmmcalc.cams.pictures.pressure import pressure_figure
+from tmmcalc.cams.pictures.synthesis import synthesis_figure
+from tmmcalc.cams.pictures.zone import LIMIT, ZONE
 from tmmcalc.cams.pressure import solve_pressure
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits
-from tmmcalc.report.pictures.cams import draw_cam
-from tmmcalc.report.pictures.cams.pressure import pressure_figure
-from tmmcalc.report.pictures.cams.synthesis import synthesis_figure
-from tmmcalc.report.pictures.cams.zone import LIMIT, ZONE
 
 LIMITS = AngleLimits(radians(32), radians(40))
 TASKS = {

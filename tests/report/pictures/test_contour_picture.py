@@ -19,7 +19,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, PathPatch
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.involute.contour.margins import margins
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits
 from tmmcalc.gears.involute.rack import Rack
@@ -29,13 +29,13 @@ from tmmcalc.gears.meshing.contours import Blocking, ContourLine, PairContour
 from tmmcalc.gears.meshing.results import Pairs
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
-from tmmcalc.report.pictures import draw_blocking
-from tmmcalc.report.pictures.gears.contour import blocking_figure
-from tmmcalc.report.pictures.gears.contourkey import SIZE
-from tmmcalc.report.pictures.gears.contourlines import least_shifts, number_of, strokes
-from tmmcalc.report.pictures.gears.contourlook import BELT, BORDER, FILL, STRICT, together
-from tmmcalc.report.pictures.gears.contourpaths import paths_of, smooth
-from tmmcalc.report.pictures.style import INK, MARK
+from tmmcalc.gears.pictures.contour import blocking_figure
+from tmmcalc.gears.pictures.contourkey import SIZE
+from tmmcalc.gears.pictures.contourlines import least_shifts, number_of, strokes
+from tmmcalc.gears.pictures.contourlook import BELT, BORDER, FILL, STRICT, together
+from tmmcalc.gears.pictures.contourpaths import paths_of, smooth
+from tmmcalc.report.drawing import draw_blocking
+from tmmcalc.report.drawing.style import INK, MARK
 
 PAIRS: dict[str, dict[str, Any]] = {
     "14/17": {"teeth": (14, 17), "shifts": (0.6, 0.5222)},

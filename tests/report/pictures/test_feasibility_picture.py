@@ -12,9 +12,9 @@ pytest.importorskip("matplotlib")
 from matplotlib.colors import to_hex
 from matplotlib.patches import Rectangle
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.feasibility.judge import Constraint, Feasibility, FeasibilityTask, judge
-from tmmcalc.report.pictures.feasibility import FAILS, HOLDS, IDLE, draw_feasibility, feasibility_figure
+from tmmcalc.feasibility.pictures.feasibility import FAILS, HOLDS, IDLE, draw_feasibility, feasibility_figure
 
 VALUES = {"a": (1.2, "m", 1.0, None), "b": (3.0, "N", None, 2.0), "c": (50.0, "W", None, 10.0)}
 TASK = FeasibilityTask(

@@ -19,17 +19,17 @@ from matplotlib.patches import Polygon
 from tmmcalc.api import run
 from tmmcalc.cli.drawings import drawing_of
 from tmmcalc.cli.order import Order
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.layouts import LAYOUTS, layout_of
 from tmmcalc.gears.model import ToothSets
+from tmmcalc.gears.pictures.criteria import criteria_figure
+from tmmcalc.gears.pictures.endview import extent
+from tmmcalc.gears.pictures.placed import PlacedTrain, placed
+from tmmcalc.gears.pictures.scheme import scheme_sheet
+from tmmcalc.gears.pictures.train import train_figure
 from tmmcalc.gears.train import Trains
-from tmmcalc.report.pictures.gears.criteria import criteria_figure
-from tmmcalc.report.pictures.gears.endview import extent
-from tmmcalc.report.pictures.gears.placed import PlacedTrain, placed
-from tmmcalc.report.pictures.gears.scheme import scheme_sheet
-from tmmcalc.report.pictures.gears.train import train_figure
-from tmmcalc.report.pictures.page import blank, settle
-from tmmcalc.spec import load_spec
+from tmmcalc.project import load_spec
+from tmmcalc.report.drawing.page import blank, settle
 
 RACK = math.radians(20)
 RAISED = math.acos(math.cos(RACK) * 132 / 138)  # closes Z1 + 2 Z2 + Z3 = 132 against Z3 + Z4 = 138

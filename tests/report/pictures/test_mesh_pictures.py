@@ -16,22 +16,22 @@ pytest.importorskip("matplotlib")
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.plane import Plane
 from tmmcalc.gears.involute.internal.ring import Cutter
 from tmmcalc.gears.meshing.halves import half_tooth
 from tmmcalc.gears.meshing.members import both
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import Kind, PairTask
-from tmmcalc.linkage.plane import Plane
-from tmmcalc.report.pictures import draw_pair, draw_profile
-from tmmcalc.report.pictures.gears.generation import generation_of
-from tmmcalc.report.pictures.gears.pairsheet import pair_figure
-from tmmcalc.report.pictures.gears.pairtable import parameters
-from tmmcalc.report.pictures.gears.placedpair import PlacedPair, placed_pair
-from tmmcalc.report.pictures.gears.sketch import spread
-from tmmcalc.report.pictures.gears.slidingcurves import course, singles
-from tmmcalc.report.pictures.gears.toothpicture import profile_figure
+from tmmcalc.gears.pictures.generation import generation_of
+from tmmcalc.gears.pictures.pairsheet import pair_figure
+from tmmcalc.gears.pictures.pairtable import parameters
+from tmmcalc.gears.pictures.placedpair import PlacedPair, placed_pair
+from tmmcalc.gears.pictures.sketch import spread
+from tmmcalc.gears.pictures.slidingcurves import course, singles
+from tmmcalc.gears.pictures.toothpicture import profile_figure
+from tmmcalc.report.drawing import draw_pair, draw_profile
 
 M = 0.005
 TASKS: dict[str, tuple[tuple[int, int], tuple[float, float], Kind, float]] = {

@@ -10,10 +10,10 @@ pytest.importorskip("matplotlib")
 from matplotlib.collections import Collection
 from matplotlib.contour import QuadContourSet
 
-from tmmcalc.errors import NoSolutionError, TmmError
+from tmmcalc.core.errors import NoSolutionError, TmmError
 from tmmcalc.feasibility.judge import Constraint, Feasibility, FeasibilityTask, judge
 from tmmcalc.feasibility.maps import Parameter, RegionMap, region_map
-from tmmcalc.report.pictures.regions import region_figure
+from tmmcalc.feasibility.pictures.regions import region_figure
 
 X = np.linspace(-2, 2, 41)
 TASK = FeasibilityTask(

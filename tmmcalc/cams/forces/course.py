@@ -14,9 +14,9 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure import check_reach, terms
 from tmmcalc.cams.steadying import steady
 from tmmcalc.cams.task import CamTask, Loads
-from tmmcalc.errors import SingularityError
-from tmmcalc.numerics.panels import Panels, resolved
-from tmmcalc.records import record
+from tmmcalc.core.errors import SingularityError
+from tmmcalc.core.numerics.panels import Panels, resolved
+from tmmcalc.core.records import record
 
 TOLERANCE = 1e-12  # of the panels
 NOTHING = 1e-12  # of the largest: a force that is none

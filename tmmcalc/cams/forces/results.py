@@ -6,7 +6,7 @@ from tmmcalc.cams.follower import Closure, Follower
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import Errors
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 
 @record

@@ -27,9 +27,9 @@ from tmmcalc.cams.pressure import on_phase
 from tmmcalc.cams.program import SAME, TURN, Program
 from tmmcalc.cams.steadying import steady
 from tmmcalc.cams.task import CamTask, Loads, Spring
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.numerics.panels import Panels
-from tmmcalc.records import record
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.panels import Panels
+from tmmcalc.core.records import record
 
 DEFLECTION = 0.4  # f1 of the method preload, part of the stroke
 STEPS = 30

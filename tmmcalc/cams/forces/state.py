@@ -22,8 +22,8 @@ from tmmcalc.cams.forces.results import GuideFound
 from tmmcalc.cams.forces.turn import Points
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.task import CamTask, Loads
-from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 
 
 @record

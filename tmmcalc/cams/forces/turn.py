@@ -13,10 +13,10 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.program import TURN, Positions
 from tmmcalc.cams.steadying import FLAT, steady
 from tmmcalc.cams.task import CamTask, Loads
-from tmmcalc.errors import UsageError
-from tmmcalc.numerics.panels import Panels, panels
-from tmmcalc.numerics.roots import bracketed
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.panels import Panels, panels
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.records import record
 
 SENSES = {"rise": 1.0, "high dwell": 0.0, "return": -1.0, "low dwell": 0.0}
 LIFTED = ("rise", "high dwell")  # phases of the first constant force

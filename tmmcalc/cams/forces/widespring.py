@@ -21,7 +21,7 @@ from tmmcalc.cams.program import SAME, TURN
 from tmmcalc.cams.rounding import APART, crest, relative, sides
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.cams.wide import wide
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 OffAndLift = Callable[[Values, Values], Values]  # of P and dS
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from math import atan2, cos, pi, sin
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 TOLERATED = 1.015  # lambda_min/lambda_max that the author of the method still takes
 

@@ -8,7 +8,7 @@ from tmmcalc.cams.indexing.bounds import TOLERATED, bounds, least_ratio
 from tmmcalc.cams.indexing.laws import step_law, symmetric_laws
 from tmmcalc.cams.indexing.rollers import USUAL, RollerLimit, governing
 from tmmcalc.cams.indexing.task import IndexingTask
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 
 ABOVE = 1.1  # lambda/lambda_min that is chosen: near the least pressure angle, clear of the point of the groove
 TIGHT = 1.01  # lambda/lambda_min that is chosen where the limits leave no room

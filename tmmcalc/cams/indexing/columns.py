@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.indexing.results import FlankTable, Indexing
-from tmmcalc.columns import degrees
+from tmmcalc.core.columns import degrees
 
 
 def indexing_columns(result: Indexing) -> dict[str, np.ndarray]:

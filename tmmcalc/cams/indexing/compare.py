@@ -16,7 +16,7 @@ from tmmcalc.cams.indexing.handover import Handover, handover
 from tmmcalc.cams.indexing.laws import StepLaw, step_law, symmetric_laws
 from tmmcalc.cams.indexing.solve import drive_of
 from tmmcalc.cams.indexing.task import IndexingTask
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 CODES = ("0010",)  # laws of the printed tables beside the catalogue; 0000 is linear, 0050 is const
 TABLED = StepLaw("2.9 (its B alone)", 1.625)  # of the printed tables, not identified: poly5 has all its values but one

@@ -14,7 +14,7 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.profile.offsets import frame
 from tmmcalc.cams.rounding import APART, FLOOR, MARGIN, Errors, chosen, crest, nearer, relative, root_error, slopes
 from tmmcalc.cams.wide import wide
-from tmmcalc.numerics.extended import EPS
+from tmmcalc.core.numerics.extended import EPS
 
 SAMPLES = 33  # of a law, for its size
 NEAR = 1e-12  # of the step: an angle between two pieces of the law

@@ -24,7 +24,7 @@ import numpy as np
 from tmmcalc.cams.follower import Complex, Follower
 from tmmcalc.cams.laws.law import Indices, Law, Values
 from tmmcalc.cams.profile.offsets import Frame, frame
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 FlankName = Literal["A", "B", "back"]
 STARTS = {"A": 1, "B": -1, "back": -3}  # theta at k = 0, in parts of beta_0

@@ -14,7 +14,7 @@ import numpy as np
 from tmmcalc.cams.indexing.flanks import Drive, Flank
 from tmmcalc.cams.indexing.signs import changes
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 BESIDE = 1e-3  # of the step: how far from the bottom of the groove its halves are sought to meet
 ROUNDING = 1e-12  # [rad] an angle that is none, of the step a part

@@ -13,9 +13,9 @@ import numpy as np
 
 from tmmcalc.cams.laws.catalogue import LAWS, law_of
 from tmmcalc.cams.laws.law import Acceleration, Law, of_acceleration
-from tmmcalc.errors import UsageError
-from tmmcalc.numerics.panels import panels
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.panels import panels
+from tmmcalc.core.records import record
 
 WIDEST = 1 / 8  # of a panel
 SYMMETRIC = 1e-9  # by so much s(k) + s(1 - k) may differ from 1

@@ -11,7 +11,7 @@ from tmmcalc.cams.indexing.flanks import Drive, Flank
 from tmmcalc.cams.indexing.results import EfficiencyTable
 from tmmcalc.cams.indexing.signs import changes, sampled
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 Formula = Callable[[Values, Values, float, float], Terms]
 

@@ -16,9 +16,9 @@ from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.indexing.bounds import start_angle
 from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.numerics.curves import Curve, cubics, knots
-from tmmcalc.numerics.strokes import Bow, Cubics, Outline, Piece
-from tmmcalc.records import record
+from tmmcalc.core.numerics.curves import Curve, cubics, knots
+from tmmcalc.core.records import record
+from tmmcalc.report.strokes import Bow, Cubics, Outline, Piece
 
 SAME = 1e-12  # of the step
 NAMES = {"A": "flank A", "back": "back of the lobe", "B": "groove B"}

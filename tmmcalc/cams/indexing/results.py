@@ -13,7 +13,7 @@ from tmmcalc.cams.indexing.handover import Handover
 from tmmcalc.cams.indexing.rollers import RollerLimit
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.rounding import Errors
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 LARGEST = 1e12  # of l_k: a radius of curvature that stands for a straight line
 

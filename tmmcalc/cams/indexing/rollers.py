@@ -15,7 +15,7 @@ import numpy as np
 from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName
 from tmmcalc.cams.indexing.signs import sampled
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 USUAL = 0.7, 0.8  # of the least convex radius: what is chosen, what is usual at most
 SMALL = 1e-12

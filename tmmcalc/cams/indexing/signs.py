@@ -8,8 +8,8 @@ import numpy as np
 
 from tmmcalc.cams.indexing.flanks import Drive
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.numerics.panels import Panels, panels, resolved
-from tmmcalc.numerics.roots import bracketed
+from tmmcalc.core.numerics.panels import Panels, panels, resolved
+from tmmcalc.core.numerics.roots import bracketed
 
 WIDEST = 1 / 16  # of a first panel, of the step
 Function = Callable[[Values], Values]

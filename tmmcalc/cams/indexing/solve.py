@@ -20,7 +20,7 @@ from tmmcalc.cams.indexing.signs import sampled
 from tmmcalc.cams.indexing.task import IndexingTask
 from tmmcalc.cams.indexing.verdicts import remarks
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 
 
 def solve_indexing(task: IndexingTask) -> Indexing:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from math import pi, radians
 
 from tmmcalc.cams.indexing.laws import StepLaw
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 FRICTION_RATIO = 1.27  # f2/f1
 

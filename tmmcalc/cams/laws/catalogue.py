@@ -11,7 +11,7 @@ from math import pi
 import numpy as np
 
 from tmmcalc.cams.laws.law import Acceleration, Law, of_acceleration, polynomial
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 _WHOLE = np.array([0.0, 1.0])
 

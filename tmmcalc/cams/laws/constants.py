@@ -8,8 +8,8 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.laws.law import Law, Values
-from tmmcalc.numerics.panels import Panels, panels
-from tmmcalc.records import record
+from tmmcalc.core.numerics.panels import Panels, panels
+from tmmcalc.core.records import record
 
 WIDEST = 1 / 8  # of a panel: a piece of a catalogue law is resolved to rounding on it
 LEVEL = 1e-12  # of the largest: values that count as equal

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 Values = NDArray[np.floating[Any]]
 Indices = NDArray[np.intp]

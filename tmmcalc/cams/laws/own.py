@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.laws.law import Acceleration, Law, Values, of_acceleration, polynomial
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 REST = 1e-6  # of the largest s': a law may miss rest at its end by so much, as rounded data do
 DEGREE = 5  # of the spline

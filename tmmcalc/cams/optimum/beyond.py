@@ -14,7 +14,7 @@ from tmmcalc.cams.optimum.guide import SINGLE, TALL, Range, ranges
 from tmmcalc.cams.optimum.margins import margins
 from tmmcalc.cams.optimum.scene import Scene
 from tmmcalc.cams.strength.kernels import HERTZ, pin_radius, shaft_by_stiffness, shaft_by_strength
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 NODES = 32  # of S0, and of r2 at each of them
 LENGTHS = 6  # of the guide at each of these

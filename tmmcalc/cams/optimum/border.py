@@ -17,7 +17,7 @@ from tmmcalc.cams.optimum.curves import between
 from tmmcalc.cams.optimum.march import crossed
 from tmmcalc.cams.optimum.margins import NUMBERS
 from tmmcalc.cams.optimum.plane import Plane, guessed, tamed
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 NEAREST = 1e-6  # of a cell, to the outside of a root: there the constraint that binds is seen
 NEWTON = 12

@@ -12,7 +12,7 @@ from tmmcalc.cams.optimum.border import Outline, outlines_of
 from tmmcalc.cams.optimum.curves import Curve, curves
 from tmmcalc.cams.optimum.plane import Plane
 from tmmcalc.cams.optimum.scene import Scene
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 FINE = 27  # nodes a side that show its border
 WINDOW = 0.45  # of the region's size that the picture shows beyond it

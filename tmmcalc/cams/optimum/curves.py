@@ -16,7 +16,7 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.march import crossed
 from tmmcalc.cams.optimum.margins import NUMBERS
 from tmmcalc.cams.optimum.plane import Plane, guessed, tamed
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 MET = 5e-3  # margin on a curve
 FINEST = 1e-6  # of a cell: bracket of a margin that is steep or jumps

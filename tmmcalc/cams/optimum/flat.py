@@ -38,7 +38,7 @@ from tmmcalc.cams.strength.kernels import (
     unused,
     whole,
 )
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 
 STRETCH = (20.0, 0.2)  # S0 is looked for so many strokes above the least, or so far [m]
 FIRST, NODES, ROUNDS = 41, 13, 17  # of the search for the lowest S0 of any size: it ends at rounding

@@ -25,9 +25,9 @@ from tmmcalc.cams.optimum.steps import search
 from tmmcalc.cams.optimum.torque import torques
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.task import CamTask, Optimum
-from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.progress import tell
-from tmmcalc.records import record
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.progress import tell
+from tmmcalc.core.records import record
 
 MOST = 60  # mechanisms in one game
 

@@ -24,7 +24,7 @@ from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.peaks import largest
 from tmmcalc.cams.optimum.scene import Scene
 from tmmcalc.cams.strength.kernels import HERTZ, ROUNDING, WHOLE, concave_margin, convex_margin
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 TALL = 1e9  # a guide as long as you please [m]
 NEVER = 1e-200  # [N] a limit that nothing keeps

@@ -19,7 +19,7 @@ import numpy as np
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.margins import SLACK, judge
 from tmmcalc.cams.optimum.scene import Scene, mixed
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 NEAR = 1e-7  # of S0 + H2: step of the differences
 REGION = 0.1  # of S0: first trust region

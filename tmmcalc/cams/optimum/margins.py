@@ -34,7 +34,7 @@ from tmmcalc.cams.strength.kernels import (
     whole,
 )
 from tmmcalc.cams.task import Requirements
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 NUMBERS = (2, 3, 4, 5, 6, 7, 8, 9)  # of the constraints, in the order of the rows
 NAMES = {

@@ -14,7 +14,7 @@ from tmmcalc.cams.forces.turn import Points, at_angles
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.peaks import ended
 from tmmcalc.cams.task import CamTask, Loads
-from tmmcalc.numerics.panels import Panels, panels, resolved
+from tmmcalc.core.numerics.panels import Panels, panels, resolved
 
 TOLERANCE = 1e-10  # of 1/P on a panel
 LEAST = 1e-9  # of the largest P: what is less counts as this

@@ -13,7 +13,7 @@ import numpy as np
 
 from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.numerics.gauss import ORDER, rule
+from tmmcalc.core.numerics.gauss import ORDER, rule
 
 TERMS = 12  # of the series about a node: what is left out is less than what the panel leaves out
 STEPS = (

@@ -7,7 +7,7 @@ import numpy as np
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.margins import SLACK, margins
 from tmmcalc.cams.optimum.scene import Scene
-from tmmcalc.numerics.roots import bracketed
+from tmmcalc.core.numerics.roots import bracketed
 
 COARSE = 9  # nodes a side that show where the region lies
 GROWTH = 0.6  # of its size by which the box grows where the region goes on

@@ -14,7 +14,7 @@ from tmmcalc.cams.optimum.results import Check
 from tmmcalc.cams.optimum.scene import WHERE, Scene
 from tmmcalc.cams.optimum.steps import farthest
 from tmmcalc.cams.task import Optimum
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 
 NODES = 48  # of each side of the plane
 UNITS = {"m": ("mm", 1e3), "Pa": ("MPa", 1e-6)}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.contour import Contour
 from tmmcalc.cams.rounding import Errors
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 
 @record

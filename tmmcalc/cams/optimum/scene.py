@@ -22,8 +22,8 @@ from tmmcalc.cams.optimum.nodes import nodes, pressing
 from tmmcalc.cams.optimum.peaks import ended
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.task import AngleLimits, CamTask, Guide, Loads, Requirements
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.records import record
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 
 Phases = Literal["turn", "rise"]
 WHERE = "cam_optimum"

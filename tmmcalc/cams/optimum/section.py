@@ -8,7 +8,7 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.margins import Judged, judge
 from tmmcalc.cams.optimum.results import Choice, Section
 from tmmcalc.cams.optimum.scene import Scene
-from tmmcalc.numerics.roots import bracketed
+from tmmcalc.core.numerics.roots import bracketed
 
 POINTS = 121
 SOUND = -10.0  # margins below it are those of a guide that is none, or of a cusp

@@ -25,7 +25,7 @@ from tmmcalc.cams.optimum.section import section_of
 from tmmcalc.cams.optimum.steps import Candidates, Found, search
 from tmmcalc.cams.pressure import reached
 from tmmcalc.cams.task import CamTask, Optimum
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 
 
 def solve_optimum(task: CamTask, follower: Follower, phases: Phases | None = None) -> CamOptimum:

@@ -20,8 +20,8 @@ from tmmcalc.cams.optimum.scene import WHERE, Scene
 from tmmcalc.cams.optimum.slipping import may_roll
 from tmmcalc.cams.strength.kernels import rolling
 from tmmcalc.cams.task import Optimum
-from tmmcalc.errors import UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 
 FIRST = 4.0  # strokes: first stretch of S0
 FARTHEST = (20.0, 0.2)  # so many strokes, or [m]: S0 beyond is looked for where nothing is found up to there

@@ -11,9 +11,9 @@ from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.results import Place
 from tmmcalc.cams.program import TURN
 from tmmcalc.cams.steadying import steady
-from tmmcalc.numerics.panels import Panels, resolved
-from tmmcalc.numerics.roots import bracketed
-from tmmcalc.records import record
+from tmmcalc.core.numerics.panels import Panels, resolved
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.records import record
 
 LEVEL = 1e-12  # of the largest: values that count as equal
 ROUNDING = 1e-11  # of the factor of an offset: not backwards yet

@@ -13,7 +13,7 @@ import numpy as np
 from tmmcalc.cams.follower import Complex, Follower
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.profile.results import Profile
-from tmmcalc.columns import degrees as degrees_of
+from tmmcalc.core.columns import degrees as degrees_of
 
 NAMES = {"inner": "w", "outer": "o", "tool": "t", "outer tool": "to"}
 

@@ -15,7 +15,7 @@ import numpy as np
 from tmmcalc.cams.follower import Complex, Follower, contact_path, curvature
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.program import TURN, Program
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 
 @record

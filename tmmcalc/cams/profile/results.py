@@ -9,7 +9,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pivot import PivotRoom
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import Errors
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 WallName = Literal["inner", "outer", "tool", "outer tool"]
 WALLS: dict[WallName, str] = {

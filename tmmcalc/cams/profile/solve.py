@@ -17,7 +17,7 @@ from tmmcalc.cams.profile.results import Face, Place, Profile, Reach, Wall, Wall
 from tmmcalc.cams.profile.verdicts import refuse, remarks
 from tmmcalc.cams.steadying import steady
 from tmmcalc.cams.task import CamTask
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 TOUCH = 1e-12  # of a reach: an offset that has a point, but no loop yet
 

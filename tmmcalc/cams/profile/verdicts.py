@@ -8,7 +8,7 @@ from math import degrees, tau
 from tmmcalc.cams.pivot import told
 from tmmcalc.cams.profile.results import Crossing, Place, Profile, Reach, Wall
 from tmmcalc.cams.task import CamTask
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 
 BASE_PART, BEND_PART = 0.4, 0.7  # the rule r2 <= min(0.4 R0, 0.7 rho_min)
 AT_LIMIT = 1e-9  # relative

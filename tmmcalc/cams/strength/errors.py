@@ -20,7 +20,7 @@ from tmmcalc.cams.strength.roller import factors, pin_of
 from tmmcalc.cams.strength.rows import Rows, rows_of
 from tmmcalc.cams.strength.work import Case
 from tmmcalc.cams.wide import wide
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 TINY = 1e-300
 OF_ROWS = {"D": "slip", "sigma_H": "stress", "sigma_F": "bending"}  # symbols of margins that are extremes of rows

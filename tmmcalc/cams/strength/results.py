@@ -7,7 +7,7 @@ from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import Errors
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 OK, OPEN = "ok", "not judged"
 

@@ -14,7 +14,7 @@ from tmmcalc.cams.strength.carriers import bending_of, pressure_of
 from tmmcalc.cams.strength.kernels import contact_stress, flat_stress, reduced_moment, slip
 from tmmcalc.cams.strength.results import Rolling
 from tmmcalc.cams.strength.work import Case, curved, spun
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 
 @record

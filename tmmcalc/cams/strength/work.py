@@ -16,8 +16,8 @@ from tmmcalc.cams.pressure import terms
 from tmmcalc.cams.steadying import steady
 from tmmcalc.cams.strength.kernels import flat_radius, rolling
 from tmmcalc.cams.task import CamTask, Loads, Requirements
-from tmmcalc.numerics.panels import Panels, resolved
-from tmmcalc.records import record
+from tmmcalc.core.numerics.panels import Panels, resolved
+from tmmcalc.core.records import record
 
 TOLERANCE = 1e-11  # of the panels
 

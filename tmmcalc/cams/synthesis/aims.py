@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 
 class Aim(Protocol):

@@ -20,8 +20,8 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.synthesis.aims import Aim
 from tmmcalc.cams.synthesis.curves import Curve
 from tmmcalc.cams.task import Asked
-from tmmcalc.numerics.panels import panels, resolved
-from tmmcalc.records import record
+from tmmcalc.core.numerics.panels import panels, resolved
+from tmmcalc.core.records import record
 
 NEAR = 1e-9  # [rad] the ends of a border are not reached
 

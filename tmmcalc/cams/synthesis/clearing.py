@@ -24,8 +24,8 @@ from tmmcalc.cams.synthesis.growth import grown
 from tmmcalc.cams.synthesis.halfplanes import families, outside
 from tmmcalc.cams.synthesis.oscillating import Triangle
 from tmmcalc.cams.task import Asked, CamTask
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.numerics.roots import bracketed
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.roots import bracketed
 
 FIRST = 2.0**-6  # part of the way along the border that is tried first
 HALVINGS = 60

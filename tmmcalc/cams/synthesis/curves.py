@@ -19,9 +19,9 @@ import numpy as np
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.synthesis.halfplanes import Family, Lines, lines_at, outside, sampled
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.numerics.roots import bracketed
-from tmmcalc.records import record
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.records import record
 
 GRID = 721
 EXCHANGES = 30

@@ -13,8 +13,8 @@ import numpy as np
 from tmmcalc.cams.synthesis.aims import Aim
 from tmmcalc.cams.synthesis.halfplanes import APART, Family, Lines, lines_at, outside
 from tmmcalc.cams.synthesis.region import crossings
-from tmmcalc.errors import AccuracyError, NoSolutionError
-from tmmcalc.records import record
+from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.records import record
 
 EXCHANGES = 40
 EXACT = 4e-15  # relative: a point this little outside is on the line

@@ -13,7 +13,7 @@ from tmmcalc.cams.synthesis import roller
 from tmmcalc.cams.synthesis.errors import size_errors
 from tmmcalc.cams.synthesis.results import Design, Region, Size, Synthesis
 from tmmcalc.cams.task import CamTask
-from tmmcalc.errors import SingularityError
+from tmmcalc.core.errors import SingularityError
 
 GIVEN, ANGLE = "given", "pressure angle"
 PIVOT_ROOM = "room at the pivot"

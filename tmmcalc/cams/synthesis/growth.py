@@ -18,8 +18,8 @@ from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.synthesis.roller import NEAR, OF_BASE, STEP, bends
 from tmmcalc.cams.task import CamTask
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.numerics.roots import bracketed
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.roots import bracketed
 
 DOUBLINGS = 40
 

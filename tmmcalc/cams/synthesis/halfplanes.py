@@ -21,8 +21,8 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.pressure import limited_phases
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.task import CamTask
-from tmmcalc.numerics.panels import Panels
-from tmmcalc.records import record
+from tmmcalc.core.numerics.panels import Panels
+from tmmcalc.core.records import record
 
 APART = 1e-5  # [rad] lines that are nearer count as one
 

@@ -19,8 +19,8 @@ from tmmcalc.cams.synthesis.halfplanes import Family, Lines, families, sampled
 from tmmcalc.cams.synthesis.region import polygon
 from tmmcalc.cams.synthesis.results import PIVOT, Region
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask
-from tmmcalc.errors import NoSolutionError, UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 
 WINDOW = 2.2  # depth of the window against that of the axis
 SAME = 1e-9  # relative: sizes given twice agree

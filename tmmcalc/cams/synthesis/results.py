@@ -9,7 +9,7 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.pivot import PivotRoom
 from tmmcalc.cams.pressure import Extreme, Reached
 from tmmcalc.cams.rounding import Errors
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 PLANE = "e, S0"  # frames of a region
 PIVOT = "from the pivot A, x along the lowest rocker, y towards its lift"

@@ -24,7 +24,7 @@ from tmmcalc.cams.synthesis.growth import grown, has_room
 from tmmcalc.cams.synthesis.oscillating import Triangle
 from tmmcalc.cams.synthesis.results import Design, Synthesis
 from tmmcalc.cams.task import CamTask
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 
 MOST = 5  # whole millimetres above l0 that are tried
 

@@ -19,8 +19,8 @@ from tmmcalc.cams.pressure import Extreme, halved
 from tmmcalc.cams.steadying import steady
 from tmmcalc.cams.synthesis.results import RollerChoice, RollerRule
 from tmmcalc.cams.task import CamTask
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.numerics.panels import resolved
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.panels import resolved
 
 OF_BASE, OF_CONVEX = 0.4, 0.7
 STEP = 1e-3  # [m] rollers come in whole millimetres

@@ -14,7 +14,7 @@ from tmmcalc.cams.synthesis.results import Design, Synthesis
 from tmmcalc.cams.synthesis.rocker import rocker
 from tmmcalc.cams.synthesis.stem import stem
 from tmmcalc.cams.task import CamTask
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 
 
 def solve_synthesis(task: CamTask) -> Synthesis:

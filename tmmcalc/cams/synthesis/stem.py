@@ -23,7 +23,7 @@ from tmmcalc.cams.synthesis.growth import grown, has_room
 from tmmcalc.cams.synthesis.results import Design, Synthesis
 from tmmcalc.cams.synthesis.translating import Lines, Point
 from tmmcalc.cams.task import CamTask
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 LOWEST = "least start distance"
 MOST = 20  # whole millimetres above the first that are tried

@@ -20,8 +20,8 @@ from tmmcalc.cams.pressure import limited_phases
 from tmmcalc.cams.synthesis.region import polygon
 from tmmcalc.cams.synthesis.results import PLANE, Region
 from tmmcalc.cams.task import CamTask
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.records import record
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 
 NEAR = 1e-12  # relative: a point this near to a line lies on it
 NOISE = 1e-14  # of S0: an offset that is rounding

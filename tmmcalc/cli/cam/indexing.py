@@ -11,7 +11,7 @@ from tmmcalc.cli.exporting import Chord, Dxf, Files, Nc, Svg, check_files, conte
 from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
 from tmmcalc.cli.work import Job, table_file, title
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -49,8 +49,8 @@ def command(
     if tolerance is not None:
         job = replace(job, overrides=[*job.overrides, f'indexing.tolerance="{tolerance}"'])
     scene = job.spec()
-    from tmmcalc.report.cams.indexing import indexing_document
-    from tmmcalc.spec.indexings import to_indexing
+    from tmmcalc.cams.facts.indexing import indexing_document
+    from tmmcalc.cams.tables.tasks.indexing import to_indexing
 
     heading = title(scene, job.file, "indexing drive")
     if compare:
@@ -74,14 +74,14 @@ def command(
 
 
 def _compare(task: IndexingTask, heading: str, patterns: list[str], form: Format) -> None:
+    from tmmcalc.cams.facts.indexing_compared import comparison_document
     from tmmcalc.cams.indexing.compare import compare
     from tmmcalc.cli.work import show
-    from tmmcalc.report.cams.indexingcompared import comparison_document
 
     show(comparison_document(compare(task), heading, patterns, everything=form is not Format.table), form)
 
 
 def _contents(result: Indexing, task: IndexingTask, files: Files, heading: str) -> dict[Path, bytes]:
-    from tmmcalc.report.indexingfiles import nc_table, outlines
+    from tmmcalc.cams.files.indexing import nc_table, outlines
 
     return contents_of(files, heading, task.tolerance, lambda: outlines(task, result), lambda: nc_table(task, result))

@@ -48,9 +48,9 @@ def command(
     job = replace(job, overrides=[*job.overrides, *more])
     scene = job.spec()
     run = job.run(scene, "cam_profile")
+    from tmmcalc.cams.facts.cam_profile import profile_document
+    from tmmcalc.cams.tables.tasks.cam import to_cam
     from tmmcalc.cli.positions import rows_of
-    from tmmcalc.report.cams.profile import profile_document
-    from tmmcalc.spec.cams import to_cam
 
     result, heading = run.results["cam_profile"], title(scene, job.file, "profile of the cam")
     document = profile_document(
@@ -67,7 +67,7 @@ def command(
 
 
 def _contents(result: Profile, task: CamTask, files: Files, heading: str) -> dict[Path, bytes]:
-    from tmmcalc.report.camfiles import nc_table, outlines
+    from tmmcalc.cams.files.profile import nc_table, outlines
 
     given = result, task.program, task.asked.tolerance
     return contents_of(files, heading, task.asked.tolerance, lambda: outlines(*given), lambda: nc_table(*given))

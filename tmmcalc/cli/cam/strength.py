@@ -31,8 +31,8 @@ def command(
     patterns = patterns_of(columns)
     scene = job.spec()
     run = job.run(scene, "cam_strength")
+    from tmmcalc.cams.facts.cam_strength import strength_document, turn_document
     from tmmcalc.cli.positions import rows_of
-    from tmmcalc.report.cams.strength import strength_document, turn_document
 
     result, heading = run.results["cam_strength"], title(scene, job.file, "requirements of the cam")
     everything = form is not Format.table

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cli.exporting import Files, check_files, contents_of
 from tmmcalc.cli.work import within_turns
-from tmmcalc.errors import UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -87,7 +87,7 @@ def drawn_bytes(tracks: Sequence[Track], drawn: Drawn, heading: str) -> dict[Pat
     """The bytes of all files."""
     if not drawn.files:
         return {}
-    from tmmcalc.report.gearfiles import outline_csv, outlines
+    from tmmcalc.gears.files import outline_csv, outlines
 
     finest = drawn.tolerance or FINENESS * min(track.member.module for track in tracks)
     return contents_of(drawn.files, heading, finest, lambda: outlines(tracks), lambda: outline_csv(tracks))

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
-    from tmmcalc.spec import Spec
+    from tmmcalc.project import Spec
 
 
 def check_pair(scene: Spec, wanted: str | None) -> None:
     """Raise `UsageError` for a pair that no run of this spec has."""
     wheels = None if wanted is None else _wheels(scene)
     if wheels is not None:
-        from tmmcalc.report.meshes import places
+        from tmmcalc.gears.facts.meshes import places
 
         places([name for name, _ in wheels], wanted, "pair")
 
@@ -42,6 +42,6 @@ def _wheels(scene: Spec) -> list[tuple[str, tuple[str, ...]]] | None:
 
         meshes = layout_of(scene.train.layout[0]).meshes
         return [(f"{mesh.first}-{mesh.second}", (mesh.first, mesh.second)) for mesh in meshes]
-    from tmmcalc.spec.pairs import to_pairs
+    from tmmcalc.gears.tables.tasks.pair import to_pairs
 
     return [(task.name, task.wheels) for task in to_pairs(scene).pairs]

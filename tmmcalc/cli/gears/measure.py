@@ -49,9 +49,9 @@ def command(
     scene = job.spec()
     check_pair(scene, pair)
     run = job.run(scene, "pair")
+    from tmmcalc.gears.facts.measure import measure_document
+    from tmmcalc.gears.facts.pair import chosen_pairs
     from tmmcalc.gears.meshing.remeasure import remeasured
-    from tmmcalc.report.measure import measure_document
-    from tmmcalc.report.pair import chosen_pairs
 
     result, heading = chosen_pairs(run.results["pair"], pair), title(scene, job.file, "measures of gears")
     if teeth is not None or diameter is not None or radii:

@@ -9,12 +9,12 @@ import typer
 from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.work import Job, title
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
+    from tmmcalc.project import Spec
     from tmmcalc.report.document import Document
-    from tmmcalc.spec import Spec
 
 
 @with_flags
@@ -52,10 +52,10 @@ def _printed(
     run: RunResult, scene: Spec, heading: str, choose: int, power: bool, internal: bool, form: Format
 ) -> Document:
     if scene.gearing is not None:
-        from tmmcalc.report.gearing import gearing_document
+        from tmmcalc.gears.facts.gearing import gearing_document
 
         return gearing_document(run.results["gearing"], heading)
-    from tmmcalc.report.planetary import planetary_document
+    from tmmcalc.gears.facts.planetary import planetary_document
 
     assert scene.train is not None
     speed = scene.train.input_speed

@@ -15,8 +15,8 @@ from tmmcalc.cli.gears.drawn import Drawn, angle_of, check_flags, drawn_bytes, l
 from tmmcalc.cli.gears.known import check_wheel
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.work import Job, title
-from tmmcalc.errors import UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -190,8 +190,8 @@ def _document(
     asked: bool,
 ) -> Any:
     """Facts and tables of the chosen wheels that have a profile."""
+    from tmmcalc.gears.facts.profile import label_of, profile_document
     from tmmcalc.gears.meshing.booktables import book_tables
-    from tmmcalc.report.profile import label_of, profile_document
 
     result = run.results["profile"]
     sound = {label_of(wheel) for wheel in result.wheels}

@@ -12,10 +12,10 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.pareto import pareto_front
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 
 class Measured(Protocol):

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TypeVar
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.choice import OBJECTIVES, Measured, least
-from tmmcalc.records import record
 
 Option = TypeVar("Option", int, str)
 

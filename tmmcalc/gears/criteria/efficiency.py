@@ -13,11 +13,11 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.speeds import CARRIER, DOUBLE, output, speeds
 from tmmcalc.gears.model import ToothSets, Values
 from tmmcalc.gears.network.types import efficiency as planetary_efficiency
-from tmmcalc.records import record
 
 
 @record

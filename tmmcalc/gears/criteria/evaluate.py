@@ -6,7 +6,8 @@ from fractions import Fraction
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency, efficiency
 from tmmcalc.gears.criteria.inertia import reduced_inertia
 from tmmcalc.gears.criteria.size import RACK, centre_distances, envelope, size
@@ -14,7 +15,6 @@ from tmmcalc.gears.criteria.speeds import CARRIER, Ratios, output, speeds
 from tmmcalc.gears.criteria.wheels import Build, wheels
 from tmmcalc.gears.model import Integers, ToothSets, Values
 from tmmcalc.gears.search.measures import tooth_ratio
-from tmmcalc.records import record
 
 
 @record

@@ -10,10 +10,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from tmmcalc.core.numerics.extended import apart, spread, widened
+from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.evaluate import Basis, Criteria, evaluate
 from tmmcalc.gears.model import ToothSets, Values
-from tmmcalc.numerics.extended import apart, spread, widened
-from tmmcalc.records import record
 
 CHOSEN = 12  # trains of each kind
 

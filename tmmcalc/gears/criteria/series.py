@@ -12,12 +12,12 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.evaluate import Criteria, deviation
 from tmmcalc.gears.criteria.speeds import Ratios, speeds
 from tmmcalc.gears.exact import within
 from tmmcalc.gears.model import Integers, Interval, ToothSets, Values
-from tmmcalc.records import record
 
 PAIRS = 1 << 20  # pairs of a block
 

@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import Integers, ToothSets, Values
-from tmmcalc.records import record
 
 CARRIER = "H"
 DOUBLE = np.dtype(float)

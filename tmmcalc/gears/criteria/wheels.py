@@ -15,8 +15,8 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets, Values
-from tmmcalc.records import record
 
 Shape = Literal["pinion", "wheel", "ring"]
 

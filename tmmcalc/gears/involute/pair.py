@@ -11,10 +11,10 @@ from math import cos, tan
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import inverse_involute, involute
 from tmmcalc.gears.involute.wheel import Number, Wheel
-from tmmcalc.records import record
 
 
 @record

@@ -11,8 +11,8 @@ from __future__ import annotations
 from dataclasses import replace
 from math import atan, cos, degrees, floor, pi, radians, sin, tan
 
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.records import record
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 
 SLIGHT = 1e-12  # [module] lack of width that is rounding
 BISECTIONS = 50

@@ -13,13 +13,13 @@ from math import pi, sin
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.profile.form import junction
 from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.involute.quality.contact import overlap_ratio
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 
 @record

@@ -14,7 +14,8 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import Flags
 from tmmcalc.gears.involute.contour.contour import Contour, contour
 from tmmcalc.gears.involute.contour.equalstrength import strength_split
@@ -32,7 +33,6 @@ from tmmcalc.gears.involute.contour.points import (
 from tmmcalc.gears.involute.contour.task import LINES, Task
 from tmmcalc.gears.involute.pair import sum_from_distance
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 Strategy = Literal[
     "given",

@@ -12,10 +12,10 @@ from math import cos, pi, sin, tan
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import inverse_involute, involute
 from tmmcalc.gears.involute.rack import Rack, Section
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 Number = float | Values
 

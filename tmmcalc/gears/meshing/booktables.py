@@ -13,14 +13,14 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.profile.flank import Flank, flank_of
 from tmmcalc.gears.involute.profile.tables import Axis, axis_turn, fillet_table, main_profile
 from tmmcalc.gears.meshing.halves import Part, half_tooth
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 
 @record

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.margins import margins
 from tmmcalc.gears.involute.contour.task import LINES, Task
 from tmmcalc.gears.involute.pair import sum_of_shifts
@@ -14,7 +15,6 @@ from tmmcalc.gears.meshing.distances import nearest_distance
 from tmmcalc.gears.meshing.mates import wheel_of
 from tmmcalc.gears.meshing.refusal import place, require_distance
 from tmmcalc.gears.meshing.task import PairTask
-from tmmcalc.records import record
 
 SAME = 5e-4  # by which x1 + x2 as given may miss the sum that a centre distance asks for
 

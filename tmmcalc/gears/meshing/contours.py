@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.rounding import ContourError
 from tmmcalc.gears.involute.rack import Rack
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 
 @record

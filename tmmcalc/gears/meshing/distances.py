@@ -6,7 +6,7 @@ from math import ceil
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.internal.margins import margin_of as ring_margin
 from tmmcalc.gears.involute.internal.ring import angle_of_distance, angle_of_shifts, largest_sum
 from tmmcalc.gears.involute.pair import pair_of_shifts, sum_of_shifts

@@ -14,14 +14,14 @@ from typing import Literal
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.curves import Curve
+from tmmcalc.core.plane import Real
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.profile.outline import Element, arcs, tooth
 from tmmcalc.gears.involute.profile.ring import RingFlank
 from tmmcalc.gears.involute.profile.shaping import ShapedRing
 from tmmcalc.gears.meshing.members import Member
-from tmmcalc.linkage.plane import Real
-from tmmcalc.numerics.curves import Curve
-from tmmcalc.records import record
 
 PartName = Literal["root", "fillet", "involute", "flank", "tip"]  # the straight flank is that of a rack
 Kind = Literal["curve", "arc", "line"]  # an arc has its centre in the wheel's, and its parameter is the polar angle

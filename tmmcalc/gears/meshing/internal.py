@@ -8,7 +8,7 @@ from math import cos, hypot, sin
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.internal.contact import (
     InternalContact,
     internal_contact,

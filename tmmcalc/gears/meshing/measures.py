@@ -11,7 +11,8 @@ from math import cos, isfinite, sin
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.measure.balls import over_balls, usual_diameter
 from tmmcalc.gears.involute.measure.chords import base_pitch_normal, constant_chord, thickness
 from tmmcalc.gears.involute.measure.span import LEAST, Spans, span_length, spans
@@ -19,7 +20,6 @@ from tmmcalc.gears.meshing.refusal import millimetres
 from tmmcalc.gears.meshing.results import BallsRow, ChordRow, Measures, SpanRow
 from tmmcalc.gears.meshing.sizes import Gear
 from tmmcalc.gears.meshing.task import PairTask
-from tmmcalc.records import record
 
 LEAST_BALLS = 1e-3  # [module] balls smaller than that are none
 NOISE = 1e-9  # [module] by which the active point and the end of the involute may differ

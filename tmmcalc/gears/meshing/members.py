@@ -8,7 +8,8 @@ from dataclasses import replace
 from math import pi
 from typing import Literal
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.internal.ring import Ring
 from tmmcalc.gears.involute.profile.faults import ProfileError
 from tmmcalc.gears.involute.profile.flank import Flank, flank_of
@@ -20,7 +21,6 @@ from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.meshing.mates import external_pair, internal_pair, pinion_on_rack, wheel_of
 from tmmcalc.gears.meshing.refusal import millimetres
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
-from tmmcalc.records import record
 
 Shape = Literal["external", "ring", "rack"]
 

@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.frame import frame_of
 from tmmcalc.gears.involute.contour.interval import interval
 from tmmcalc.gears.involute.internal.line import Span, internal_line, intervals
@@ -20,7 +21,6 @@ from tmmcalc.gears.meshing.mates import RING_TIPS, ring_of, wheel_of
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.meshing.tips import WHERE, with_tips
-from tmmcalc.records import record
 
 AGREE = 5e-4  # by which shifts that are given for one wheel may differ
 NEAR = 1e-9  # by which a limited shift stays clear of the limit

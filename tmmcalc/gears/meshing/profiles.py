@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 
 @record

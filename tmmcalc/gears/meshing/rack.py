@@ -6,7 +6,7 @@ given_aw  the distance of the datum line from the axis    zero      0
 
 from __future__ import annotations
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.quality.contact import overlap_ratio
 from tmmcalc.gears.involute.rackpair import RackPair, rack_sliding
 from tmmcalc.gears.involute.wheel import Wheel

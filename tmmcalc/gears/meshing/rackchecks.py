@@ -12,7 +12,7 @@ from math import ceil, pi, sin, tan
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.quality.verdicts import NOISE, Check, QualityLimits, at_least, at_most, wanted_angle
 from tmmcalc.gears.involute.rackpair import RackPair
 

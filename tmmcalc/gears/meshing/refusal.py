@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.quality.verdicts import Check
 from tmmcalc.gears.meshing.task import PairTask
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.involute.measure.span import LEAST
 from tmmcalc.gears.meshing.mates import ring_of, wheel_of
 from tmmcalc.gears.meshing.measures import measures

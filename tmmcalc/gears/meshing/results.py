@@ -6,11 +6,11 @@ from typing import Literal
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.quality.verdicts import Check, Verdict, worst
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 UsableEnd = Literal["active", "form"]
 WheelKind = Literal["external", "ring"]

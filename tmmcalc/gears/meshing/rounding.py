@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.numerics.extended import PI, apart
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.extended import Long, inverse_extended, involute_extended
 from tmmcalc.gears.meshing.results import MeshPair, PairError
 from tmmcalc.gears.meshing.task import PairTask
-from tmmcalc.numerics.extended import PI, apart
-from tmmcalc.records import record
 
 RULE = 1e-9  # [module] within which a tip is that of the rule
 

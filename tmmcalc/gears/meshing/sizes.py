@@ -6,12 +6,12 @@ from math import cos, hypot, isfinite, sin
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.strength import tooth_form
 from tmmcalc.gears.involute.wheel import Number, Wheel
 from tmmcalc.gears.meshing.results import ToothStrength, WheelSizes
 from tmmcalc.gears.meshing.task import PairTask
-from tmmcalc.records import record
 
 
 @record

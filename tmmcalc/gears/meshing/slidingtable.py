@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.involute.internal.contact import internal_sliding
 from tmmcalc.gears.involute.quality.sliding import Sliding, sliding
 from tmmcalc.gears.involute.rackpair import RackSliding, rack_sliding

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.rack import require_tool
 from tmmcalc.gears.meshing.refusal import joined, millimetres, named
 from tmmcalc.gears.meshing.results import MeshPair, Pairs

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import field
 from typing import Literal
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.internal.ring import Cutter
 from tmmcalc.gears.involute.measure.balls import Body
 from tmmcalc.gears.involute.measure.span import Rule
@@ -12,7 +13,6 @@ from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits
 from tmmcalc.gears.involute.rack import Rack
 from tmmcalc.gears.involute.shifts import DESIRED, Split, Strategy
-from tmmcalc.records import record
 
 Kind = Literal["external", "internal", "rack"]
 Two = tuple[float | None, float | None]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.meshing.refusal import millimetres
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.task import PairTask

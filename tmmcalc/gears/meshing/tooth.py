@@ -6,12 +6,12 @@ from math import cos, sin, tan
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.gears.meshing.halves import Half, Part, half_tooth
 from tmmcalc.gears.meshing.members import Member, members
 from tmmcalc.gears.meshing.profiles import Profiles, WheelProfile
 from tmmcalc.gears.meshing.results import Pairs
-from tmmcalc.numerics.extended import EPS
 
 FEWEST = 3  # points of a curve
 SHARE = 5  # arcs and straight lines have so many times fewer

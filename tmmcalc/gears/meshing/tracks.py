@@ -14,16 +14,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.curves import chords, cubics
+from tmmcalc.core.plane import Plane
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.profile.mesh import Placing
 from tmmcalc.gears.involute.profile.outline import Arc
 from tmmcalc.gears.meshing.halves import Half, Part, half_tooth
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.gears.meshing.refusal import millimetres
-from tmmcalc.linkage.plane import Plane
-from tmmcalc.numerics.curves import chords, cubics
-from tmmcalc.numerics.strokes import Bow, Cubics, Line, Piece
-from tmmcalc.records import record
+from tmmcalc.report.strokes import Bow, Cubics, Line, Piece
 
 FINEST, COARSEST = 1e-8, 0.1  # chord tolerance in modules
 UPRIGHT = Placing(0.0, 0j)  # centre at the origin, a tooth on +Y

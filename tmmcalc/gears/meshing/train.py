@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from math import cos, isclose
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.layouts import Layout, Mesh, layout_of
 from tmmcalc.gears.meshing.planets import solve_chain
 from tmmcalc.gears.meshing.refusal import joined, millimetres

@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import prod
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.network.model import FRAME, Network
 from tmmcalc.gears.network.speeds import ratio
-from tmmcalc.records import record
 
 
 @record

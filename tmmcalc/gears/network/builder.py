@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.layouts import Layout, layout_of
 from tmmcalc.gears.network.efficiency import DriveEfficiency, efficiency
 from tmmcalc.gears.network.model import EXTERNAL, FRAME, INTERNAL, WHERE, Body, Mesh, Network
 from tmmcalc.gears.network.power import PowerFlow, solve_power
 from tmmcalc.gears.network.speeds import ratio
-from tmmcalc.records import record
 
 CARRIER = "H"
 

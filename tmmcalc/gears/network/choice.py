@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import math
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.network import types
 from tmmcalc.gears.network.types import WHERE, Driver
-from tmmcalc.records import record
 
 LARGEST_AII = 500.0  # ratio up to which the textbook commends type AII
 SIMPLE = ("AIbar", "AI", "2A-AA", "AA", "II")

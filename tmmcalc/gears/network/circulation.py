@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.model import FRAME, Network
-from tmmcalc.records import record
 
 ZERO = 1e-12  # a flow below this part of the largest is none
 

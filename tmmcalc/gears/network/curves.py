@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.types import WHERE, efficiency, inverted_ratio
-from tmmcalc.records import record
 
 NEAREST = 1e-3  # to a pole where the limits of the picture do not end the branch
 

@@ -12,7 +12,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.equilibrium import Statics, lossy_matrix
 from tmmcalc.gears.network.model import WHERE

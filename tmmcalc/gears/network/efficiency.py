@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.gears.network.model import WHERE, Network
 from tmmcalc.gears.network.power import PowerFlow, power_in_motion
 from tmmcalc.gears.network.speeds import Locks, solve_speeds
-from tmmcalc.records import record
 
 
 @record

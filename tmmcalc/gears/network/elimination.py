@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import gcd
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 Row = list[int]
 

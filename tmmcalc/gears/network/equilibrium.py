@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.elimination import reduce
 from tmmcalc.gears.network.model import FRAME, WHERE, Network

@@ -11,11 +11,11 @@ import math
 
 import numpy as np
 
+from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import Integers, Values
 from tmmcalc.gears.network.model import Network
 from tmmcalc.gears.network.speeds import Motion
-from tmmcalc.numerics.extended import EPS
-from tmmcalc.records import record
 
 ROUNDED = 5 * EPS / 2  # of a speed, 2 pi, their quotient, teeth and their multiple
 

@@ -18,8 +18,8 @@ from __future__ import annotations
 from functools import cached_property
 from math import isfinite
 
-from tmmcalc.errors import UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 
 FRAME = "frame"
 EXTERNAL = -1

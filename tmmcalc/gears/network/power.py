@@ -19,6 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.extended import EPS, MARGIN, apart
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.circulation import Loop, circulating
 from tmmcalc.gears.network.directions import agreeing_directions
@@ -26,8 +28,6 @@ from tmmcalc.gears.network.equilibrium import Statics, equilibrium, residual
 from tmmcalc.gears.network.model import FRAME, Network
 from tmmcalc.gears.network.rounding import FlowError, corrected
 from tmmcalc.gears.network.speeds import Locks, Motion, solve_speeds
-from tmmcalc.numerics.extended import EPS, MARGIN, apart
-from tmmcalc.records import record
 
 
 @record

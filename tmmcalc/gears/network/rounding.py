@@ -11,11 +11,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from tmmcalc.core.numerics.extended import EPS, as_number
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.equilibrium import Statics, lossy_matrix, matrix_of
 from tmmcalc.gears.network.speeds import Motion
-from tmmcalc.numerics.extended import EPS, as_number
-from tmmcalc.records import record
 
 WIDE = np.longdouble
 CORRECTIONS = 2  # each leaves 1e-16 times the condition number of what was missed

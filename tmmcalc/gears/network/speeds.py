@@ -13,11 +13,11 @@ from math import isfinite
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.elimination import Reduced, reduce
 from tmmcalc.gears.network.model import FRAME, WHERE, Mesh, Network
-from tmmcalc.records import record
 
 Locks = Sequence[tuple[str, str]]
 

@@ -11,7 +11,7 @@ from typing import Literal
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.layouts import layout_of
 from tmmcalc.gears.model import Values
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import Integers
-from tmmcalc.records import record
 
 ROWS = 1 << 17  # of a block: some 10 MB in work, whatever the size of the search
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.exact import at_least, at_most
 from tmmcalc.gears.model import Integers, Interval
-from tmmcalc.records import record
 
 
 @record

@@ -14,6 +14,7 @@ from fractions import Fraction
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.kinds import from_tooth_ratio, to_tooth_ratio
 from tmmcalc.gears.model import Interval, ToothSets, TrainTask, Values
 from tmmcalc.gears.search import measures
@@ -22,7 +23,6 @@ from tmmcalc.gears.search.constraints import CONSTRAINTS, sieve
 from tmmcalc.gears.search.measures import Measure
 from tmmcalc.gears.search.search import every_set, synthesise
 from tmmcalc.gears.search.tally import Tally
-from tmmcalc.records import record
 
 MOST_TEETH, FEWEST_TEETH = 400, 6  # beyond them wheels are not proposed
 STEEPEST_MESH = math.radians(26)  # operating pressure angles beyond it are not proposed

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
+from tmmcalc.core.numerics.extended import apart, spread
 from tmmcalc.gears.model import ToothSets, TrainTask
 from tmmcalc.gears.search.blocks import Block
 from tmmcalc.gears.search.constraints import stretches
-from tmmcalc.numerics.extended import apart, spread
 
 CHOSEN = 12  # sets of each kind
 

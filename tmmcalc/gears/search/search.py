@@ -7,12 +7,12 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets, TrainTask
 from tmmcalc.gears.search.blocks import Block
 from tmmcalc.gears.search.candidates import candidates
 from tmmcalc.gears.search.constraints import sieve, stretches
 from tmmcalc.gears.search.tally import Tally
-from tmmcalc.records import record
 
 KEPT = 100_000  # trains that a result holds unless another number is asked for
 

@@ -12,7 +12,8 @@ from math import sqrt
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.choice import OBJECTIVES, front
 from tmmcalc.gears.criteria.evaluate import Basis, Criteria, evaluate
 from tmmcalc.gears.criteria.series import Series, series
@@ -25,7 +26,6 @@ from tmmcalc.gears.sizing import Sized, first_sets, rows_of
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.task import StrengthTask
 from tmmcalc.gears.train import Request
-from tmmcalc.records import record
 
 SERIES = "AIbar + AIbar"
 LAYOUT = "AIbar"

@@ -8,6 +8,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.choice import Ranking, Reason
 from tmmcalc.gears.criteria.comparison import Comparison
 from tmmcalc.gears.criteria.evaluate import Criteria
@@ -15,7 +16,6 @@ from tmmcalc.gears.criteria.rounding import CriteriaError
 from tmmcalc.gears.criteria.series import Series
 from tmmcalc.gears.model import Integers, ToothSets, Values
 from tmmcalc.gears.split import Split
-from tmmcalc.records import record
 
 
 @record

@@ -11,7 +11,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.columns import ratios
 from tmmcalc.gears.criteria.choice import Measured, Ranking, Reason, front, least, minima, ranked
 from tmmcalc.gears.criteria.comparison import Comparison, compare

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency
-from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.feasibility.judge import FeasibilityTask

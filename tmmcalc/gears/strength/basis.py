@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.layouts import Layout, Mesh
 from tmmcalc.gears.strength.coefficient import Coefficient
 from tmmcalc.gears.strength.endurance import GIVEN, Endurance, endurance

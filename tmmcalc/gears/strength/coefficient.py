@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 
 @record

@@ -12,7 +12,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.strength.coefficient import Coefficient
 from tmmcalc.gears.strength.hardness import Hardness
 from tmmcalc.gears.strength.material import Material
@@ -26,7 +27,6 @@ from tmmcalc.gears.strength.tables import (
     LoadSides,
     table,
 )
-from tmmcalc.records import record
 
 MPA = 1e6  # [Pa]
 GIVEN = "given"

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.strength.basis import Basis, basis_of
 from tmmcalc.gears.strength.coefficient import Coefficient
@@ -18,7 +19,6 @@ from tmmcalc.gears.strength.series import Outcome
 from tmmcalc.gears.strength.solve import NARROWEST, SLACK, WIDEST, solve_strength
 from tmmcalc.gears.strength.task import StrengthTask
 from tmmcalc.gears.strength.widths import PER_MM
-from tmmcalc.records import record
 
 SPREADS = ("K_Hbeta", "K_Fbeta")
 

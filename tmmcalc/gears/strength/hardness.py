@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from tmmcalc.errors import UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 
 SCALES = {"HB": (80.0, 650.0), "HRC": (10.0, 70.0), "HV": (80.0, 1200.0)}  # and what can be measured with each
 SOFT = {"HB": 350.0, "HRC": 38.0, "HV": 370.0}  # HB 350 and what it is on the other scales

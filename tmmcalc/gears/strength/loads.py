@@ -16,10 +16,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.layouts import Layout
 from tmmcalc.gears.model import Integers, ToothSets, Values
-from tmmcalc.records import record
 
 
 @record

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.strength.hardness import Hardness
-from tmmcalc.records import record
 
 TREATMENTS = (
     "annealed",

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import Integers, Values
 from tmmcalc.gears.strength.coefficient import Coefficient
 from tmmcalc.gears.strength.series import Flags, Outcome
-from tmmcalc.records import record
 
 
 @record

@@ -11,12 +11,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from tmmcalc.core.numerics.extended import EPS, apart, spread, widened
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.strength.results import Strength
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.task import StrengthTask
-from tmmcalc.numerics.extended import EPS, apart, spread, widened
-from tmmcalc.records import record
 
 CHOSEN = 12  # trains of each kind
 SAME = 1e-9  # relative difference of modules of one choice

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.layouts import Layout
 from tmmcalc.gears.model import Integers, ToothSets, Values
 from tmmcalc.gears.strength.basis import basis_of

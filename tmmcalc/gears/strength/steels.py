@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.strength.tables import ANY, BendingRow, table
 
 # two letters first; then single ones, the sound before the look where they do not exclude each other

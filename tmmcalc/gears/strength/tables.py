@@ -11,8 +11,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
 
-from tmmcalc.errors import UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 
 R = TypeVar("R")
 

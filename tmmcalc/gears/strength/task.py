@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from typing import Literal
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.layouts import Layout
 from tmmcalc.gears.strength.material import Material
-from tmmcalc.records import record
 
 WidthRule = Literal["consistent", "book1992"]
 Rounding = Literal["ceil", "floor1"]

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Guide, Plane, Point, Real, cross
+from tmmcalc.core.plane import Guide, Plane, Point, Real, cross
 
 
 class RPPPlaced(NamedTuple):

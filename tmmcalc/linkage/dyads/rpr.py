@@ -15,8 +15,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane, Point, Real, square
 from tmmcalc.linkage.dyads.base import mm
-from tmmcalc.linkage.plane import Plane, Point, Real, square
 
 
 class RPRPlaced(NamedTuple):

@@ -15,8 +15,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Guide, Plane, Point, Real
 from tmmcalc.linkage.dyads.base import mm
-from tmmcalc.linkage.plane import Guide, Plane, Point, Real
 
 
 class RRPPlaced(NamedTuple):

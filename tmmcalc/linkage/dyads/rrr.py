@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane, Point, Real, cross, square
 from tmmcalc.linkage.dyads.base import mm
-from tmmcalc.linkage.plane import Plane, Point, Real, cross, square
 
 
 class RRRPlaced(NamedTuple):

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.columns import Column
+from tmmcalc.core.columns import Column
 from tmmcalc.linkage.columns import phi_column
 from tmmcalc.linkage.forces.edges import edge_reactions
 from tmmcalc.linkage.forces.results import Forces, PairForces

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
-from tmmcalc.numerics.systems import solve
+from tmmcalc.core.numerics.systems import solve
+from tmmcalc.core.plane import Real
 
 
 def cramer(matrix: Real, right: Real) -> tuple[Real, Real]:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.forces.dyad import FRICTIONLESS, Balance, Dyad, Friction, Reactions
 from tmmcalc.linkage.forces.wrench import NOTHING, Wrench
 from tmmcalc.linkage.loading import Pair
 from tmmcalc.linkage.model import Joint, Mechanism
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.structure import Group
 
 if TYPE_CHECKING:

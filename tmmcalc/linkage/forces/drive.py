@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane, Real, cross, square
 from tmmcalc.linkage.forces.wrench import NOTHING, Slideway, Wrench
 from tmmcalc.linkage.loading import Coupling, GearDrive
-from tmmcalc.linkage.plane import Plane, Real, cross, square
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.forces.friction import Solution

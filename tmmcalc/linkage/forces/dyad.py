@@ -19,9 +19,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import SingularityError
+from tmmcalc.core.errors import SingularityError
+from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.linkage.forces.wrench import NOTHING, Pivot, Seat, Slideway, Wrench
-from tmmcalc.linkage.plane import Plane, Real, cross
 
 SINGULAR = 1e-9  # determinant, against the product of the arms, at which a dyad transmits no force
 

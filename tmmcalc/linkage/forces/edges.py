@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.plane import Real
 
 
 def edge_reactions(normal: Real, couple: Real, length: float) -> tuple[Real, Real]:

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.panels import Panels, panels
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
 from tmmcalc.linkage.forces.kinks import cut, kinks
@@ -18,9 +20,7 @@ from tmmcalc.linkage.loading import GearDrive, Loading
 from tmmcalc.linkage.loads.scene import Scene, compile_scene
 from tmmcalc.linkage.loads.travel import EDGE
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Grade, Kinematics
-from tmmcalc.numerics.panels import Panels, panels
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.forces.friction import Solution

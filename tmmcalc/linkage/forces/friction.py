@@ -20,10 +20,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.forces.cramer import cramer
 from tmmcalc.linkage.forces.single import one_pair
 from tmmcalc.linkage.forces.wrench import Seat, Slideway, Wrench
-from tmmcalc.linkage.plane import Real
 
 SAFE = 0.9  # loop gain below which the solution is unique and Newton needs no guidance
 EXACT = 1e-8  # step of Newton, against the values, after which nothing is left: digits double

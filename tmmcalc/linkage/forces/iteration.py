@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.records import record
 from tmmcalc.linkage.forces.cut import Cut
 from tmmcalc.linkage.forces.dyad import Reactions
 from tmmcalc.linkage.forces.friction import size_of
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.wrench import Seat, Slideway, Wrench
-from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.forces.web import Web

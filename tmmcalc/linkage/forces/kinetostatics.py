@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.memory import keep_pages
+from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.linkage.chain import Configuration
 from tmmcalc.linkage.forces import drive as driving
 from tmmcalc.linkage.forces.cut import Cut, Held, Plan, Post, plan_of, post_of
@@ -23,8 +25,6 @@ from tmmcalc.linkage.loads.scene import Scene
 from tmmcalc.linkage.loads.sources import Action, Place, Source, inertia
 from tmmcalc.linkage.loads.values import Knot
 from tmmcalc.linkage.model import FRAME, Joint
-from tmmcalc.linkage.plane import Plane, Real, cross
-from tmmcalc.numerics.memory import keep_pages
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.forces.friction import Solution

@@ -14,13 +14,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.gauss import rule
+from tmmcalc.core.numerics.panels import Panels
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.forces.edges import edge_reactions
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
 from tmmcalc.linkage.forces.wrench import Slideway
-from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.numerics.gauss import rule
-from tmmcalc.numerics.panels import Panels
-from tmmcalc.numerics.roots import Indices
 
 SIDE = 8  # points of the polynomial that locates a kink
 NEWTON = 6

@@ -7,11 +7,11 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.forces.friction import Solution
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.model import Joint
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Grade
 
 SHOWN = 6  # positions named in a message

@@ -8,16 +8,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.panels import Panels
+from tmmcalc.core.numerics.peaks import peaks
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.forces.edges import edge_reactions
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import PairForces
 from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.loads.travel import EDGE
 from tmmcalc.linkage.model import Joint
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Extreme
-from tmmcalc.numerics.panels import Panels
-from tmmcalc.numerics.peaks import peaks
 
 MARGIN = 4.0  # a panel may hold a value higher than its points by that many times what it leaves out
 RESOLVED = 1e-8  # last coefficients of a panel, against the largest value, that need no halving

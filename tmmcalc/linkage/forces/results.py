@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Literal
 
-from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.records import record
 from tmmcalc.linkage.results import Extreme, Grade
-from tmmcalc.records import record
 
 
 @record

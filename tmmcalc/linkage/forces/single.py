@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.plane import Real
 
 Flags = NDArray[np.bool_]
 

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
 from tmmcalc.linkage.forces.kinks import Cut, faces
 from tmmcalc.linkage.forces.verification import residuals, virtual_drive
 from tmmcalc.linkage.forces.wrench import Slideway
 from tmmcalc.linkage.loads.sources import Place
-from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.trace import BLOCK
 
 if TYPE_CHECKING:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.plane import Real, cross, square
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
 from tmmcalc.linkage.forces.wrench import NOTHING, Slideway, Wrench, seat_of, sliding
 from tmmcalc.linkage.loading import GearDrive
 from tmmcalc.linkage.loads.sources import Place
 from tmmcalc.linkage.model import FRAME
-from tmmcalc.linkage.plane import Real, cross, square
 
 
 def residuals(statics: Statics, state: State, place: Place) -> tuple[Real, Real]:

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.linkage.forces.cut import Held, Plan, Post
 from tmmcalc.linkage.forces.wrench import Seat, Slideway, Wrench
-from tmmcalc.linkage.plane import Plane, Real, cross
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.forces.friction import Rubbing, Solution

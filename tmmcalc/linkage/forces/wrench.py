@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.linkage.chain import Configuration
 from tmmcalc.linkage.model import Joint
-from tmmcalc.linkage.plane import Plane, Real, cross
 
 
 class Wrench(NamedTuple):

@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.loading import Load, Tabulated
 from tmmcalc.linkage.loads.sources import Place
 from tmmcalc.linkage.loads.strokes import Displacement
 from tmmcalc.linkage.loads.travel import EDGE, Travel
 from tmmcalc.linkage.loads.windows import Inside
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Grade
 from tmmcalc.linkage.survey import Survey
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from tmmcalc.core.plane import LinkMotion, Plane, Point, Real
 from tmmcalc.linkage.loading import Body
-from tmmcalc.linkage.plane import LinkMotion, Plane, Point, Real
 
 
 class InertiaLoad(NamedTuple):

@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.loading import Indicator, Polynomial
 from tmmcalc.linkage.loads.strokes import Piston
 from tmmcalc.linkage.loads.travel import EDGE
-from tmmcalc.linkage.plane import Real
 
 Law = Callable[[Real], Real]
 

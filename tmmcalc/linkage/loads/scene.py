@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.chain import Chain, Configuration, chain_of
 from tmmcalc.linkage.crossings import crossings
 from tmmcalc.linkage.loading import Load, Loading, Quadratic, Viscous
@@ -17,7 +18,6 @@ from tmmcalc.linkage.loads.travel import Travel, surveyed, travel_of
 from tmmcalc.linkage.loads.values import Knot, value_of
 from tmmcalc.linkage.loads.windows import Inside, handed_over, window_of
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Grade, Kinematics
 from tmmcalc.linkage.survey import Survey
 

@@ -13,13 +13,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.plane import LinkMotion, Plane, Point, Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Configuration
 from tmmcalc.linkage.loading import Body, Load, Loading, Quadratic, Spring, Viscous
 from tmmcalc.linkage.loads.inertia import inertia_load
 from tmmcalc.linkage.model import FRAME
-from tmmcalc.linkage.plane import LinkMotion, Plane, Point, Real
 from tmmcalc.linkage.survey import Survey
 
 FULL = 1e-3  # a swing that comes so near to a whole turn [rad] goes round

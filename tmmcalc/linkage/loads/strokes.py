@@ -8,7 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.crossings import crossings
@@ -17,7 +18,6 @@ from tmmcalc.linkage.loads.sources import Place, same_place
 from tmmcalc.linkage.loads.travel import EDGE, Travel
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.outputs import coordinate_of, default_outputs, sampled
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics, OutputSummary
 from tmmcalc.linkage.survey import Survey
 

@@ -15,10 +15,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.loading import Indicator, Load
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.survey import Survey, survey
 

@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.loading import Constant, Indicator, Load, Polynomial, Tabulated
@@ -18,7 +19,6 @@ from tmmcalc.linkage.loads.sources import Place
 from tmmcalc.linkage.loads.strokes import displacement_of, piston_of
 from tmmcalc.linkage.loads.travel import EDGE, Travel
 from tmmcalc.linkage.loads.windows import Inside
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Grade, Kinematics
 from tmmcalc.linkage.survey import Survey
 

@@ -13,14 +13,14 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.loading import Load, Polynomial
 from tmmcalc.linkage.loads.sources import Place
 from tmmcalc.linkage.loads.strokes import Strokes, strokes_of
 from tmmcalc.linkage.loads.travel import EDGE, Travel, turns_of
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Grade, Kinematics
 
 Flags = NDArray[np.bool_]

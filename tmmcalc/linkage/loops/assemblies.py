@@ -11,9 +11,9 @@ import math
 
 import numpy as np
 
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.loops.closure import Loops
 from tmmcalc.linkage.loops.elimination import near
-from tmmcalc.linkage.plane import Real
 
 STARTS = 600
 SEED = 1

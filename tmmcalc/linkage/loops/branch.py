@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.results import Branch
 
 

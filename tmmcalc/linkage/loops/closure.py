@@ -14,10 +14,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.systems import solve
+from tmmcalc.core.plane import Guide, Plane, Point, Real, rotated
 from tmmcalc.linkage.loops.equations import Equations
 from tmmcalc.linkage.mounts import Motions, Slide, Slides, carried, slid
-from tmmcalc.linkage.plane import Guide, Plane, Point, Real, rotated
-from tmmcalc.numerics.systems import solve
 
 PASSES = 12
 NEAR = 1e-7  # a step of Newton, against the unknowns, after which one more leaves nothing

@@ -27,8 +27,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.loops.closure import Loops
-from tmmcalc.linkage.plane import Plane, Real
 
 SAMPLES = 16  # of h over a turn
 DEGREE = 4  # of h, at most

@@ -18,9 +18,9 @@ from typing import NamedTuple, TypeVar
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane
 from tmmcalc.linkage.model import Joint, Mechanism
 from tmmcalc.linkage.mounts import Motions
-from tmmcalc.linkage.plane import Plane
 from tmmcalc.linkage.structure import Group
 
 K = TypeVar("K", int, str)

@@ -6,12 +6,12 @@ from typing import cast
 
 import numpy as np
 
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.assembly import coordinate
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.loops.splitstep import SplitStep, split_chain
 from tmmcalc.linkage.loops.step import LoopStep
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Grade
 
 ZOOMS = 4  # that narrow down where a sign changes

@@ -13,16 +13,16 @@ from typing import Any, NamedTuple, cast
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError, UsageError
+from tmmcalc.core.errors import AccuracyError, UsageError
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.plane import LinkMotion, Point, Real, rotated
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.loops.branch import guess
 from tmmcalc.linkage.loops.splitting import Split, split_of
 from tmmcalc.linkage.loops.step import LoopStep
 from tmmcalc.linkage.mounts import Motions, Slide, Slides
-from tmmcalc.linkage.plane import LinkMotion, Point, Real, rotated
 from tmmcalc.linkage.structure import Group
-from tmmcalc.numerics.roots import bracketed
 
 DISTANCES = 0.3 * 4.0 ** -np.arange(14.0)  # from the branch, at which the angle is tried first [rad]
 HALVINGS = 60  # that find a dead point of a dyad

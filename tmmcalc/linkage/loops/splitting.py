@@ -19,7 +19,7 @@ from dataclasses import replace
 from itertools import product
 from typing import NamedTuple
 
-from tmmcalc.errors import StructureError, UsageError
+from tmmcalc.core.errors import StructureError, UsageError
 from tmmcalc.linkage.model import FRAME, Input, Joint, Link, Mechanism
 from tmmcalc.linkage.steps import Seat, Step, build, seat
 from tmmcalc.linkage.structure import Group, solve_structure

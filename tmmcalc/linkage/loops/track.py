@@ -14,12 +14,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import SingularityError
+from tmmcalc.core.errors import SingularityError
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.loops.branch import coordinate, slope
 from tmmcalc.linkage.loops.closure import Loops
 from tmmcalc.linkage.loops.equations import Equations
 from tmmcalc.linkage.loops.turning import turning
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Branch, Interval, Limit
 
 STEPS = 72  # of a turn, or of the asked range: no step is longer

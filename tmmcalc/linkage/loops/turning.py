@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.systems import solve
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.loops.closure import Loops
-from tmmcalc.linkage.plane import Real
-from tmmcalc.numerics.systems import solve
 
 FORWARD = 60  # steps of p towards the limit
 REFINED = 60  # and to narrow it down

@@ -10,17 +10,17 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.outputs import coordinate_of, default_outputs
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.quality import Measure
 from tmmcalc.linkage.stacked.scene import Block
 from tmmcalc.linkage.stacked.settle import ROWS
 from tmmcalc.linkage.survey import STEPS
 from tmmcalc.linkage.trace import principal, unwrapped
-from tmmcalc.numerics.roots import Indices
 
 Look = Callable[[Chain, Configuration, Indices], Real]
 """(chain of some rows, their configuration, the variant of each) -> values (..., rows)."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.forces.kinks import passing
-from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.stacked.ragged import Ragged
-from tmmcalc.numerics.roots import Indices
 
 
 def kinks(on: Ragged, forces: Real | Plane, largest: Real) -> tuple[Indices, Real]:

@@ -6,11 +6,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.numerics.gauss import ORDER, rule
+from tmmcalc.core.numerics.panels import NARROWEST
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.stacked.zeros import Flags
-from tmmcalc.numerics.gauss import ORDER, rule
-from tmmcalc.numerics.panels import NARROWEST
-from tmmcalc.numerics.roots import Indices
 
 
 class Ragged(NamedTuple):

@@ -6,20 +6,20 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.gauss import ORDER, tail
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.forces import forces
 from tmmcalc.linkage.forces.kinks import SLIVER
 from tmmcalc.linkage.forces.maxima import functions_of, open_maxima
 from tmmcalc.linkage.forces.stack import stacked
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.stacked.kinks import kinks
 from tmmcalc.linkage.stacked.ragged import Cut, Ragged, cut, first, largest_of_owners
 from tmmcalc.linkage.stacked.scene import Block
 from tmmcalc.linkage.stacked.settle import ROWS
 from tmmcalc.linkage.stacked.tables import turning_of
 from tmmcalc.linkage.stacked.zeros import Flags
-from tmmcalc.numerics.gauss import ORDER, tail
-from tmmcalc.numerics.roots import Indices
 
 
 class Reactions(NamedTuple):

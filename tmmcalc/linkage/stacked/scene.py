@@ -7,6 +7,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.alike import Rows
+from tmmcalc.core.numerics.alike import rows_of as at_rows
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, compile_chain
 from tmmcalc.linkage.forces.cut import plan_of, post_of
@@ -19,13 +23,9 @@ from tmmcalc.linkage.loads.travel import EDGE
 from tmmcalc.linkage.loads.values import value_of
 from tmmcalc.linkage.loads.windows import handed_over, window_of
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.stacked.settle import ROWS, Settled, settle
 from tmmcalc.linkage.variants import given_variants, sketched_groups
-from tmmcalc.numerics.alike import Rows
-from tmmcalc.numerics.alike import rows_of as at_rows
-from tmmcalc.numerics.roots import Indices
 
 LAWS = (Constant, Polynomial, Viscous)
 

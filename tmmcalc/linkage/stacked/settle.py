@@ -12,15 +12,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.alike import Alike, Rows
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.plane import Real, square
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.forces.wrench import sliding
 from tmmcalc.linkage.outputs import EQUAL, coordinate_of, default_outputs
-from tmmcalc.linkage.plane import Real, square
 from tmmcalc.linkage.stacked.zeros import Flags, Zeros, zeros
 from tmmcalc.linkage.trace import principal, unwrapped
-from tmmcalc.numerics.alike import Alike, Rows
-from tmmcalc.numerics.roots import Indices
 
 ROWS = 4096  # that are computed together: their temporaries stay in cache
 STEPS = 180

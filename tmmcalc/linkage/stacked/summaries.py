@@ -7,6 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.extrema import refine
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.outputs import (
     CANDIDATES,
@@ -19,7 +22,6 @@ from tmmcalc.linkage.outputs import (
     stroke_of,
     summary_of,
 )
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.quality import CONSTANT as FLAT
 from tmmcalc.linkage.quality import Measure, least_first, quality_of
 from tmmcalc.linkage.results import Extreme, GroupQuality, OutputSummary
@@ -27,8 +29,6 @@ from tmmcalc.linkage.stacked.dense import Dense, looked_at, values_at
 from tmmcalc.linkage.stacked.scene import Block
 from tmmcalc.linkage.survey import Survey, along_motion
 from tmmcalc.linkage.trace import continuous
-from tmmcalc.numerics.extrema import refine
-from tmmcalc.numerics.roots import Indices
 
 SIDES = (-1, 1)  # the least and the largest
 

@@ -7,19 +7,19 @@ from typing import Any
 
 import numpy as np
 
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.forces.stack import stacked
 from tmmcalc.linkage.kinematics import output_row
 from tmmcalc.linkage.loads.travel import EDGE
 from tmmcalc.linkage.outputs import default_outputs, working_angle
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics, Trace
 from tmmcalc.linkage.stacked.scene import Block
 from tmmcalc.linkage.stacked.settle import STEP, STEPS, X
 from tmmcalc.linkage.stacked.zeros import Flags
 from tmmcalc.linkage.trace import principal, trace
-from tmmcalc.numerics.roots import Indices
 
 SAFE = 2.0  # growth of errors in the friction (loop gain of a half) up to which nothing is near to locking
 BETWEEN = 96  # further angles at which that is looked at, where no panels are

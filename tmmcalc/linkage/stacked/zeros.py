@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.linkage.plane import Real
-from tmmcalc.numerics.roots import Indices, bracketed
+from tmmcalc.core.numerics.roots import Indices, bracketed
+from tmmcalc.core.plane import Real
 
 Flags = NDArray[np.bool_]
 Rates = Callable[[Real, Indices, Indices], Real]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane, Real, square
+from tmmcalc.core.plane import Plane, Real, square
 from tmmcalc.linkage.synthesis.curvefit import Wanted
 from tmmcalc.linkage.synthesis.planar import Bars, bars_of
 

@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.plane import Real
 
 Equations = Callable[[Real], Real]  # unknowns (k, p) -> residuals (k, q)
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import cmath
 
+from tmmcalc.core.records import record
 from tmmcalc.linkage.model import FRAME, Assembly, Grid, Input, Joint, Link, Mechanism, Output
-from tmmcalc.records import record
 
 
 @record

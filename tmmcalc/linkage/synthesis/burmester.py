@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane, Real, cross, square
-from tmmcalc.records import record
+from tmmcalc.core.plane import Plane, Real, cross, square
+from tmmcalc.core.records import record
 
 MIXTURE = 7  # seed of the projective change of axes in which no solution is at infinity
 POLISH = 8  # steps of Newton's method

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.numerics.extended import PI
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.results import Design
 from tmmcalc.linkage.synthesis.rocker import LENGTHS
 from tmmcalc.linkage.synthesis.rockerfamily import family, slopes
@@ -15,7 +16,6 @@ from tmmcalc.linkage.synthesis.rotating import crank_angle
 from tmmcalc.linkage.synthesis.rounding import Conditions
 from tmmcalc.linkage.synthesis.task import CrankRockerTask, RotatingTask, SliderCrankTask, SlottedTask, SynthesisTask
 from tmmcalc.linkage.synthesis.triangle import overlap_of, stroke_of
-from tmmcalc.numerics.extended import PI
 
 NEAR = 1e-6  # of a condition of the best transmission: it is the one that holds
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.synthesis.builders import SliderCrank, slider_crank
 from tmmcalc.linkage.synthesis.designs import Closed, closed_form, scene_of

@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.records import record
 from tmmcalc.linkage.synthesis.planar import Bars, bars_of
-from tmmcalc.records import record
 
 SIZES = 9  # A, D or a point of the guide, P; a, b, and c or the direction of the guide
 STEP = 1e-6  # of the differences, of unknowns of unit size

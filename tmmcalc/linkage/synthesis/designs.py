@@ -6,7 +6,8 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.records import record
 from tmmcalc.linkage.model import Grid, Mechanism, Output
 from tmmcalc.linkage.synthesis.builders import Scene
 from tmmcalc.linkage.synthesis.ready import ready_spec
@@ -14,7 +15,6 @@ from tmmcalc.linkage.synthesis.results import Check, Design, Size, Synthesis
 from tmmcalc.linkage.synthesis.simulation import Simulation
 from tmmcalc.linkage.synthesis.strokes import crank_speed, stroke_times
 from tmmcalc.linkage.synthesis.task import SynthesisTask
-from tmmcalc.records import record
 
 CLOSED = 1e-9  # largest residual of a closed form
 SPEED = 1.0  # of a crank of which nothing is said [rad/s]

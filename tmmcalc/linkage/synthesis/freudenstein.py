@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.task import FunctionTask
-from tmmcalc.numerics.roots import bracketed
 
 TURN = 2 * np.pi
 STEPS = 40  # of Newton's method

@@ -16,14 +16,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.plane import Real
+from tmmcalc.core.progress import tell
 from tmmcalc.linkage.synthesis.freudenstein import closure_of, exact_points, solved_exactly
 from tmmcalc.linkage.synthesis.functiondesign import design_of
 from tmmcalc.linkage.synthesis.functionfit import Fitted, best_fits, rated
 from tmmcalc.linkage.synthesis.results import Design, Synthesis
 from tmmcalc.linkage.synthesis.task import FunctionTask, SynthesisTask
-from tmmcalc.progress import tell
 
 RULE = "fewest defects; then the least structural error over the range"
 GRID = 72  # values of a free offset that are tried

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.errors import TmmError
+from tmmcalc.core.errors import TmmError
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Grid, Mechanism, Output
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.synthesis.builders import FourBar, Scene, SliderCrank, four_bar, slider_crank
 from tmmcalc.linkage.synthesis.designs import SPEED, remarks

@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.plane import Real
+from tmmcalc.core.progress import tell
 from tmmcalc.linkage.synthesis.freudenstein import TURN, Closure, Found, coefficients, offsets
-from tmmcalc.progress import tell
 
 STARTS = 8  # fits from so many of the best starts
 LONGEST = 50.0  # of a link against the frame, or against the travel of the slider

@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane
+from tmmcalc.core.plane import Plane
+from tmmcalc.core.progress import tell
 from tmmcalc.linkage.synthesis.burmester import Poses, centres, circle_points, curve_points, line_points
 from tmmcalc.linkage.synthesis.posed import pinned, ranked, spread, within
 from tmmcalc.linkage.synthesis.posesearch import Found, search
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.synthesis.task import PoseTask, SynthesisTask
-from tmmcalc.progress import tell
 
 MOST = {"four_bar": 5, "slider_crank": 4}  # poses that are met exactly
 DYADS = 100  # pins that are paired, of each kind

@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.numerics.extended import PI
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.function import is_exact
 from tmmcalc.linkage.synthesis.results import Design
 from tmmcalc.linkage.synthesis.rounding import Conditions
 from tmmcalc.linkage.synthesis.task import FunctionTask, PoseTask, SynthesisTask
-from tmmcalc.numerics.extended import PI
 
 
 def posed(task: SynthesisTask, design: Design) -> Conditions:

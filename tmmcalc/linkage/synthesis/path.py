@@ -9,14 +9,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane
+from tmmcalc.core.plane import Plane
+from tmmcalc.core.progress import tell
 from tmmcalc.linkage.synthesis.batch import levenberg
 from tmmcalc.linkage.synthesis.pathequations import Path, residuals, starts, turns, unpacked
 from tmmcalc.linkage.synthesis.posed import Rated, best_first, distinct, limits, pinned, ranked, spread, within
 from tmmcalc.linkage.synthesis.posesearch import Found, search
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.synthesis.task import PoseTask, SynthesisTask
-from tmmcalc.progress import tell
 
 STARTS = 400  # random starts of the first round; each further one has more
 ROUNDS = 5  # at most

@@ -12,8 +12,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane, Real, square
-from tmmcalc.records import record
+from tmmcalc.core.plane import Plane, Real, square
+from tmmcalc.core.records import record
 
 
 @record

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane, Real, cross, square
+from tmmcalc.core.plane import Plane, Real, cross, square
 
 
 class Placed(NamedTuple):

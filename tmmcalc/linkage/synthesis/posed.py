@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane
+from tmmcalc.core.plane import Plane
 from tmmcalc.linkage.synthesis.planar import Bars, bars_of
 from tmmcalc.linkage.synthesis.rating import Asked as Limits
 from tmmcalc.linkage.synthesis.rating import Rating, rate

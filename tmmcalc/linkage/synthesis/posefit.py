@@ -9,13 +9,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.plane import Real
+from tmmcalc.core.progress import tell
 from tmmcalc.linkage.synthesis.atlas import atlas
 from tmmcalc.linkage.synthesis.curvefit import Fits, Wanted, fitted
 from tmmcalc.linkage.synthesis.planar import bars_of
 from tmmcalc.linkage.synthesis.posed import Rated, ranked, spread
 from tmmcalc.linkage.synthesis.task import PoseTask, SynthesisTask
-from tmmcalc.progress import tell
 
 RANDOM = 20_000  # linkages of the atlas
 STARTS = 500  # that are fitted

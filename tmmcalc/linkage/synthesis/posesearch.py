@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.linkage.synthesis.designs import CLOSED
 from tmmcalc.linkage.synthesis.posed import Rated, spread
 from tmmcalc.linkage.synthesis.posedesign import designed

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane, Real, cross
+from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.linkage.synthesis.planar import Bars
 
 WAY = 91  # places between the first and the last position at which margins are taken

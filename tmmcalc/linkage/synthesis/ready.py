@@ -5,7 +5,7 @@ from __future__ import annotations
 from cmath import phase
 from collections.abc import Iterator
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.loading import Constant, Load
 from tmmcalc.linkage.model import Assembly, Grid, Joint, Link, Mechanism, Output
 from tmmcalc.linkage.synthesis.strokes import TURN

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import field
 
-from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.records import record
 from tmmcalc.linkage.synthesis.dwell.results import Dwell
-from tmmcalc.records import record
 
 
 @record

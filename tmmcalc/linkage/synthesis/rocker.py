@@ -11,9 +11,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.model import Output
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.synthesis.builders import FourBar, four_bar
 from tmmcalc.linkage.synthesis.designs import Closed, closed_form, scene_of
 from tmmcalc.linkage.synthesis.results import Check, Size, Synthesis
@@ -21,7 +22,6 @@ from tmmcalc.linkage.synthesis.rockerfamily import Family, cosines, family, slop
 from tmmcalc.linkage.synthesis.simulation import Simulation, check, simulate
 from tmmcalc.linkage.synthesis.strokes import overlap
 from tmmcalc.linkage.synthesis.task import CrankRockerTask, SynthesisTask
-from tmmcalc.numerics.roots import bracketed
 
 KIND = "crank_rocker"
 RULE = "the greatest least transmission angle"

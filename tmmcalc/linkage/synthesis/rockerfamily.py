@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane, Real, cross
+from tmmcalc.core.plane import Plane, Real, cross
 
 
 class Family(NamedTuple):

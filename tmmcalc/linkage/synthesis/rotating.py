@@ -15,14 +15,14 @@ from collections.abc import Callable
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.designs import Closed, closed_form
 from tmmcalc.linkage.synthesis.results import Size, Synthesis
 from tmmcalc.linkage.synthesis.slottedpost import checked, checks
 from tmmcalc.linkage.synthesis.strokes import TURN, overlap
 from tmmcalc.linkage.synthesis.task import RotatingTask, SynthesisTask
-from tmmcalc.numerics.roots import bracketed
 
 RULE = "the shortest line of centres"
 KIND = "rotating_slotted_link"

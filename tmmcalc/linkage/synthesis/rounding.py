@@ -13,11 +13,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.numerics.extended import CHAIN, EPS, WIDER
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.posesearch import NEAREST
 from tmmcalc.linkage.synthesis.results import Design, Synthesis
 from tmmcalc.linkage.synthesis.task import SynthesisTask
-from tmmcalc.numerics.extended import CHAIN, EPS, WIDER
 
 CORRECTIONS = 2
 STEP = 1e-7  # of the differences in extended precision, of unknowns of unit size

@@ -10,16 +10,16 @@ import math
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.extrema import around, refine, turning
+from tmmcalc.core.plane import Real
+from tmmcalc.core.records import record
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.synthesis.results import Check
 from tmmcalc.linkage.synthesis.strokes import TURN
-from tmmcalc.numerics.extrema import around, refine, turning
-from tmmcalc.records import record
 
 SAMPLES = 720  # of the tilt over a turn
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.linkage.synthesis.designs import Closed, closed_form
 from tmmcalc.linkage.synthesis.results import Size, Synthesis
 from tmmcalc.linkage.synthesis.slottedpost import Lengths, checked, checks

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from tmmcalc.core.records import record
 from tmmcalc.linkage.model import Mechanism, Output
 from tmmcalc.linkage.synthesis.builders import slotted_link
 from tmmcalc.linkage.synthesis.designs import scene_of
 from tmmcalc.linkage.synthesis.results import Check
 from tmmcalc.linkage.synthesis.simulation import Simulation, Tilt, check, simulate, tilts
 from tmmcalc.linkage.synthesis.task import RotatingTask, SlottedTask, SynthesisTask
-from tmmcalc.records import record
 
 ROD = 4  # the connecting rod among the links
 

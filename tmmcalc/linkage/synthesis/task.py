@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Literal
 
-from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.records import record
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.feasibility.judge import FeasibilityTask

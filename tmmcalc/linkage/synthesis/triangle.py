@@ -11,10 +11,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
-from tmmcalc.linkage.plane import Real
-from tmmcalc.numerics.roots import bracketed
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.plane import Real
+from tmmcalc.core.records import record
 
 Residual = Callable[[Real, Real], Real]
 SAMPLES = 4000  # of a curve, between which roots are sought

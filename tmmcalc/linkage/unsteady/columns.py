@@ -11,8 +11,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.columns import Column
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.columns import Column
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.unsteady.results import Unsteady
 
 LINEAR = ("m", "m/s", "m/s^2")

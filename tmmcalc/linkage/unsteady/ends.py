@@ -11,17 +11,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.numerics.extrema import around, refine, turning
+from tmmcalc.core.numerics.roots import Problems, bracketed
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN, coordinate, describe
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.outputs import coordinate_of, default_outputs
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.results import Domain, Interval
 from tmmcalc.linkage.survey import survey
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
-from tmmcalc.numerics.extrema import around, refine, turning
-from tmmcalc.numerics.roots import Problems, bracketed
 
 WHERE = "unsteady"
 SAME = 1e-9  # of the searched range: nearer coordinates are one

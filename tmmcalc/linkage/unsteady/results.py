@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.plane import Real
+from tmmcalc.core.records import record
+from tmmcalc.core.timelaw import TimeLaw
+from tmmcalc.core.timerows import TimedExtreme
 from tmmcalc.linkage.results import ErrorEstimate, Grade, Trace
-from tmmcalc.numerics.roots import Indices
-from tmmcalc.records import record
-from tmmcalc.timelaw import TimeLaw
-from tmmcalc.timerows import TimedExtreme
 
 
 @record

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.timelaw import TimeLaw
 from tmmcalc.linkage.results import ErrorEstimate, Trace
-from tmmcalc.numerics.extended import EPS
-from tmmcalc.timelaw import TimeLaw
 
 ROUNDINGS = 2.0  # of a sum or a product of three
 

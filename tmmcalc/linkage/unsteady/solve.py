@@ -10,13 +10,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.timelaw import TimeLaw, by_duration, by_travel, by_travel_and_duration, motion
+from tmmcalc.core.timerows import TimedExtreme, extremes, time_rows
 from tmmcalc.linkage.assembly import check_range
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism, Output
 from tmmcalc.linkage.outputs import coordinate_of, default_outputs
-from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.quality import assess, check_regular, grade
 from tmmcalc.linkage.results import Grade, Kinematics, Trace
 from tmmcalc.linkage.rounding import estimate
@@ -26,8 +28,6 @@ from tmmcalc.linkage.unsteady.ends import WHERE, Ends, find_ends
 from tmmcalc.linkage.unsteady.results import Unsteady
 from tmmcalc.linkage.unsteady.rounding import with_law
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
-from tmmcalc.timelaw import TimeLaw, by_duration, by_travel, by_travel_and_duration, motion
-from tmmcalc.timerows import TimedExtreme, extremes, time_rows
 
 
 def solve_unsteady(mechanism: Mechanism, task: UnsteadyTask, kinematics: Kinematics | None = None) -> Unsteady:

@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError, UsageError
-from tmmcalc.expression import parse
+from tmmcalc.core.errors import AccuracyError, UsageError
+from tmmcalc.core.expression import parse
+from tmmcalc.core.numerics.panels import Panels, Values, panels, resolved
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.numerics.panels import Panels, Values, panels, resolved
 
 TURN = 2 * math.pi
 UNRESOLVED = 1e-6  # share of the work of the cycle that one panel may leave in doubt

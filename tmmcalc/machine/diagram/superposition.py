@@ -8,9 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.panels import Panels, Values, panels
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.numerics.panels import Panels, Values, panels
 
 PARTS = ("inertia", "slope", "moment", "viscous", "quadratic")
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.diagram.sources import from_formula, from_harmonics, from_pieces, from_table
 from tmmcalc.machine.diagram.superposition import balanced, superposed

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.positional import FlywheelMethod, positional_flywheels
 from tmmcalc.machine.flywheel.trials import RequiredInertia
-from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.flywheel.search import Model

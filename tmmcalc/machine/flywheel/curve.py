@@ -15,11 +15,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.panels import Panels, Values
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.numerics.panels import Panels, Values
-from tmmcalc.numerics.roots import bracketed
-from tmmcalc.records import record
 
 BALANCED = 1e-6  # work of a cycle, against the largest work within it, that a given driving moment may leave
 ROUNDING = 1e-13  # extremes that differ by less of the range count as equal: the first one is taken

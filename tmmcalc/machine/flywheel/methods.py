@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.flywheel.curve import EnergyCurve, Touching
-from tmmcalc.numerics.panels import Values
 
 Slopes = tuple[float, float]  # k_max, k_min in units of w^2 / 2
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Literal
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.machine.flywheel.materials import MATERIALS, Material
 from tmmcalc.machine.flywheel.rim import (
     Rim,
@@ -21,7 +22,6 @@ from tmmcalc.machine.flywheel.rim import (
     rim_of_section,
 )
 from tmmcalc.machine.model import FlywheelTask
-from tmmcalc.records import record
 
 THICK = 0.4  # thickness over mean diameter above which a rim is hardly one
 SMALLEST = 0.01  # mean diameter below which there is no rim to speak of [m]

@@ -10,13 +10,13 @@ import math
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import EnergyCurve, energy_curve, nodal_curve
 from tmmcalc.machine.flywheel.methods import METHODS, Tangents, tangents
 from tmmcalc.machine.flywheel.resimulation import Motion, motions
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 
 @record

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
-from tmmcalc.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import energy_curve
 from tmmcalc.machine.flywheel.drive import fluctuation

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.flywheel.curve import EnergyCurve, Touching
-from tmmcalc.numerics.panels import Values
 
 PASSES = 40
 SETTLED = 4e-16  # change of their difference, relative to the speed

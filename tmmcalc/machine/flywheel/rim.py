@@ -16,10 +16,10 @@ import math
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.records import record
 from tmmcalc.machine.flywheel.materials import CAST_IRON, Material
-from tmmcalc.numerics.roots import bracketed
-from tmmcalc.records import record
 
 POISSON = 0.3
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from tmmcalc.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.machine.flywheel.trials import Trial
 
 Model = Callable[[float], float | None]  # constant inertia [kg*m^2] -> delta, or None where the machine stalls

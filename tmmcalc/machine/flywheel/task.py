@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import UNDRIVEN, ConstantInertia, Driver
 from tmmcalc.machine.flywheel.comparison import Comparison, Row, compared
@@ -17,8 +19,6 @@ from tmmcalc.machine.flywheel.wittenbauer import EnergyMass, energy_mass
 from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.power import moment_at
 from tmmcalc.machine.verdicts import Verdict
-from tmmcalc.numerics.extended import EPS
-from tmmcalc.records import record
 
 ROUNDING = 4 * EPS  # of the intercepts of a tangent, relative to what they are summed up from
 BOOK = 1  # place of the textbook's method among all

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from tmmcalc.core.records import record
 from tmmcalc.machine.regime import Regime
-from tmmcalc.records import record
 
 
 @record

@@ -6,12 +6,12 @@ import math
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import energy_curve
 from tmmcalc.machine.flywheel.methods import METHODS, tangents
 from tmmcalc.machine.flywheel.positional import check
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 
 @record

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
-from tmmcalc.errors import Fault, SpecError, UsageError
+from tmmcalc.core.errors import Fault, SpecError, UsageError
 from tmmcalc.machine.motors.model import Motor
 
 REQUIRED = ("name", "power_kW", "synchronous_rpm", "speed_rpm")

@@ -17,10 +17,10 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, NamedTuple, Protocol, TypeVar
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
-    from tmmcalc.numerics.panels import Values
+    from tmmcalc.core.numerics.panels import Values
 
 N = TypeVar("N", float, "Values")
 

@@ -10,9 +10,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.records import record
 from tmmcalc.machine.motors.model import Motor
-from tmmcalc.records import record
 
 USUAL = 50 * math.pi  # synchronous speed that is preferred among equals: 1500 rpm [rad/s]
 SPEED_MARGIN = 0.05  # of the input speed that a given ratio may miss [-]

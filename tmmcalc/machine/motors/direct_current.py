@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.motors.characteristics import WHERE, N, Straight, require_positive
 
 

@@ -9,8 +9,8 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Literal
 
-from tmmcalc.errors import UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic

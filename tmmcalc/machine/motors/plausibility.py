@@ -10,8 +10,8 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from tmmcalc.core.records import record
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor, characteristic
-from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic

@@ -13,12 +13,12 @@ from itertools import pairwise
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.records import record
 from tmmcalc.machine.motors.characteristics import N
 from tmmcalc.machine.motors.model import Interpolation
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.roots import bracketed
-from tmmcalc.records import record
 
 INTERPOLATIONS = ("linear", "pchip")
 Piece = tuple[float, float, float, float]  # cubic by falling powers of omega - origin

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.numerics.gauss import ORDER, rule
+from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.machine.stacked.regimes import Machines, Regimes
-from tmmcalc.numerics.gauss import ORDER, rule
-from tmmcalc.numerics.panels import Panels, Values
 
 
 def figures(found: Regimes) -> dict[str, Values]:

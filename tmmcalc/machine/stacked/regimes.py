@@ -17,12 +17,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.alike import rows_of
+from tmmcalc.core.numerics.gauss import ORDER, legendre, rule, tail
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.machine.onemass import SPEEDS
 from tmmcalc.machine.steady import LOSS
-from tmmcalc.numerics.alike import rows_of
-from tmmcalc.numerics.gauss import ORDER, legendre, rule, tail
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.roots import Indices
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.stacked.ragged import Ragged

@@ -12,10 +12,10 @@ from typing import TypeVar
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.machine.flywheel.search import Model
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.roots import Indices
 
 T = TypeVar("T")
 Motions = Callable[[Indices, Values], Values]

@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.gauss import ORDER, legendre, rule
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.machine.stacked.regimes import Machines
-from tmmcalc.numerics.gauss import ORDER, legendre, rule
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.roots import Indices
 
 
 class Spots(NamedTuple):

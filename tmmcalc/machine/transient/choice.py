@@ -13,7 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.timescales import TimeScales, time_scales
 from tmmcalc.machine.transient.equations import Regime, System, derivative
 from tmmcalc.machine.transient.jacobian import jacobian
@@ -24,7 +25,6 @@ from tmmcalc.machine.transient.reading import stretches
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.setup import assembled, known_speeds, sizes
 from tmmcalc.machine.transient.stability import growth, stable_step
-from tmmcalc.numerics.panels import Values
 
 EXPLICIT = 1_000  # explicit steps for the sake of stability that one mass takes before an implicit method is quicker
 SEVERAL = 150  # the same with more unknowns, where accuracy asks for many times as many

@@ -16,12 +16,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.radau import radau
 from tmmcalc.machine.transient.equations import WORKS
 from tmmcalc.machine.transient.jacobian import Jacobian
 from tmmcalc.machine.transient.steps import Derivative, State
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.radau import radau
 
 STAGES = 7  # order 13 at the ends, 7 between them
 ITERATIONS = 10  # of Newton, after which the step is halved

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from tmmcalc.columns import Column
+from tmmcalc.core.columns import Column
 from tmmcalc.machine.transient.timed import TimedMotion
 
 

@@ -13,10 +13,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.transient.model import ratios
 from tmmcalc.machine.transient.results import Transient
-from tmmcalc.numerics.panels import Values
 
 INSTANTS = 120  # of a motion in fixed steps at which the two are compared
 FEW = 32  # the same of a motion with step control

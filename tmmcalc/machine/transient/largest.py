@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.transient.between import Found, Reading, farthest
 from tmmcalc.machine.transient.model import Drive, shaft_ratios
 from tmmcalc.machine.transient.outcome import Curves
 from tmmcalc.machine.transient.run import Row, Run
-from tmmcalc.numerics.panels import Values
 
 Flags = NDArray[np.bool_]
 HALVINGS = 60

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
 from tmmcalc.machine.transient.jacobian import Jacobian
 from tmmcalc.machine.transient.methods import HABITS
 from tmmcalc.machine.transient.steps import Derivative, State

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Literal, NamedTuple
 
-from tmmcalc.errors import UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 
 MethodName = Literal["auto", "merson", "rk4", "collocation", "RK45", "DOP853", "LSODA", "Radau", "BDF"]
 

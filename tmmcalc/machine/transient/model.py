@@ -15,9 +15,9 @@ from collections.abc import Callable
 from itertools import accumulate
 from typing import TYPE_CHECKING, NamedTuple
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic

@@ -6,12 +6,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.transient.equations import System
 from tmmcalc.machine.transient.model import Drive, ratios, shaft_ratios
 from tmmcalc.machine.transient.reading import tabulated
 from tmmcalc.machine.transient.run import Row
 from tmmcalc.machine.transient.ways import Ways
-from tmmcalc.numerics.panels import Values
 
 
 class Curves(NamedTuple):

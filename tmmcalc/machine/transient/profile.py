@@ -15,10 +15,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.gauss import rule
+from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.numerics.gauss import rule
-from tmmcalc.numerics.panels import Panels, Values
 
 PARTS = 4  # pieces of a panel: they need fewer coefficients than the panel, and reading costs by coefficients
 CUT = 1e-15  # a last coefficient that is smaller everywhere, relative to its function, is left out

@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.transient.profile import Profile, taylor
-from tmmcalc.numerics.panels import Values
 
 Indices = NDArray[np.intp]
 

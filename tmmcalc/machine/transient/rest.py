@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.machine.transient.equations import Regime, System, surplus
 from tmmcalc.machine.transient.events import Watch, level
 from tmmcalc.machine.transient.reading import Stretch

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Literal
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.timescales import TimeScales
 from tmmcalc.machine.transient.model import Drive
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.verdicts import Verdict
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 End = Literal["time", "speed", "angle", "standstill", "stall", "steady", "runaway"]
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
 from tmmcalc.machine.transient.equations import Regime, System, derivative
 from tmmcalc.machine.transient.events import Hit, Watch, extreme, hits, level
 from tmmcalc.machine.transient.jacobian import jacobian

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Literal
 
-from tmmcalc.errors import UsageError
-from tmmcalc.records import record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 
 LONGEST = 600.0  # a motion without a duration is given up here [s]
 Standstill = Literal["stop", "pass"]

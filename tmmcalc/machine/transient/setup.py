@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.transient.equations import WORKS, Curve, System
 from tmmcalc.machine.transient.model import Drive, reduced
 from tmmcalc.machine.transient.profile import Profile

@@ -9,7 +9,7 @@ from typing import NamedTuple, cast
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
 from tmmcalc.machine.transient.between import Found
 from tmmcalc.machine.transient.choice import plan
 from tmmcalc.machine.transient.collocation import Collocation

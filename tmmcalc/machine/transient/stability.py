@@ -16,7 +16,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.numerics.panels import Values
+from tmmcalc.core.numerics.panels import Values
 
 POLYNOMIALS = {
     "merson": (1.0, 1.0, 1 / 2, 1 / 6, 1 / 24, 1 / 144),

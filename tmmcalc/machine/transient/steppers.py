@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
 from tmmcalc.machine.transient.equations import WORKS
 from tmmcalc.machine.transient.jacobian import Jacobian
 from tmmcalc.machine.transient.steps import Derivative, State, merson_step, rk4_step

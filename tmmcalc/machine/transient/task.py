@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia
 from tmmcalc.machine.model import DriveShaft, TransientTask
@@ -25,7 +26,6 @@ from tmmcalc.machine.transient.simulate import simulate
 from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
 from tmmcalc.machine.transient.verdicts import rated_moment
 from tmmcalc.machine.verdicts import Verdict
-from tmmcalc.records import record
 
 
 @record

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.timescales import TimeScales
 from tmmcalc.machine.transient.results import End, Event
 from tmmcalc.machine.verdicts import Verdict
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 
 @record

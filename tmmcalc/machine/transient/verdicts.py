@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.transient.equations import System
 from tmmcalc.machine.transient.model import Drive
 from tmmcalc.machine.transient.outcome import Curves
@@ -15,7 +16,6 @@ from tmmcalc.machine.transient.results import End, Event
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.validity import extrapolated, restless
 from tmmcalc.machine.verdicts import SLACK, Verdict
-from tmmcalc.numerics.panels import Values
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.numerics.panels import Values
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.panels import Values
 
 RANK = 1e-13  # of the scaled matrix: a smaller least eigenvalue is none
 

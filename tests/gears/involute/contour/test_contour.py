@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gears.involute.contour.pairs import PAIRS, case, random_tasks, task
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.contour.contour import contour, contours
 from tmmcalc.gears.involute.contour.frame import frame_of
 from tmmcalc.gears.involute.contour.interval import interval, intervals

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from gears.involute.contour.pairs import PAIRS, case, task
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.contour.contour import contour
 from tmmcalc.gears.involute.contour.curves import contact_ratio_line, sliding_line, strength_line, thickness_line
 from tmmcalc.gears.involute.contour.margins import margins

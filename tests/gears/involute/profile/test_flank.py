@@ -11,7 +11,7 @@ import pytest
 
 from gears.involute.profile.envelope import CASES, half_angles
 from gears.involute.profile.extremes import EXTREMES, TOOLS
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.profile.flank import flank_of
 from tmmcalc.gears.involute.profile.form import form_radius, junction
 from tmmcalc.gears.involute.profile.outline import tooth

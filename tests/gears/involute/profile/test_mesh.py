@@ -7,7 +7,8 @@ from math import acos, cos, pi, radians
 import numpy as np
 import pytest
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.plane import cross
 from tmmcalc.gears.involute.pair import Pair, pair_of_shifts
 from tmmcalc.gears.involute.profile.flank import Flank, flank_of
 from tmmcalc.gears.involute.profile.mesh import Placing, placings, ring_placings
@@ -15,7 +16,6 @@ from tmmcalc.gears.involute.profile.outline import arcs, outline, tooth
 from tmmcalc.gears.involute.profile.ring import RingFlank, ring_flank
 from tmmcalc.gears.involute.rack import RACKS
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.linkage.plane import cross
 
 PAIRS = {
     "spur": pair_of_shifts(Wheel(13, 0.25), Wheel(30, 0.15)),

@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 
 from gears.involute.profile.extremes import EXTREMES
-from tmmcalc.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.numerics.curves import Curve, chords, cubics
+from tmmcalc.core.plane import cross
 from tmmcalc.gears.involute.profile.flank import Flank, flank_of
 from tmmcalc.gears.involute.profile.generation import in_wheel, path_of_centre, rack_outline
 from tmmcalc.gears.involute.profile.outline import Element, arcs, element_outline, half, outline, pieces, tooth
 from tmmcalc.gears.involute.rack import Rack
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.linkage.plane import cross
-from tmmcalc.numerics.curves import Curve, chords, cubics
 
 WHEELS = [Wheel(10, 0.0), Wheel(14, 0.6, radians(15)), Wheel(8, 0.7), Wheel(5, 0.3), Wheel(120, -0.8, radians(40))]
 

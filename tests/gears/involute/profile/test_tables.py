@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from gears.involute.profile.envelope import CASES
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.involute.pair import Pair, pair_of_shifts
 from tmmcalc.gears.involute.profile.flank import flank_of
 from tmmcalc.gears.involute.profile.tables import axis_turn, fillet_table, main_profile

@@ -13,10 +13,10 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.form import Sloped
 from tmmcalc.gears.involute.contour.frame import Frame, Sums
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 LOWER = ("interference2", "tolerated1", "undercut1", "thickness1", "thickness2", "contact_ratio", "tip1", "tip2")
 UPPER = ("interference1", "tolerated2", "undercut2", "thickness1", "thickness2", "contact_ratio", "tip2", "tip1")

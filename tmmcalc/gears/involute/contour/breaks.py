@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import LOWER, UPPER, Cuts, Kinds, cuts, edge_names
 from tmmcalc.gears.involute.contour.corners import ROWS, equations, polish, stacked
 from tmmcalc.gears.involute.contour.frame import Frame
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 SPLIT = 16  # parts of a narrowed step
 TRIES = 5

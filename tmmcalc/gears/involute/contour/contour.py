@@ -8,7 +8,8 @@ from itertools import zip_longest
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import Cuts, cuts
 from tmmcalc.gears.involute.contour.equalstrength import strength_ends
 from tmmcalc.gears.involute.contour.frame import Frame, frame_of
@@ -17,7 +18,6 @@ from tmmcalc.gears.involute.contour.largest import largest_contact_ratio
 from tmmcalc.gears.involute.contour.task import Task
 from tmmcalc.gears.involute.contour.trace import POINTS, Part, parts_of, scan
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 
 @record

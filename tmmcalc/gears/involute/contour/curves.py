@@ -7,6 +7,7 @@ from math import pi
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import NEVER, contact_ends, thickness_ends
 from tmmcalc.gears.involute.contour.contour import Contour
 from tmmcalc.gears.involute.contour.equalstrength import strength_split
@@ -14,7 +15,6 @@ from tmmcalc.gears.involute.contour.frame import Frame, Sums
 from tmmcalc.gears.involute.contour.points import along, sliding_split
 from tmmcalc.gears.involute.contour.trace import scan
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 POINTS = 200  # lines of constant sum across the plane
 FINE = 1e-9  # difference of form factors that counts as none

@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.roots import Indices, bracketed
 from tmmcalc.gears.involute.contour.bounds import cuts
 from tmmcalc.gears.involute.contour.frame import Frame, Sums
 from tmmcalc.gears.involute.contour.strength import tooth_form
 from tmmcalc.gears.involute.contour.trace import Part
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
-from tmmcalc.numerics.roots import Indices, bracketed
 
 ON_LINE = 1e-9  # distance from a line that is none
 EQUAL = 1e-9  # difference of form factors that counts as none

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from tmmcalc.core.numerics.extended import PI
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.frame import Frame
 from tmmcalc.gears.involute.extended import Long, inverse_extended, involute_extended
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
-from tmmcalc.numerics.extended import PI
-from tmmcalc.records import record
 
 LEAST_RADIUS = 1e-12  # [normal module] radius of curvature of an involute that does not reach so far down
 

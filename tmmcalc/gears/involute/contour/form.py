@@ -11,11 +11,11 @@ from math import sin
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.profile.form import curvature_ratio
 from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 DEGREE = 32  # of the polynomial that stands for rho_F/|LN|
 

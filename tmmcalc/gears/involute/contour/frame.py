@@ -18,12 +18,12 @@ from math import acos, atan2, cos, hypot, pi, sin, tan
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.form import Sloped
 from tmmcalc.gears.involute.contour.side import Side, side_of
 from tmmcalc.gears.involute.contour.task import Task
 from tmmcalc.gears.involute.function import inverse_involute, involute
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 BRANCHES = (0, 1, 2, 3)
 LOW: tuple[tuple[int, ...], ...] = ((), (1,), (0,), (0, 1))  # of each branch: wheels with the tip inside r

@@ -6,12 +6,12 @@ from itertools import pairwise
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import LOWER, UPPER, cuts, edge_names
 from tmmcalc.gears.involute.contour.frame import Frame
 from tmmcalc.gears.involute.contour.joined import TIPS, Region
 from tmmcalc.gears.involute.contour.task import LINES
-from tmmcalc.records import record
 
 
 @record

@@ -12,10 +12,10 @@ from functools import cached_property
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.frame import Frame
 from tmmcalc.gears.involute.contour.trace import Corner, Edge, Part
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 TIPS = ("tip1", "tip2")
 SAME = 1e-7  # distance of the ends of an edge as found on both of its sides

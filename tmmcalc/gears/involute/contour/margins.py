@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.task import Task
 from tmmcalc.gears.involute.pair import pair_of_shifts
 from tmmcalc.gears.involute.profile.form import junction
 from tmmcalc.gears.involute.wheel import Number, Wheel
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 NONE = -1.0  # the margin of a pair that does not exist
 

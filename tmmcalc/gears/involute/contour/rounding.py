@@ -15,6 +15,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.extended import CHAIN, EPS, MARGIN, WIDER
+from tmmcalc.core.numerics.gauss import rule
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import cuts
 from tmmcalc.gears.involute.contour.contour import Contour
 from tmmcalc.gears.involute.contour.corners import SLOPE, equations, stacked
@@ -24,9 +27,6 @@ from tmmcalc.gears.involute.contour.joined import Region
 from tmmcalc.gears.involute.contour.side import Side
 from tmmcalc.gears.involute.contour.trace import POINTS, Part
 from tmmcalc.gears.model import Values
-from tmmcalc.numerics.extended import CHAIN, EPS, MARGIN, WIDER
-from tmmcalc.numerics.gauss import rule
-from tmmcalc.records import record
 
 WIDTH = 1e-6  # [rad] of the differences along w
 TAIL = 3  # coefficients at the end of a series that tell what is missing

@@ -7,12 +7,12 @@ from math import pi, sin
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.form import Form, Sloped, form_of
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 DEPTH = 5.0  # addenda below the reference circle down to which undercut is followed
 THROUGH = 0.4  # reference radii below it, where no flank is left of a wheel of few teeth

@@ -10,10 +10,10 @@ from math import cos, pi, sin, sqrt, tan
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.wheel import Number, Wheel
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 STEPS = 7  # of Newton's method for the angle of the tangent; five are enough
 

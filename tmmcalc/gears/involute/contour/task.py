@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.records import record
 
 LINES: dict[str, tuple[str, str]] = {  # key -> (number in the textbook's figures, what it is)
     "undercut1": ("2", "limit of undercut of wheel 1"),

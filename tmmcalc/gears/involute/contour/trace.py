@@ -12,12 +12,12 @@ from itertools import pairwise
 
 import numpy as np
 
+from tmmcalc.core.numerics.gauss import rule
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import UPPER, Cuts, cuts
 from tmmcalc.gears.involute.contour.breaks import Break, breaks_of, names_of
 from tmmcalc.gears.involute.contour.frame import Frame
 from tmmcalc.gears.model import Values
-from tmmcalc.numerics.gauss import rule
-from tmmcalc.records import record
 
 SCAN = 64  # lines of the first scan
 TOUCH = np.array([-1e-9, 1e-9])  # [rad]

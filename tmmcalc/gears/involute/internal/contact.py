@@ -7,14 +7,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.internal.pair import InternalPair
 from tmmcalc.gears.involute.profile.form import junction
 from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.involute.quality.contact import overlap_ratio
 from tmmcalc.gears.involute.quality.sliding import Sliding, SlidingExtremes, slide
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 
 @record

@@ -10,12 +10,12 @@ from math import acos, atan2, sqrt
 
 import numpy as np
 
+from tmmcalc.core.numerics.roots import Indices, bracketed
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.internal.interference import Corner, trimming_margin, trochoid_margin
 from tmmcalc.gears.involute.internal.pair import InternalPair
 from tmmcalc.gears.involute.internal.ring import Cutter, Ring, cutting
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.numerics.roots import Indices, bracketed
 
 POINTS = 17  # of a rounding that are looked at
 

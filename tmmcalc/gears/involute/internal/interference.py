@@ -15,13 +15,13 @@ from typing import Literal
 
 import numpy as np
 
+from tmmcalc.core.numerics.roots import Indices, bracketed
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.internal.pair import InternalPair
 from tmmcalc.gears.involute.profile.form import junction
 from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.model import Values
-from tmmcalc.numerics.roots import Indices, bracketed
-from tmmcalc.records import record
 
 Corner = tuple[float, float]  # radius of a point of the pinion's tip, and inv [rad] of the involute through it
 Kind = Literal["involute", "fillet 1", "fillet 2", "trochoid", "trimming"]

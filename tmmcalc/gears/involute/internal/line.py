@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.internal.margins import InternalMargins, internal_margins
 from tmmcalc.gears.involute.internal.pair import Tips
 from tmmcalc.gears.involute.internal.ring import Ring, angle_of_shifts
@@ -15,7 +16,6 @@ from tmmcalc.gears.involute.quality.existence import Form, form_over_shifts
 from tmmcalc.gears.involute.quality.verdicts import NOISE, QualityLimits
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 REACH, COUNT = 10.0, 1001  # admissible x1 are sought between -REACH and REACH
 ZOOM, ROUNDS = 17, 10  # points of a round that narrows a maximum or a border

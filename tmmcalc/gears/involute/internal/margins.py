@@ -10,6 +10,7 @@ from math import cos, tan
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import inverse_involute, involute
 from tmmcalc.gears.involute.internal.pair import Tips
 from tmmcalc.gears.involute.internal.ring import Ring
@@ -20,7 +21,6 @@ from tmmcalc.gears.involute.quality.nearest import Margin, Nearest, nearest_admi
 from tmmcalc.gears.involute.quality.verdicts import NOISE, QualityLimits
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 CONDITIONS: dict[str, str] = {  # key -> what is wrong if it is not met
     "tip1": "the tip circle of the pinion lies within its base circle",

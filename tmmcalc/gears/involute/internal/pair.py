@@ -15,10 +15,10 @@ from dataclasses import replace
 from math import hypot, sin
 from typing import Literal
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.internal.ring import Ring, angle_of_distance, angle_of_shifts
 from tmmcalc.gears.involute.profile.form import junction
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.records import record
 
 Tips = Literal["clearance", "plain", "clear"]
 

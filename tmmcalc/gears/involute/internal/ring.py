@@ -14,12 +14,12 @@ from math import hypot, sin
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import inverse_involute, involute
 from tmmcalc.gears.involute.pair import sum_of_shifts
 from tmmcalc.gears.involute.rack import Rack
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.records import record
 
 
 @record

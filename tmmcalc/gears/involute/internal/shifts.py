@@ -14,7 +14,9 @@ from typing import get_args
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.numerics.roots import Indices, bracketed
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.internal.line import InternalLine, Span, climb, internal_line, intervals, scan
 from tmmcalc.gears.involute.internal.margins import CONDITIONS
 from tmmcalc.gears.involute.internal.pair import Tips
@@ -24,8 +26,6 @@ from tmmcalc.gears.involute.quality.verdicts import QualityLimits
 from tmmcalc.gears.involute.shifts import Split
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
-from tmmcalc.numerics.roots import Indices, bracketed
-from tmmcalc.records import record
 
 INTERNAL_STRATEGIES = ("given", "given_aw", "zero", "equal_shift", "balanced")
 SPLITS: tuple[str, ...] = get_args(Split)

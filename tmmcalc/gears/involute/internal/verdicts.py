@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.internal.contact import internal_contact, internal_extremes
 from tmmcalc.gears.involute.internal.interference import interferences
 from tmmcalc.gears.involute.internal.margins import margin_of

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import degrees, isfinite
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 
 
 def sexagesimal(angle: float, places: int = 2) -> tuple[int, int, int, float]:

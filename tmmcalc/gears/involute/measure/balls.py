@@ -12,11 +12,11 @@ from typing import Literal
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import inverse_involute, involute
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.numerics.roots import bracketed
-from tmmcalc.records import record
 
 Body = Literal["balls", "pins"]
 

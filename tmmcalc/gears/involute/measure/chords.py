@@ -10,9 +10,9 @@ from math import cos, pi, sin, tan
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.wheel import Number, Wheel
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 
 @record

@@ -14,9 +14,9 @@ from typing import Literal
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.records import record
 
 Rule = Literal["book", "exact"]
 LEAST = 2  # teeth of a span: over one there is no common normal of outer flanks to be clamped

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 
 
 class ProfileError(NoSolutionError):

@@ -12,15 +12,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.curves import Curve
+from tmmcalc.core.numerics.roots import Indices, bracketed
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import inverse_involute, involute
 from tmmcalc.gears.involute.profile.faults import ProfileError
 from tmmcalc.gears.involute.profile.form import form_radius, junction
 from tmmcalc.gears.involute.profile.rounding import Rounding, Shape, rounding
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.numerics.curves import Curve
-from tmmcalc.numerics.roots import Indices, bracketed
-from tmmcalc.records import record
 
 WAIST = np.linspace(0.0, 1.0, 129)  # of the fillet, where the thickness of the tooth is looked at
 

@@ -18,11 +18,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.gauss import rule
+from tmmcalc.core.numerics.roots import Indices, bracketed
+from tmmcalc.core.plane import Real
 from tmmcalc.gears.involute.profile.rounding import Rounding, Shape, rounding
 from tmmcalc.gears.involute.wheel import Number, Wheel
-from tmmcalc.linkage.plane import Real
-from tmmcalc.numerics.gauss import rule
-from tmmcalc.numerics.roots import Indices, bracketed
 
 SLIGHT = 1e-9  # |LN| below which the limit one half stands for rho_F/|LN|
 _NEAR = 0.3  # [-] below it v - arctan(v) is summed as a series

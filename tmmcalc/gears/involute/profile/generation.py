@@ -10,8 +10,8 @@ from math import pi, tan
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.gears.involute.profile.flank import Flank
-from tmmcalc.linkage.plane import Plane, Real
 
 
 def rack_outline(flank: Flank, teeth: int = 1, points: int = 33) -> Plane:

@@ -9,11 +9,11 @@ from __future__ import annotations
 from cmath import exp
 from math import pi
 
+from tmmcalc.core.plane import Plane
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.pair import Pair
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.linkage.plane import Plane
-from tmmcalc.records import record
 
 
 @record

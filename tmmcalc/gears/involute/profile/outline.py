@@ -11,11 +11,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.numerics.curves import Curve, chords, cubics
+from tmmcalc.core.plane import Plane
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.profile.flank import Flank
-from tmmcalc.linkage.plane import Plane
-from tmmcalc.numerics.curves import Curve, chords, cubics
-from tmmcalc.records import record
 
 FLAT = 1e-12  # [rad] half angle below which there is no arc
 

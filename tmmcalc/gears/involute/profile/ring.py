@@ -12,14 +12,14 @@ from math import atan2, hypot, pi, sqrt
 
 import numpy as np
 
+from tmmcalc.core.numerics.curves import Curve
+from tmmcalc.core.numerics.roots import Indices, bracketed
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.profile.faults import ProfileError
 from tmmcalc.gears.involute.profile.outline import Element, checked
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.numerics.curves import Curve
-from tmmcalc.numerics.roots import Indices, bracketed
-from tmmcalc.records import record
 
 
 @record

@@ -20,10 +20,10 @@ from typing import Literal
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.rack import require_tool
 from tmmcalc.gears.involute.wheel import Number, Wheel
-from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.records import record
 
 Shape = Literal["circle", "ellipse"]  # the textbook's stand-in, of equal height, or the true section of a helical rack
 

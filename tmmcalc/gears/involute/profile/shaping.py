@@ -14,6 +14,9 @@ from math import hypot, pi, sqrt
 
 import numpy as np
 
+from tmmcalc.core.numerics.curves import Curve
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.internal.cutter import tip_lead
 from tmmcalc.gears.involute.internal.ring import Cutter, Ring, cutting
@@ -21,9 +24,6 @@ from tmmcalc.gears.involute.profile.faults import ProfileError
 from tmmcalc.gears.involute.profile.outline import Element, checked
 from tmmcalc.gears.involute.profile.rounding import SHARP
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.numerics.curves import Curve
-from tmmcalc.records import record
 
 
 @record

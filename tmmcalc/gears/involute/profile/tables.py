@@ -12,12 +12,12 @@ from typing import Literal
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.profile.flank import Flank
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.linkage.plane import Plane, Real
-from tmmcalc.records import record
 
 Axis = Literal["pitch", "reference", "tooth", "space"]
 STRAIGHT = 1e-12  # curvature below which a radius is given as its inverse

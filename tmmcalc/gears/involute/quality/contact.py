@@ -6,11 +6,11 @@ from math import pi, sin
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.pair import Pair
 from tmmcalc.gears.involute.profile.form import junction
 from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.involute.wheel import Number
-from tmmcalc.records import record
 
 
 @record

@@ -12,7 +12,7 @@ from math import tan
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.contour.form import form_of
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.pair import Pair, pair_of_shifts

@@ -8,8 +8,8 @@ from math import hypot, pi
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 REACH = 3.0  # how far from the given shifts the nearest admissible ones are sought
 STEPS = 60  # along a ray

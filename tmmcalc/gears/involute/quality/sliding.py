@@ -11,10 +11,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.pair import Pair
 from tmmcalc.gears.model import Values
-from tmmcalc.records import record
 
 
 @record

@@ -8,11 +8,11 @@ from __future__ import annotations
 from math import degrees, radians
 from typing import Literal
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.involute.pair import Pair
 from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.involute.quality.contact import Contact, contact
 from tmmcalc.gears.involute.quality.sliding import sliding_extremes
-from tmmcalc.records import record
 
 Verdict = Literal["ok", "warn", "fail"]
 NOISE = 1e-12  # [module] a margin that differs from zero by rounding is met

@@ -6,11 +6,11 @@ import math
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.plane import Plane, Real
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.synthesis.dwell.exact import Figures
 from tmmcalc.linkage.synthesis.dwell.linkages import Linkages

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.columns import Column, degrees
+from tmmcalc.core.columns import Column, degrees
 from tmmcalc.linkage.synthesis.dwell.results import Motion
 from tmmcalc.linkage.synthesis.dwell.task import OutputKind
 

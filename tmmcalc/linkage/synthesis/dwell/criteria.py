@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.dwell.linkages import Flags
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.turn import TURN, Turn

@@ -10,14 +10,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.numerics.extrema import around, refine, turning, with_turning_points
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.dwell.criteria import Criteria, Strokes, strokes_of
 from tmmcalc.linkage.synthesis.dwell.motion import State
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.turn import TURN, Turn, along
 from tmmcalc.linkage.synthesis.dwell.unitforces import UnitForces, unit_forces
-from tmmcalc.numerics.extrema import around, refine, turning, with_turning_points
-from tmmcalc.numerics.roots import bracketed
 
 SAMPLES = 720  # of a turn
 REFINED = 3  # local extremes that are refined for the global one

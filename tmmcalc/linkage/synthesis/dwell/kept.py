@@ -14,11 +14,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from tmmcalc.columns import Column
+from tmmcalc.core.columns import Column
+from tmmcalc.core.plane import Real
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask, judge
 from tmmcalc.feasibility.quantities import limits
 from tmmcalc.feasibility.rule import may_hold
-from tmmcalc.linkage.plane import Real
 from tmmcalc.linkage.synthesis.dwell.columns import columns_of
 from tmmcalc.linkage.synthesis.dwell.criteria import NAMES, Traits, achieved
 from tmmcalc.linkage.synthesis.dwell.motion import State

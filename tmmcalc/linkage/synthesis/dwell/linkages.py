@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane, Real, cross
+from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.linkage.synthesis.dwell.task import Lengths
 
 COLLINEAR = 1e-9  # sine of the angle at the first of three points below which they lie on a line

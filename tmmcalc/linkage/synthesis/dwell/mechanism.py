@@ -10,10 +10,10 @@ import cmath
 import math
 from typing import Literal
 
+from tmmcalc.core.records import record
 from tmmcalc.linkage.loading import Constant, Load, Loading
 from tmmcalc.linkage.model import FRAME, Assembly, Grid, Input, Joint, Link, Mechanism, Output
 from tmmcalc.linkage.synthesis.dwell.linkages import Linkages
-from tmmcalc.records import record
 
 
 @record

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.synthesis.dwell.linkages import Flags, Linkages
 
 LIMIT = 0.1  # of a step of Newton's method [rad, parts of l_OB]

@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.plane import Real
+from tmmcalc.core.progress import tell
+from tmmcalc.core.records import record
 from tmmcalc.linkage.synthesis.dwell.criteria import rated
 from tmmcalc.linkage.synthesis.dwell.parameters import NAMES, RANGES, drawn, given
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask, Optimum
 from tmmcalc.linkage.synthesis.dwell.turn import Turn, whole_turn
-from tmmcalc.progress import tell
-from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.synthesis.dwell.kept import Rule

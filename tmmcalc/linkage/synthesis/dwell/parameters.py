@@ -10,8 +10,8 @@ import math
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.dwell.linkages import (
     Drawn,
     Linkages,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.dwell.linkages import Linkages
 from tmmcalc.linkage.synthesis.dwell.motion import State, pose
 from tmmcalc.linkage.synthesis.dwell.results import Motion

@@ -14,12 +14,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError
-from tmmcalc.linkage.plane import Plane, Real, cross
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.linkage.synthesis.dwell.linkages import Linkages
 from tmmcalc.linkage.synthesis.dwell.motion import dot
 from tmmcalc.linkage.synthesis.dwell.turn import TURN, Turn, along
-from tmmcalc.numerics.roots import bracketed
 
 WHERE = "synthesis.dwell, relative trajectory"
 SEARCH = 720  # places of a turn of bar BC at which the ends of the arc are sought

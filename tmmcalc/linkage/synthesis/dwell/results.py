@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from tmmcalc.linkage.plane import Plane, Real
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.records import record
 from tmmcalc.linkage.synthesis.dwell.task import OutputKind
-from tmmcalc.records import record
 
 
 @record

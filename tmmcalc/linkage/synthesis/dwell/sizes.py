@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.dwell.linkages import Linkages
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError, AssemblyError, NoSolutionError, SingularityError, UsageError
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.errors import AccuracyError, AssemblyError, NoSolutionError, SingularityError, UsageError
+from tmmcalc.core.plane import Real
+from tmmcalc.core.progress import tell
 from tmmcalc.linkage.synthesis.designs import CLOSED, SPEED, largest_residual, remarks
 from tmmcalc.linkage.synthesis.dwell.advice import advice
 from tmmcalc.linkage.synthesis.dwell.analysis import analysed
@@ -28,7 +29,6 @@ from tmmcalc.linkage.synthesis.ready import ready_spec
 from tmmcalc.linkage.synthesis.results import Check, Design, Size, Synthesis
 from tmmcalc.linkage.synthesis.simulation import check
 from tmmcalc.linkage.synthesis.task import SynthesisTask
-from tmmcalc.progress import tell
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.synthesis.dwell.kept import Rule

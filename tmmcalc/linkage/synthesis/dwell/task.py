@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import field
 from typing import Literal
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 OutputKind = Literal["slider", "rocker"]
 Stroke = Literal["towards", "away"]

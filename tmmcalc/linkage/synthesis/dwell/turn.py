@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Real
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.dwell.linkages import Flags, Linkages, only_first
 from tmmcalc.linkage.synthesis.dwell.motion import State, closed, foretold, rates
 

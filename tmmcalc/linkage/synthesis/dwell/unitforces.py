@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.plane import Plane, Real, cross
+from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.linkage.synthesis.dwell.linkages import Linkages
 from tmmcalc.linkage.synthesis.dwell.motion import dot, pose
 

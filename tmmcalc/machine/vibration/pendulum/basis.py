@@ -14,9 +14,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.numerics.gauss import legendre, rule, wide_rule
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
+from tmmcalc.core.numerics.gauss import legendre, rule, wide_rule
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 
 GRADING = 0.2  # ratio of neighbouring elements towards a layer
 

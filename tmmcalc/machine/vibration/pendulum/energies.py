@@ -13,10 +13,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.vibration.pendulum.basis import Basis, gauss, sample
 from tmmcalc.machine.vibration.pendulum.task import PendulumTask
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 
 @record

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.vibration.pencil import Pencil
 from tmmcalc.machine.vibration.pendulum.basis import Basis
 from tmmcalc.machine.vibration.pendulum.energies import Matrices, matrices
 from tmmcalc.machine.vibration.pendulum.task import PendulumTask
 from tmmcalc.machine.vibration.pendulum.whirl import Critical, critical_speeds, lowest, whirl
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 
 @record

@@ -10,11 +10,11 @@ from math import sqrt
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.numerics.extended import MARGIN
 from tmmcalc.machine.vibration.pendulum.basis import Basis, graded
 from tmmcalc.machine.vibration.pendulum.plane import Plane, plane_of
 from tmmcalc.machine.vibration.pendulum.task import PendulumTask
-from tmmcalc.numerics.extended import MARGIN
 
 LAYERED = 0.05  # part of the length: thinner layers get elements of their own
 WEAK, STRONG = 1e-3, 1e-7  # thinnest that are followed: of an end without a moment, and of one that has it

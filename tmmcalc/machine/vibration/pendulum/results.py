@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.vibration.pendulum.swing import SwingCourse
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 
 @record

@@ -10,10 +10,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.extended import widened
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.vibration.pendulum.basis import Basis, gauss, sample
 from tmmcalc.machine.vibration.pendulum.task import PendulumTask
-from tmmcalc.numerics.extended import widened
-from tmmcalc.numerics.panels import Values
 
 
 class _Bent(NamedTuple):

@@ -8,7 +8,9 @@ from math import pi, sqrt
 
 import numpy as np
 
-from tmmcalc.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.numerics.extended import EPS, MARGIN
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.vibration.pendulum.basis import sample
 from tmmcalc.machine.vibration.pendulum.energies import Matrices, matrices
 from tmmcalc.machine.vibration.pendulum.plane import Plane
@@ -19,8 +21,6 @@ from tmmcalc.machine.vibration.pendulum.swing import SwingCourse, swing
 from tmmcalc.machine.vibration.pendulum.task import PendulumTask
 from tmmcalc.machine.vibration.pendulum.torsion import torsion_frequencies
 from tmmcalc.machine.vibration.pendulum.whirl import lowest, unbalance_curve, unbalance_whirl, whirl
-from tmmcalc.numerics.extended import EPS, MARGIN
-from tmmcalc.numerics.panels import Values
 
 PLACES = 101  # along the rod
 PLANES = ("plane xz", "plane yz")

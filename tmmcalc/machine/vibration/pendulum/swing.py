@@ -17,13 +17,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.vibration.pendulum.basis import Basis
 from tmmcalc.machine.vibration.pendulum.energies import Matrices, matrices
 from tmmcalc.machine.vibration.pendulum.task import PendulumTask, Swing
 from tmmcalc.machine.vibration.pendulum.whirl import unbalance_whirl, whirl
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 Complex = NDArray[np.complexfloating]
 ALLOWED = 0.05  # of the path's size: a larger error is a failure

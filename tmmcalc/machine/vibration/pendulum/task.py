@@ -7,7 +7,7 @@ axisymmetric rotor has the same in both and may spin.
 
 from __future__ import annotations
 
-from tmmcalc.records import record
+from tmmcalc.core.records import record
 
 Pair = tuple[float, float]
 

@@ -9,9 +9,9 @@ from math import pi, sqrt
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.machine.vibration.pendulum.task import PendulumTask
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.roots import bracketed
 
 
 def torsion_frequencies(task: PendulumTask, count: int) -> Values:

@@ -14,10 +14,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import SingularityError
+from tmmcalc.core.errors import SingularityError
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.vibration.pencil import Pencil, definite_pencil
 from tmmcalc.machine.vibration.pendulum.energies import Matrices
-from tmmcalc.numerics.panels import Values
 
 WHERE = "stiffness of the pendulum"
 RESONANT = 1e-12  # of the static stiffness: less holds no whirl

@@ -15,11 +15,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.vibration.series import stacked
 from tmmcalc.machine.vibration.vibrator.paths import STEPS
 from tmmcalc.machine.vibration.vibrator.results import MotorStart, Start, VibratorResult
 from tmmcalc.machine.vibration.vibrator.task import COORDINATES, UNITS
-from tmmcalc.numerics.panels import Values
 
 HEADERS = tuple(f"{name}[{unit}]" for name, unit in zip(COORDINATES, UNITS, strict=True))
 

@@ -14,10 +14,10 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.vibration.vibrator.springs import Stiffness
 from tmmcalc.machine.vibration.vibrator.task import COORDINATES, Unbalance, VibratorTask
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 COUNT = len(COORDINATES)
 X, Y, PHI, TILT_X, TILT_Y, Z, GAMMA = range(COUNT)

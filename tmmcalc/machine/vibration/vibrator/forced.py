@@ -9,11 +9,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.errors import SingularityError
+from tmmcalc.core.errors import SingularityError
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.vibration.vibrator.energies import COUNT, Excitation
 from tmmcalc.machine.vibration.vibrator.modes import Modes
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 Complex = NDArray[np.complexfloating]
 NOISE = 1e-14  # of the largest amplitude

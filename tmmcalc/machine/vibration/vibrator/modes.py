@@ -7,13 +7,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.vibration.pencil import definite_pencil, scaled_factor
 from tmmcalc.machine.vibration.vibrator.energies import COUNT
 from tmmcalc.machine.vibration.vibrator.task import Damping
-from tmmcalc.numerics.extended import EPS
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 FORMED = 2.0  # roundings of a coefficient, beside those that cancel out
 NOISE = 1e-12  # of the largest displacement of a mode: less is none

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.vibration.vibrator.energies import gripper_jacobian
 from tmmcalc.machine.vibration.vibrator.forced import Steady
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 Named = tuple[tuple[str, tuple[float, float, float]], ...]
 STEPS = 120  # of a turn

@@ -10,14 +10,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.records import record
 from tmmcalc.machine.vibration.vibrator.energies import Excitation
 from tmmcalc.machine.vibration.vibrator.forced import load_moment
 from tmmcalc.machine.vibration.vibrator.modes import Modes
 from tmmcalc.machine.vibration.vibrator.rotor import motor_moments
 from tmmcalc.machine.vibration.vibrator.task import Drive
-from tmmcalc.numerics.panels import Values
-from tmmcalc.numerics.roots import bracketed
-from tmmcalc.records import record
 
 EVEN = 600  # speeds of the search, equal steps
 NEAR = 80  # speeds about every resonance

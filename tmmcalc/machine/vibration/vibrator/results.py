@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.vibration.vibrator.forced import Peak, Steady
 from tmmcalc.machine.vibration.vibrator.paths import PointPath
 from tmmcalc.machine.vibration.vibrator.regimes import Barrier, Regime
 from tmmcalc.machine.vibration.vibrator.runup import Course
 from tmmcalc.machine.vibration.vibrator.springs import Stiffness
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 
 @record

@@ -14,13 +14,13 @@ from math import cos, sin
 
 import numpy as np
 
-from tmmcalc.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.vibration.vibrator.energies import COUNT, Excitation
 from tmmcalc.machine.vibration.vibrator.modes import Modes
 from tmmcalc.machine.vibration.vibrator.runup import Course, steps_of
 from tmmcalc.machine.vibration.vibrator.task import Drive
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 RELATIVE = 1e-9  # tolerance of a step
 ABSOLUTE = 1e-14  # of states, whose squares are energies, against the largest static ones

@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.extended import EPS, MARGIN
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.vibration.vibrator.forced import Steady
 from tmmcalc.machine.vibration.vibrator.modes import FORMED, Modes
-from tmmcalc.numerics.extended import EPS, MARGIN
-from tmmcalc.numerics.panels import Values
 
 Complex = NDArray[np.complexfloating[Any, Any]]
 

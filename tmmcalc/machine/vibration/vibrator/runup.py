@@ -15,13 +15,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.gauss import legendre, rule
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.records import record
 from tmmcalc.machine.vibration.vibrator.energies import COUNT, Excitation
 from tmmcalc.machine.vibration.vibrator.modes import Modes
 from tmmcalc.machine.vibration.vibrator.task import RunUp
-from tmmcalc.numerics.gauss import legendre, rule
-from tmmcalc.numerics.panels import Values
-from tmmcalc.records import record
 
 POINTS = 10  # of a step
 FINE = 16  # of the integrals W

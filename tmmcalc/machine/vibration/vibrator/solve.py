@@ -7,7 +7,7 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.errors import UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.vibration.vibrator.energies import Excitation, excitation_of, mass_matrix, stiffness_matrix
 from tmmcalc.machine.vibration.vibrator.forced import Steady, amplitudes, peaks, steady
 from tmmcalc.machine.vibration.vibrator.modes import Modes, damping_matrix, modes_of, shown_shapes

@@ -14,8 +14,8 @@ from math import pi
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.machine.vibration.vibrator.task import Flats, Gripper, Rods, VibratorTask
-from tmmcalc.records import record
 
 TERMS = 8  # of the series of the section's torsion; the next is below rounding even in a square
 ODD_FIFTHS = 1.0045237627951396  # 1 + 1/3^5 + 1/5^5 + ... = 31/32 zeta(5)

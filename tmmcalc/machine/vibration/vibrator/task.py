@@ -13,8 +13,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from tmmcalc.core.records import record
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor, characteristic
-from tmmcalc.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic

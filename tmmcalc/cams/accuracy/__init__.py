@@ -1,0 +1,1 @@
+"""The methods of the cam stages, each studied beside a better reference."""

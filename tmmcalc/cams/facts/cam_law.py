@@ -1,0 +1,148 @@
+"""The documents of the law of motion: phases, constants of the laws, extremes, shocks, the table over the turn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import degrees, pi
+from typing import Any
+
+from tmmcalc.cams.facts.rows import with_rows
+from tmmcalc.cams.lawresult import POINTS, SHOCKS, LawResult, MotionExtreme, PhaseMotion, law_columns
+from tmmcalc.cams.laws.catalogue import TITLES
+from tmmcalc.cams.laws.constants import LawConstants
+from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.numbers import angle, number
+
+TIMED = ("velocity", "acceleration", "jerk")
+
+
+def law_summary(result: LawResult, title: str) -> Document:
+    """Phases, extremes and shocks, without the table."""
+    return Document(title, tuple(_facts(result, constants=False)), result.remarks)
+
+
+def law_document(
+    result: LawResult,
+    title: str,
+    *,
+    patterns: Sequence[str] = (),
+    rows: Sequence[int] | None = None,
+    everything: bool = False,
+    where: str = "",
+) -> Document:
+    """All facts and the table, its columns chosen by ``patterns``, its rows by index; ``everything`` is all in SI.
+
+    ``where`` is the file that has the whole table.
+    """
+    columns = law_columns(result)
+    if not everything and not patterns:
+        del columns["phase"]
+    ends = [degrees(each.begin) for each in result.phases] + [degrees(result.phases[-1].end)]
+    told = Document(title, tuple(_facts(result)), result.remarks)
+    return with_rows(told, columns, patterns, rows, ends=ends, everything=everything, example="phi,d*", where=where)
+
+
+def _facts(result: LawResult, constants: bool = True) -> Iterator[Fact]:
+    if result.speed is not None:
+        text = f"{number(result.speed)} rad/s ({number(result.speed * 30 / pi)} rpm)"
+        yield Fact("speed of the cam", text, {"omega[rad/s]": result.speed})
+    unit = "rad" if result.turns else "m"
+    yield Fact("stroke", _size(result, result.stroke), {f"stroke[{unit}]": result.stroke})
+    for phase in result.phases:
+        yield _phase_fact(phase)
+    if constants:
+        for phase in result.phases:
+            if phase.constants is not None:
+                yield _constants_fact(phase.kind, phase.constants)
+    for order in (1, 2, 3):
+        pair = [each for each in result.extremes if each.order == order]
+        if pair:
+            yield _extreme_fact(result, order, pair)
+    yield _shock_fact(result)
+
+
+def _size(result: LawResult, value: float, power: str = "") -> str:
+    """A displacement or a derivative of it for people."""
+    return f"{number(degrees(value))} deg{power}" if result.turns and not power else _plain(result, value)
+
+
+def _plain(result: LawResult, value: float) -> str:
+    return number(value, 6) if result.turns else f"{number(1e3 * value, 6)} mm"
+
+
+def _phase_fact(phase: PhaseMotion) -> Fact:
+    begin, end = degrees(phase.begin), degrees(phase.end)
+    law = "" if phase.constants is None else _law_name(phase.constants.name)
+    text = f"{angle(end - begin)} deg, from {POINTS[phase.kind]} at phi = {angle(begin)} deg{law}"
+    name = phase.kind.replace(" ", "_")
+    values: dict[str, Any] = {f"{name}_begin[deg]": begin, f"{name}_end[deg]": end}
+    if phase.constants is not None:
+        values[f"{name}_law"] = phase.constants.name
+    return Fact(phase.kind, text, values)
+
+
+def _law_name(name: str) -> str:
+    return f"; law {name}, {TITLES[name]}" if name in TITLES else f"; law of its own, {name}"
+
+
+def _constants_fact(kind: str, found: LawConstants) -> Fact:
+    least, largest = found.jerk
+    lines = (
+        f"Cv = {number(found.velocity, 6)} at k = {number(found.velocity_at, 6)}, "
+        f"Ca = max|s''| = {number(found.acceleration, 6)} at k = {number(found.acceleration_at, 6)}",
+        f"Cj = {number(found.largest_jerk, 6)} (from {number(least, 6)} to {number(largest, 6)})",
+        f"k_M = {number(found.braking_at, 6)}, s_M = {number(found.braking_lift, 6)} where it brakes most",
+        f"max s's'' = {number(found.power, 6)} at k = {number(found.power_at, 6)}",
+    )
+    values = {
+        "Cv": found.velocity,
+        "Cv_at_k": found.velocity_at,
+        "Ca": found.acceleration,
+        "Ca_at_k": found.acceleration_at,
+        "Cj": found.largest_jerk,
+        "jerk_min": least,
+        "jerk_max": largest,
+        "s2_min": found.braking,
+        "k_M": found.braking_at,
+        "s_M": found.braking_lift,
+        "power_max": found.power,
+        "power_max_at_k": found.power_at,
+    }
+    return Fact(f"constants, {kind}", "\n".join(lines), {f"{name}_{kind}": value for name, value in values.items()})
+
+
+def _extreme_fact(result: LawResult, order: int, pair: Sequence[MotionExtreme]) -> Fact:
+    """Largest and least of a derivative with their angles, and in time."""
+    name, unit = ("psi", "") if result.turns else ("S", "[m]")
+    label = f"{name}{order * chr(39)}"
+    lines, values = [], {}
+    for word, each in zip(("max", "min"), pair, strict=True):
+        timed = ""
+        values[f"{name}{order}_{word}{unit}"] = each.value
+        values[f"{name}{order}_{word}_at_phi[deg]"] = degrees(each.phi)
+        if result.speed is not None:
+            base = "rad" if result.turns else "m"
+            power = "" if order == 1 else f"^{order}"
+            value = each.value * result.speed**order
+            values[f"{TIMED[order - 1]}_{word}[{base}/s{power}]"] = value
+            timed = f" ({TIMED[order - 1]} {number(value, 6)} {base}/s{power})"
+        lines.append(f"{word} {_plain(result, each.value)} at phi = {angle(degrees(each.phi))} deg{timed}")
+    return Fact(label, "\n".join(lines), values)
+
+
+def _shock_fact(result: LawResult) -> Fact:
+    told = [shock for shock in result.shocks if shock.order < 3]
+    jerks = len(result.shocks) - len(told)
+    lines = [
+        f"{SHOCKS[shock.order]} at phi = {angle(degrees(shock.phi))} deg: "
+        f"{'S' if not result.turns else 'psi'}{shock.order * chr(39)} jumps by {_plain(result, shock.jump)}"
+        for shock in told
+    ]
+    if jerks:
+        lines.append(f"the jerk jumps at {jerks} places, the acceleration does not there")
+    values = {
+        "shocks": [
+            {"order": shock.order, "phi[deg]": degrees(shock.phi), "jump": shock.jump} for shock in result.shocks
+        ]
+    }
+    return Fact("shocks", "\n".join(lines) or "none", values)

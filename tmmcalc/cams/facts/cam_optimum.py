@@ -1,0 +1,212 @@
+"""The documents of the optimal design: the lowest mechanism, its constraints, the contour, what relaxing buys."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees
+from typing import Any
+
+from tmmcalc.cams.facts.design_game import game_document, game_facts, option_values
+from tmmcalc.cams.optimum.border import Outline
+from tmmcalc.cams.optimum.contour import Contour
+from tmmcalc.cams.optimum.margins import NAMES
+from tmmcalc.cams.optimum.results import CamOptimum, Check, Choice, Relaxation
+from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.numbers import angle, number
+from tmmcalc.report.sizes import quantity
+
+EXAMINED = {"turn": "the whole turn, dwells included", "rise": "the rise alone, as in the textbook"}
+FEW = 12  # step points that are listed
+
+
+def optimum_summary(result: CamOptimum, title: str) -> Document:
+    """The lowest mechanism with its constraints as a table."""
+    return Document(title, tuple(_lowest_facts(result)), result.notes, _checks_view(result))
+
+
+def optimum_document(result: CamOptimum, title: str, *, everything: bool = False) -> Document:
+    """All of it; ``everything`` is for programs: corners and borders of the contours as values, in SI."""
+    facts = [*_lowest_facts(result), *_searched_facts(result), *_relaxed_facts(result), *game_facts(result)]
+    if everything:
+        values = {
+            "checks": [_check_values(each) for each in result.chosen.checks],
+            "checks_least": [_check_values(each) for each in result.least.checks],
+            "contours": [_contour_values(each) for each in result.contours],
+            "options": [option_values(each) for each in result.options],
+        }
+        return Document(title, (*facts, Fact("all values", "", values)), result.notes)
+    parts = [_contour_part(each) for each in result.contours]
+    if result.options:
+        parts.append(game_document(result))
+    return Document(title, tuple(facts), result.notes, _checks_view(result), parts=tuple(parts))
+
+
+def _sizes(choice: Choice) -> str:
+    roller = f", r2 = {quantity(choice.roller, 'm')}" if choice.roller else ""
+    height, start, length = (quantity(v, "m") for v in (choice.height, choice.start, choice.length))
+    return f"H2 = {height} with S0 = {start}{roller}; guide l = {length}"
+
+
+def _values(choice: Choice, kind: str) -> dict[str, Any]:
+    sizes = {"H2": choice.height, "S0": choice.start, "r2": choice.roller, "l": choice.length}
+    return {f"{name}_{kind}[m]": value for name, value in sizes.items()}
+
+
+def _named(numbers: tuple[int, ...]) -> str:
+    return ", ".join(f"{key} {NAMES[key]}" for key in numbers)
+
+
+def _lowest_facts(result: CamOptimum) -> Iterator[Fact]:
+    chosen, least, worst = result.chosen, result.least, result.chosen.worst
+    if result.refused:
+        yield Fact("as asked", f"no solution: {result.refused}", {"refused": result.refused})
+        yield Fact("option shown", ", ".join(result.shown), {"option_shown": list(result.shown)})
+    text = f"{_sizes(chosen)}\nleast margin {number(100 * worst.margin, 4)} %: {worst.number} {worst.name}"
+    yield Fact("lowest in whole steps", text, _values(chosen, "steps") | {"least_margin": worst.margin})
+    active = _named(least.active) or "none"
+    yield Fact(
+        "lowest of any sizes",
+        f"{_sizes(least)}\nactive: {active}",
+        _values(least, "least") | {"active": list(least.active)},
+    )
+    if result.offset is not None and result.theta is not None:
+        yield Fact("offset", f"e = {quantity(result.offset, 'm')}, of all these sizes", {"e[m]": result.offset})
+        rise, back = (degrees(value) for value in result.theta)
+        text = f"up to {angle(rise)} deg on the rise, {angle(back)} deg on the return, in whole steps"
+        yield Fact("pressure angle", text, {"theta_rise[deg]": rise, "theta_return[deg]": back})
+    if result.flat is not None:
+        chart = result.flat
+        text = (
+            f"S0_min = r_m - F_min = {quantity(chart.least_start, 'm')}, F_min = {quantity(chart.convexity, 'm')} at "
+            f"phi = {angle(degrees(chart.phi))} deg\nl* = {quantity(chart.least_length, 'm')} by the pressure at "
+            f"phi = {angle(degrees(chart.length_phi))} deg\n"
+            f"H2_min = S0_min + h + l* = {quantity(chart.least_height, 'm')}"
+        )
+        values = {"S0_min[m]": chart.least_start, "F_min[m]": chart.convexity, "l_min[m]": chart.least_length}
+        yield Fact("chart of H2 and S0", text, values | {"H2_min[m]": chart.least_height})
+    yield Fact("examined", EXAMINED[result.phases], {"phases": result.phases})
+    spring = f"c = {number(1e-3 * result.stiffness, 6)} N/mm, Q0 = {number(result.preload, 6)} N"
+    yield Fact("spring", spring, {"c[N/m]": result.stiffness, "Q0[N]": result.preload})
+
+
+def _searched_facts(result: CamOptimum) -> Iterator[Fact]:
+    """All feasible step points at the least height, and why none is lower."""
+    rows = list(zip(result.start.tolist(), result.roller.tolist(), result.margin.tolist(), strict=True))
+    lines = [_point(*row) for row in rows[:FEW]]
+    if len(rows) > FEW:
+        lines.append(f"and {len(rows) - FEW} more")
+    values = [{"S0[m]": s, "r2[m]": r, "least_margin": m} for s, r, m in rows]
+    yield Fact("feasible step points", "\n".join(lines), {"step_points": values})
+    text = (
+        f"{result.examined} step points of {quantity(result.step, 'm')} looked at, {result.excluded} of them fit no "
+        f"height\nno height below {quantity(result.chosen.height, 'm')} in steps of "
+        f"{quantity(result.height_step, 'm')} has a feasible one"
+    )
+    values_of = {"examined": result.examined, "excluded": result.excluded}
+    yield Fact("search", text, values_of | {"left_by": {str(key): count for key, count in result.passed}})
+
+
+def _point(start: float, roller: float, margin: float) -> str:
+    also = f", r2 = {quantity(roller, 'm')}" if roller else ""
+    return f"S0 = {quantity(start, 'm')}{also}: least margin {number(100 * margin, 3)} %"
+
+
+def _relaxed_facts(result: CamOptimum) -> Iterator[Fact]:
+    if not result.relaxations:
+        return
+    lines = [_relaxed(each) for each in result.relaxations]
+    values = [
+        {
+            "constraint": each.number,
+            "key": each.key,
+            "from": each.before,
+            "to": each.after,
+            "H2[m]": each.height,
+            "gain[m]": each.gain,
+        }
+        for each in result.relaxations
+    ]
+    yield Fact("relaxing would buy", "\n".join(lines), {"relaxations": values})
+
+
+def _relaxed(each: Relaxation) -> str:
+    how = "next preferred number" if each.preferred else "1 %"
+    gain = quantity(each.gain, "m", 3) if each.gain > 1e-9 else "nothing"
+    return (
+        f"{each.number} {NAMES[each.number]}: {each.key} {quantity(each.before, each.unit)} -> "
+        f"{quantity(each.after, each.unit)} ({how}): {gain}"
+    )
+
+
+def _checks_view(result: CamOptimum) -> View:
+    """One row a constraint: at the step point, and the margins of the lowest of any sizes beside it."""
+    least = {each.number: each for each in result.least.checks}
+    rows = [_cells(each, least[each.number]) for each in result.chosen.checks]
+    headers = ["no.", "constraint", "value", "limit", "margin[%]", "margin_least[%]"]
+    return View(headers, [list(column) for column in zip(*rows, strict=True)])
+
+
+def _cells(each: Check, least: Check) -> tuple[str, ...]:
+    if each.value is None:
+        return str(each.number), each.name, "not judged", "", "", ""
+    value = f"{each.symbol} = {quantity(each.value, each.unit, 5)}"
+    limit = "none" if each.limit is None else f"{each.relation} {quantity(each.limit, each.unit, 5)}"
+    return str(each.number), each.name, value, limit, *(_percent(m) for m in (each.margin, least.margin))
+
+
+def _percent(margin: float) -> str:
+    return f"{100 * margin:.2f}".replace("-0.00", "0.00")
+
+
+def _check_values(each: Check) -> dict[str, Any]:
+    found = {"constraint": each.number, "name": each.name, "judged": each.judged, "margin": each.margin}
+    if each.judged:
+        found |= {f"{each.symbol}[{each.unit}]": each.value, "relation": each.relation}
+    if each.limit is not None:
+        found["limit"] = each.limit
+    return found
+
+
+def _contour_part(contour: Contour) -> Document:
+    """Region and corners at one height."""
+    title = f"blocking contour at H2 = {quantity(contour.height, 'm')}"
+    facts = []
+    for outline in contour.outlines:
+        ends = [quantity(float(v), "m", 5) for v in _ends(outline)]
+        text = f"S0 from {ends[0]} to {ends[1]}, r2 from {ends[2]} to {ends[3]}, area {outline.area * 1e6:.5g} mm^2"
+        facts.append(Fact("region", text, {"area[m^2]": outline.area}))
+    corners = [corner for outline in contour.outlines for corner in outline.corners]
+    view = View(
+        ["S0[mm]", "r2[mm]", "between"],
+        [
+            [round(1e3 * corner.start, 6) for corner in corners],
+            [round(1e3 * corner.roller, 6) for corner in corners],
+            [" and ".join(_named((key,)) for key in corner.numbers) for corner in corners],
+        ],
+    )
+    return Document(title, tuple(facts), (), view if corners else None)
+
+
+def _ends(outline: Outline) -> tuple[float, float, float, float]:
+    s, r = outline.start, outline.roller
+    return float(s.min()), float(s.max()), float(r.min()), float(r.max())
+
+
+def _contour_values(contour: Contour) -> dict[str, Any]:
+    return {
+        "H2[m]": contour.height,
+        "area[m^2]": contour.area,
+        "borders": [
+            {"S0[m]": each.start.tolist(), "r2[m]": each.roller.tolist(), "constraint": each.edge.tolist()}
+            for each in contour.outlines
+        ],
+        "corners": [
+            {"S0[m]": corner.start, "r2[m]": corner.roller, "constraints": list(corner.numbers)}
+            for each in contour.outlines
+            for corner in each.corners
+        ],
+        "curves": [
+            {"constraint": each.number, "S0[m]": each.start.tolist(), "r2[m]": each.roller.tolist()}
+            for each in contour.curves
+        ],
+    }

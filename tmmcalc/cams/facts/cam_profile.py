@@ -1,0 +1,147 @@
+"""The documents of the profile: sizes, curvature, the largest roller and tool, the table of coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import degrees, tau
+
+import numpy as np
+
+from tmmcalc.cams.facts.pivot import pivot_fact
+from tmmcalc.cams.facts.rows import with_rows
+from tmmcalc.cams.profile.columns import profile_columns
+from tmmcalc.cams.profile.results import WALLS, Place, Profile, Reach, Wall
+from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.numbers import angle
+from tmmcalc.report.sizes import quantity
+
+STRAIGHT = 1e-9  # of 1/R0: a curvature of a straight piece
+
+
+def profile_summary(result: Profile, title: str) -> Document:
+    """Facts and warnings without the table."""
+    warnings = tuple(remark for remark in result.remarks if remark.startswith("warning"))
+    return Document(title, tuple(_facts(result)), warnings)
+
+
+def profile_document(
+    result: Profile,
+    title: str,
+    *,
+    patterns: Sequence[str] = (),
+    rows: Sequence[int] | None = None,
+    everything: bool = False,
+    where: str = "",
+) -> Document:
+    """All facts and the table, its columns chosen by ``patterns``, its rows by index; ``everything`` is all in SI.
+
+    ``where`` is the file that has the whole table.
+    """
+    columns = profile_columns(result)
+    if not everything:
+        columns = _with_radii(result, columns, named=bool(patterns))
+    told, ends = Document(title, tuple(_facts(result)), result.remarks), [0.0, 360.0]
+    return with_rows(told, columns, patterns, rows, ends=ends, everything=everything, example="phi,x_*", where=where)
+
+
+def _with_radii(result: Profile, columns: dict[str, np.ndarray], named: bool) -> dict[str, np.ndarray]:
+    """What people read: coordinates first, then radii of curvature in place of curvature."""
+    kept = {header: column for header, column in columns.items() if named or not header.startswith(("n_", "kappa"))}
+    for index, bend in (("c", result.pitch_curvature), ("w", result.curvature)):
+        if bend is not None:
+            straight = np.abs(bend) * result.follower.base < STRAIGHT
+            radii = 1e3 / np.where(straight, 1.0, bend)
+            cells = ["straight" if flat else radius for radius, flat in zip(radii.tolist(), straight, strict=True)]
+            kept[f"rho_{index}[mm]"] = np.array(cells, object) if straight.any() else radii
+    first = ("i", "phi", "x_c", "y_c", "x_w", "y_w", "rho_c", "rho_w")
+    order = sorted(kept, key=lambda header: _rank(header.partition("[")[0], first))
+    return {header: kept[header] for header in order}
+
+
+def _rank(name: str, first: Sequence[str]) -> int:
+    return first.index(name) if name in first else len(first)
+
+
+def _facts(result: Profile) -> Iterator[Fact]:
+    follower = result.follower
+    values = {"R0[m]": follower.base, "r2[m]": follower.roller}
+    text = f"R0 = {quantity(follower.base, 'm')}"
+    if not result.flat:
+        text += f", roller r2 = {quantity(follower.roller, 'm')}" if follower.roller else ", knife edge"
+    yield Fact("base circle", text, values)
+    yield from _bend_facts(result)
+    if not result.flat:
+        yield _reach_fact("largest roller", "roller", result.inner_reach)
+        if result.outer is not None:
+            yield _reach_fact("largest roller, second wall", "roller_outer", result.outer_reach)
+    yield _tool_fact(result)
+    near = result.nearest
+    said = f"{quantity(near.value, 'm')} at phi = {angle(degrees(near.phi))} deg"
+    yield Fact("nearest to the axis", said, {"r_min[m]": near.value, "r_min_at_phi[deg]": degrees(near.phi)})
+    if result.pivot is not None:
+        yield pivot_fact(result.pivot)
+    if result.face is not None:
+        face = result.face
+        said = f"{quantity(face.left, 'm')} to the left, {quantity(face.right, 'm')} to the right of its axis; "
+        said += f"length {quantity(face.length, 'm')} with margins of {quantity(face.margin, 'm')}"
+        each = {"face_left[m]": face.left, "face_right[m]": face.right, "face_length[m]": face.length}
+        yield Fact("flat face", said, each)
+    for wall in result.walls:
+        if not wall.sound:
+            yield _fault_fact(wall)
+
+
+def _bend_facts(result: Profile) -> Iterator[Fact]:
+    if result.flat:
+        yield _radius_fact("least radius", "rho_min", result.sharpest.value, result.sharpest)
+        return
+    place = result.sharpest
+    yield _radius_fact("convex, rho2", "rho2", 1 / place.value, place)
+    if result.hollowest is not None:
+        yield _radius_fact("concave, rho1", "rho1", -1 / result.hollowest.value, result.hollowest)
+    least = f"convex {quantity(result.least_convex, 'm')}"
+    values = {"rho_w_convex[m]": result.least_convex}
+    if result.least_concave is None:
+        least += ", nowhere concave"
+    else:
+        least += f", concave {quantity(result.least_concave, 'm')}"
+        values["rho_w_concave[m]"] = result.least_concave
+    yield Fact("least radii of the working profile", least, values)
+
+
+def _radius_fact(label: str, key: str, radius: float, place: Place) -> Fact:
+    side = {-1: "just before ", 0: "at ", 1: "just after "}[place.side]
+    text = f"{quantity(radius, 'm')} {side}phi = {angle(degrees(place.phi))} deg"
+    return Fact(label, text, {f"{key}[m]": radius, f"{key}_at_phi[deg]": degrees(place.phi), f"{key}_side": place.side})
+
+
+def _reach_fact(label: str, key: str, limit: Reach | None) -> Fact:
+    if limit is None:
+        return Fact(label, "any", {f"{key}_max[m]": None})
+    places = [degrees(phi) for phi in limit.at]
+    where = " and ".join(f"{angle(phi)} deg" for phi in places)
+    why = f"a point at phi = {where}" if limit.cause == "cusp" else f"a neck between phi = {where}"
+    values = {f"{key}_max[m]": limit.distance, f"{key}_max_cause": limit.cause, f"{key}_max_at_phi[deg]": places}
+    return Fact(label, f"below {quantity(limit.distance, 'm')}: {why}", values)
+
+
+def _tool_fact(result: Profile) -> Fact:
+    most = result.largest_tool
+    text = "any, the profile is convex" if most is None else quantity(most, "m")
+    if result.tool_radius is not None:
+        text += f"; given {quantity(result.tool_radius, 'm')}"
+    return Fact("largest tool", text, {"tool_max[m]": most, "tool[m]": result.tool_radius})
+
+
+def _fault_fact(wall: Wall) -> Fact:
+    lines = [f"runs backwards for phi from {_deg(a)} to {_deg(b)} deg" for a, b in wall.loops]
+    lines += [f"crosses itself at phi = {_deg(each.first)} and {_deg(each.second)} deg" for each in wall.crossings]
+    values = {
+        f"{wall.name}_loops[deg]": [[degrees(a), degrees(b)] for a, b in wall.loops],
+        f"{wall.name}_crossings[deg]": [[degrees(each.first), degrees(each.second)] for each in wall.crossings],
+    }
+    return Fact(WALLS[wall.name], "\n".join(lines) or "touches itself", values)
+
+
+def _deg(phi: float) -> str:
+    return angle(degrees(phi - tau if phi > tau else phi))

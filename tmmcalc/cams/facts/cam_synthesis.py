@@ -1,0 +1,188 @@
+"""The documents of the synthesis: sizes and how each was found, the designs beside it, roller, admissible region."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees
+from typing import Any
+
+from tmmcalc.cams.facts.cam_pressure import reached_fact
+from tmmcalc.cams.facts.pivot import pivot_fact
+from tmmcalc.cams.synthesis.results import Convexity, Design, Region, RollerChoice, Size, Synthesis, region_columns
+from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.numbers import angle, number
+
+ROUNDING = 1e-14  # [deg]
+KINDS = {
+    "translating": "translating roller follower",
+    "oscillating": "oscillating roller follower",
+    "flat": "flat-faced follower",
+}
+TITLES = {
+    "S0": "start distance S0",
+    "e": "offset e",
+    "R0": "base circle R0",
+    "l0": "centre distance l0",
+    "l2": "rocker length l2",
+    "psi0": "start angle psi0",
+    "r2": "roller r2",
+}
+
+
+def synthesis_summary(result: Synthesis, title: str) -> Document:
+    """Sizes, angles and warnings."""
+    facts = (_kind_fact(result), *(_size_fact(size) for size in result.sizes))
+    warnings = tuple(note for note in result.notes if note.startswith("warning"))
+    return Document(title, facts, warnings)
+
+
+def synthesis_document(result: Synthesis, title: str, *, everything: bool = False) -> Document:
+    """All of it; the table compares the designs, with ``everything`` it is the corners of the admissible region."""
+    facts = tuple(_facts(result))
+    if everything:
+        columns = region_columns(result)
+        view = View(list(columns), [column.tolist() for column in columns.values()])
+        return Document(title, facts, result.notes, view if result.region is not None else None)
+    return Document(title, facts, result.notes, _designs_view(result))
+
+
+def _facts(result: Synthesis) -> Iterator[Fact]:
+    yield _kind_fact(result)
+    for size in result.sizes:
+        yield _size_fact(size)
+    designs = [_design_values(result, design) for design in result.designs]
+    yield Fact("decided by", result.governs, {"governs": result.governs, "designs": designs})
+    if result.rise is not None and result.back is not None:
+        yield reached_fact("rise", result.rise)
+        yield reached_fact("return", result.back)
+        if result.governs == "pressure angle":
+            text = f"{max(degrees(result.residual), ROUNDING):.0e} deg of the limit that they reach"
+            yield Fact("sizes are exact to", text, {"residual[deg]": degrees(result.residual)})
+    if result.convexity is not None:
+        yield from _face_facts(result.convexity)
+    if result.pivot is not None:
+        yield pivot_fact(result.pivot)
+    if result.roller is not None:
+        yield from _roller_facts(result.roller)
+    if result.rounded is not None:
+        yield _rounded_fact(result, result.rounded)
+    if result.region is not None:
+        yield _region_fact(result, result.region)
+
+
+def _kind_fact(result: Synthesis) -> Fact:
+    turns = "clockwise" if result.follower.sense > 0 else "counter-clockwise"
+    text = f"{KINDS[result.kind]}, the cam turns {turns}"
+    values: dict[str, Any] = {"follower": result.kind, "rotation": turns}
+    if result.kind == "oscillating":
+        turn = "with" if result.follower.assembly > 0 else "against"
+        text += f", the rocker rises {turn} it"
+        values["rocker_turn"] = turn
+    return Fact("follower", text, values)
+
+
+def _size_fact(size: Size) -> Fact:
+    unit, shown = ("rad", f"{angle(degrees(size.value))} deg") if size.symbol == "psi0" else ("m", _mm(size.value))
+    values = {f"{size.symbol}[{unit}]": size.value, f"{size.symbol}_given": size.given}
+    return Fact(TITLES[size.symbol], f"{shown}, {size.how}", values)
+
+
+def _face_facts(found: Convexity) -> Iterator[Fact]:
+    at = angle(degrees(found.least.phi))
+    values = {
+        "F_min[m]": found.least.value,
+        "F_min_at_phi[deg]": degrees(found.least.phi),
+        "r_m[m]": found.limit,
+        "S0_min[m]": found.needed,
+        "rho_min[m]": found.radius,
+    }
+    text = f"F_min = min(dS + S'') = {_mm(found.least.value)} at phi = {at} deg\n"
+    text += f"S0 >= r_m - F_min = {_mm(found.needed)} with r_m = {_mm(found.limit)}\n"
+    text += f"least radius of the profile {_mm(found.radius)}"
+    yield Fact("convexity", text, values)
+    text = f"{_mm(found.left)} to the left of the axis, {_mm(found.right)} to the right"
+    if found.margin:
+        text += f"\n(of these {_mm(found.margin)} are margin)"
+    yield Fact("reach of the face", text, {"face_left[m]": found.left, "face_right[m]": found.right})
+
+
+def _roller_facts(found: RollerChoice) -> Iterator[Fact]:
+    lines = [f"{rule.name} = {_mm(rule.value)}" for rule in found.rules]
+    values: dict[str, Any] = {f"r2_max: {rule.name}[m]": rule.value for rule in found.rules}
+    yield Fact("roller at most", "\n".join(lines), {**values, "r2_governs": found.governs})
+    at = angle(degrees(found.convex.phi))
+    lines = [f"rho2 = {_mm(found.convex.value)} at phi = {at} deg, convex"]
+    values = {"rho2[m]": found.convex.value, "rho2_at_phi[deg]": degrees(found.convex.phi)}
+    if found.concave is not None:
+        lines.append(f"rho1 = {_mm(found.concave.value)} at phi = {angle(degrees(found.concave.phi))} deg, concave")
+        values |= {"rho1[m]": found.concave.value, "rho1_at_phi[deg]": degrees(found.concave.phi)}
+    yield Fact("least radii, pitch curve", "\n".join(lines), values)
+
+
+def _rounded_fact(result: Synthesis, design: Design) -> Fact:
+    sizes = _sizes(result, design)
+    text = ", ".join(f"{name} = {_shown(name, value)}" for name, value in sizes.items())
+    if result.kind != "flat":
+        text += f"\n(pressure angle at most {number(_largest(design), 6)} deg)"
+    return Fact("in whole millimetres", text, {"rounded": _design_values(result, design)})
+
+
+def _region_fact(result: Synthesis, region: Region) -> Fact:
+    """The corner, what the coordinates are, how the region is given."""
+    columns = region_columns(result)
+    names = list(columns)
+    low = int(region.y.argmin() if result.kind == "translating" else region.y.argmax())
+    at = ", ".join(f"{name.partition('[')[0]} = {_mm(float(columns[name][low]))}" for name in names[:2])
+    frame = f"\n({region.frame})" if result.kind == "oscillating" else ""
+    values = {name: column.tolist() for name, column in columns.items()}
+    text = f"{len(region.x)} corners; the one nearest to the roller: {at}{frame}\n--format json prints all"
+    return Fact("region of the cam's axis", text, {"region": values})
+
+
+def _designs_view(result: Synthesis) -> View | None:
+    """The designs in a row each: sizes in mm, angles in deg."""
+    if not result.designs:
+        return None
+    rows = [{"design": each.name, **_row(result, each)} for each in result.designs]
+    return View(list(rows[0]), [[row[name] for row in rows] for name in rows[0]])
+
+
+def _row(result: Synthesis, design: Design) -> dict[str, float]:
+    sizes = {
+        f"{name}[{'deg' if name == 'psi0' else 'mm'}]": degrees(value) if name == "psi0" else 1e3 * value
+        for name, value in _sizes(result, design).items()
+    }
+    worst = (max(map(abs, ends)) for ends in (design.rise, design.back))
+    angles = {f"{name}[deg]": degrees(value) for name, value in zip(("rise", "return"), worst, strict=True)}
+    return {**sizes, **angles, "beyond[deg]": max(degrees(design.excess), 0.0)}
+
+
+def _sizes(result: Synthesis, design: Design) -> dict[str, float]:
+    """The sizes that a design of this kind has, e in the user's sense."""
+    if result.kind == "flat":
+        return {"S0": design.start}
+    if result.kind == "translating":
+        return {"S0": design.start, "e": result.follower.sense * design.offset, "R0": design.base}
+    return {"l0": design.centres, "l2": design.rocker, "psi0": design.start, "R0": design.base}
+
+
+def _design_values(result: Synthesis, design: Design) -> dict[str, Any]:
+    sizes = {f"{name}[{'rad' if name == 'psi0' else 'm'}]": v for name, v in _sizes(result, design).items()}
+    angles = {
+        "theta_rise[deg]": [degrees(value) for value in design.rise],
+        "theta_return[deg]": [degrees(value) for value in design.back],
+        "beyond_limit[deg]": degrees(design.excess),
+    }
+    return {"name": design.name, **sizes, **(angles if result.kind != "flat" else {})}
+
+
+def _largest(design: Design) -> float:
+    return degrees(max(map(abs, (*design.rise, *design.back))))
+
+
+def _shown(name: str, value: float) -> str:
+    return f"{angle(degrees(value))} deg" if name == "psi0" else _mm(value)
+
+
+def _mm(length: float) -> str:
+    return f"{number(1e3 * length)} mm"

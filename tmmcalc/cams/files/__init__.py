@@ -1,0 +1,1 @@
+"""Profiles of cams as the bytes of files for drawings and machine tools."""

@@ -1,0 +1,1 @@
+"""The stages of the cam room, one module each."""

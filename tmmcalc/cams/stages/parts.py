@@ -1,0 +1,43 @@
+"""What of a cam a stage reads: the rest is set to nothing, so that only what matters makes a stored result stale."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from tmmcalc.cams.program import SAME
+from tmmcalc.cams.speed import TURN, Speed
+from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Guide, Loads, Requirements
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.motion import Motion
+    from tmmcalc.project import Spec
+
+NO_LIMITS = AngleLimits(rise=0.0, back=None)
+
+
+def cam_of(spec: Spec, *parts: str) -> CamTask:
+    """The cam of a spec with its motion and speed, and of its other parts those that are named."""
+    from tmmcalc.cams.tables.tasks.cam import to_cam
+
+    task = to_cam(spec)
+    nothing: dict[str, Any] = {
+        "asked": Asked(task.asked.kind, task.asked.sense),
+        "limits": NO_LIMITS,
+        "loads": None if task.loads is None else Loads(task.loads.speed, pivot_radius=task.loads.pivot_radius),
+        "guide": Guide(),
+        "requirements": Requirements(),
+        "optimum": None,
+        "elastic": None,
+    }
+    return replace(task, **{name: value for name, value in nothing.items() if name not in parts})
+
+
+def at_speed(task: CamTask, motion: Motion | None) -> CamTask:
+    """The cam at the speed that the machine has over its cycle, if that is known and one turn of its crank."""
+    if motion is None:
+        return task
+    regime = motion.regime
+    if abs(regime.panels.edges[-1] - TURN) > SAME * TURN:
+        return task
+    return replace(task, turning=Speed(regime.panels, regime.omega, regime.acceleration, task.begin))

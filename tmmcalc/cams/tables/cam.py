@@ -1,0 +1,100 @@
+"""``[cam]``: a disk cam and its follower: the motion, the sizes that are given, what it carries."""
+
+import math
+from typing import Annotated
+
+from pydantic import Field
+
+from tmmcalc.cams.tables.cam_law import Law
+from tmmcalc.cams.tables.cam_parts import (
+    CamElasticTable,
+    CamGuideTable,
+    CamLimitsTable,
+    CamLoadsTable,
+    CamOptimumTable,
+    CamRequirementsTable,
+    CamSpringTable,
+    Distance,
+    Size,
+)
+from tmmcalc.spec.choices import Known, Whole, Within
+from tmmcalc.spec.quantities import Quantity
+from tmmcalc.spec.table import Table
+
+FOLLOWERS = ("translating", "oscillating", "flat")
+CLOSURES = ("force", "groove")
+_ANGLE = ("angle", "deg", math.pi / 180)
+_POSITIVE = {"at_least_zero": True, "nonzero": True}
+
+FollowerName = Annotated[str, Known("kind of follower", FOLLOWERS)]
+Rotation = Annotated[str, Known("sense of rotation", ("clockwise", "counter-clockwise"))]
+Closing = Annotated[str, Known("way to keep the follower on the cam", CLOSURES)]
+RockerTurn = Annotated[str, Known("sense of the rocker", ("with", "against"))]
+Stroke = Annotated[float, Quantity("length", "angle", **_POSITIVE)]
+Speed = Annotated[float, Quantity("angular speed", **_POSITIVE)]
+PhaseAngle = Annotated[float, Quantity("angle", **_POSITIVE)]
+Dwell = Annotated[float, Quantity("angle", at_least_zero=True)]
+SwingAngle = Annotated[float, Within(*_ANGLE, 1e-3, 179.999)]
+CrankAngle = Annotated[float, Within(*_ANGLE, 0, 360)]
+Offset = Annotated[float, Within("length", "mm", 1e-3, -1e5, 1e5, bare=2.0)]
+Steps = Annotated[int, Whole("a number of steps", 2, 100_000)]
+Step = Annotated[float, Within(*_ANGLE, 1e-3, 90)]
+
+
+class CamTable(Table):
+    """A disk cam: its motion, the sizes that are given (the others are found), limits, loads, requirements."""
+
+    follower: FollowerName = Field(
+        description="translating: a roller on a stem; oscillating: a roller on a rocker; flat: a face across the stem."
+    )
+    rotation: Rotation = Field(default="clockwise", description="Sense in which the cam turns.")
+    closure: Closing = Field(default="force", description="force: a spring or weight; groove: two walls.")
+    stroke: Stroke = Field(description="Stroke of the follower; of a rocker its swing angle.")
+    speed: Speed | None = Field(
+        default=None, description="Speed of the cam (default: mean speed of the crank or shaft in the spec)."
+    )
+    crank_angle: CrankAngle = Field(
+        default=0.0,
+        description="Angle of the crank from position 0 where the rise begins, if the cam turns with it.",
+    )
+    rise: PhaseAngle = Field(description="Angle of the cam during the rise.")
+    high_dwell: Dwell = Field(default=0.0, description="Angle during which the follower rests at the top.")
+    return_angle: PhaseAngle = Field(description="Angle of the cam during the return; the rest of the turn is dwell.")
+    law: Law | None = Field(default=None, description="Law of motion of rise and return: a name, or a table.")
+    rise_law: Law | None = Field(default=None, description="Law of the rise.")
+    return_law: Law | None = Field(default=None, description="Law of the return.")
+    start_distance: Size | None = Field(
+        default=None, description="S0: distance of roller centre (or face) and cam axis along the lift at the lowest."
+    )
+    start_angle: SwingAngle | None = Field(
+        default=None, description="psi0: angle of the rocker from the line of centres at the lowest."
+    )
+    base_radius: Size | None = Field(default=None, description="R0: radius of the pitch curve's base circle.")
+    offset: Offset | None = Field(
+        default=None,
+        description="e: the stem's axis to the right of the cam's (default: 0; found if the start is).",
+    )
+    roller_radius: Distance | None = Field(default=None, description="r2: radius of the roller; 0: knife edge.")
+    centre_distance: Size | None = Field(default=None, description="l0: distance of the axes of cam and rocker.")
+    rocker_length: Size | None = Field(default=None, description="l2: from the rocker's pivot to the roller centre.")
+    rocker_turn: RockerTurn = Field(
+        default="with", description="Whether the rocker turns with the cam on the rise, or against it."
+    )
+    steps: Steps | None = Field(
+        default=None, description="Rows of tables: equal steps of each moving phase, in place of step."
+    )
+    step: Step = Field(default=math.pi / 180, description="Rows of tables: step of the angle of the cam.")
+    tool_radius: Size | None = Field(default=None, description="Radius of the cutter or grinding wheel.")
+    tolerance: Size = Field(default=1e-6, description="Chord error of exported curves.")
+    face_margin: Distance = Field(default=0.0, description="By which a flat face is longer than the contact needs.")
+    refuse: bool = Field(
+        default=True,
+        description="Whether a profile that is undercut or crosses itself is an error; false: it is told and shown.",
+    )
+    limits: CamLimitsTable = Field(default_factory=CamLimitsTable, description="Pressure angles and radii.")
+    loads: CamLoadsTable | None = Field(default=None, description="Masses, forces and friction of the follower.")
+    spring: CamSpringTable | None = Field(default=None, description="The spring that keeps it on the cam.")
+    guide: CamGuideTable = Field(default_factory=CamGuideTable, description="The guide of a stem.")
+    requirements: CamRequirementsTable | None = Field(default=None, description="Data of strength and slip.")
+    optimum: CamOptimumTable | None = Field(default=None, description="The search for the lowest mechanism.")
+    elastic: CamElasticTable | None = Field(default=None, description="The follower as a mass on a spring.")

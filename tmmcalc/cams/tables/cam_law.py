@@ -1,0 +1,97 @@
+"""Laws of motion in ``[cam]``: names of the catalogue, or tables of one's own."""
+
+from typing import Annotated, Any
+
+from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic_core import core_schema
+
+from tmmcalc.spec.choices import Known
+from tmmcalc.spec.dimensions import DIMENSIONS
+from tmmcalc.spec.phrases import show
+from tmmcalc.spec.quantities import Number, Quantity
+from tmmcalc.spec.reader import Reader
+from tmmcalc.spec.table import Table
+from tmmcalc.spec.units import UnitError, parse
+
+# The catalogue of laws, whose module needs numpy; a test holds the two together.
+LAWS = (
+    "sine",
+    "cosine",
+    "linear",
+    "parab2",
+    "const",
+    "shun",
+    "poly5",
+    "poly4567",
+    "modified_trapezoid",
+    "modified_sine",
+)
+
+
+class Scaled(Reader):
+    """A number to any scale, or a quantity of one of ``dimensions``."""
+
+    def __init__(self, *dimensions: str) -> None:
+        self.dimensions = dimensions
+
+    def read(self, value: object) -> float:
+        """Return the number, a quantity in SI; raise UnitError with the fault in plain words."""
+        return parse(value, *self.dimensions) if isinstance(value, str) else Number("a number", "0.5").read(value)
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema: a number, or a string of number and unit."""
+        example = DIMENSIONS[self.dimensions[0]].example
+        text = f'A number to any scale, or a string such as "{example}".'
+        return {**Quantity(*self.dimensions).describe(), "description": text}
+
+
+_PointOfMotion = Annotated[list[Annotated[float, Scaled("angle", "length")]], Field(min_length=2, max_length=2)]
+_Coefficient = Annotated[float, Number("a coefficient", "10")]
+
+
+class LawTable(Table):
+    """A law of motion of one's own: by exactly one of these; only its shape counts, whatever its scale."""
+
+    points: list[_PointOfMotion] | None = Field(
+        default=None,
+        min_length=2,
+        description="Points [k, s] of the displacement, from 0 to the end of the phase: a smooth curve through them.",
+    )
+    acceleration: list[_PointOfMotion] | None = Field(
+        default=None,
+        min_length=2,
+        description="Points [k, a] of the acceleration, straight lines between them; a k that stands twice is a jump.",
+    )
+    polynomial: list[_Coefficient] | None = Field(
+        default=None, min_length=3, max_length=30, description="Coefficients c0, c1, c2, ... of s = c0 + c1 k + ..."
+    )
+    file: str | None = Field(
+        default=None,
+        description="CSV file of points: two columns by their names, such as k,s or phi[deg],s[mm], or k,a of "
+        "accelerations; its path counts from the spec.",
+    )
+
+
+class LawForm:
+    """A law is a name of the catalogue, or a table."""
+
+    NAMES = Known("law of motion", LAWS)
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
+        return core_schema.no_info_wrap_validator_function(self.read, handler(LawTable))
+
+    def __get_pydantic_json_schema__(
+        self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        return {"anyOf": [self.NAMES.describe(), handler(schema)]}
+
+    def read(self, value: object, table: core_schema.ValidatorFunctionWrapHandler) -> Any:
+        """Return the name, or the table of a law; raise UnitError for what is neither."""
+        if isinstance(value, str):
+            return self.NAMES.read(value)
+        if not isinstance(value, dict):
+            raise UnitError(f"{show(value)} is no law of motion", 'write law = "sine", or { points = [[k, s], ...] }')
+        return table(value)
+
+
+Law = Annotated[str | LawTable, LawForm()]

@@ -1,0 +1,189 @@
+"""The tables in ``[cam]``: limits, loads, spring, guide, requirements, search for the best, elastic follower."""
+
+import math
+from typing import Annotated, Any
+
+from pydantic import Field
+
+from tmmcalc.cams.tables.cam_law import LawForm
+from tmmcalc.cams.tables.cam_spring import SPRING_KEYS
+from tmmcalc.cams.tables.tasks.design_game import ROLLER_KINDS, Options
+from tmmcalc.spec.choices import Known, Listed, OrFalse, Within
+from tmmcalc.spec.quantities import Friction, Number, Quantity
+from tmmcalc.spec.table import Table
+
+_PRESSURE = Within("angle", "deg", math.pi / 180, 1, 89)
+_POSITIVE = {"at_least_zero": True, "nonzero": True}
+_SIZE = Within("length", "mm", 1e-3, 1e-4, 1e5, bare=2.0)
+
+Size = Annotated[float, _SIZE]
+Distance = Annotated[float, Within("length", "mm", 1e-3, 0, 1e5, bare=2.0)]
+Pressure = Annotated[float, _PRESSURE]
+ReturnPressure = Annotated[Any, OrFalse(_PRESSURE)]
+LawNames = Annotated[list[str], Listed(LawForm.NAMES, '["sine", "shun", "const"]')]
+Heights = Annotated[list[float], Listed(_SIZE, '["100 mm", "140 mm"]', 2)]
+Load = Annotated[float, Quantity("force", "moment")]
+Place = Annotated[float, Quantity("angle", at_least_zero=True)]
+PressingLoad = Annotated[float, Quantity("force", "moment", at_least_zero=True)]
+Acceleration = Annotated[float, Quantity("acceleration")]
+Mass = Annotated[float, Quantity("mass", **_POSITIVE)]
+Inertia = Annotated[float, Quantity("inertia", **_POSITIVE)]
+MassOrInertia = Annotated[float, Quantity("mass", "inertia", **_POSITIVE)]
+Stiffness = Annotated[float, Quantity("stiffness", "torsional stiffness", **_POSITIVE)]
+Deflection = Annotated[float, Quantity("length", "angle", **_POSITIVE)]
+_SAFETY = Number("a safety of the contact", "1.25", at_least=1, at_most=100)
+Safety = Annotated[float, _SAFETY]
+Stress = Annotated[float, Quantity("pressure", **_POSITIVE)]
+Density = Annotated[float, Quantity("density", **_POSITIVE)]
+Coefficient = Annotated[float, Number("a coefficient of friction", "0.1", above=0, at_most=5)]
+Factor = Annotated[float, Number("a factor", "1.4", above=0)]
+Safeties = Annotated[list[float], Listed(_SAFETY, "[1.2, 1.5]")]
+Contacts = Annotated[list[Any], Options(Quantity("pressure", **_POSITIVE), '["400 MPa", "600 MPa"]')]
+RollerRatios = Annotated[list[Any], Options(Number("a factor", "2.5", above=0), '["needle", "plain"]', ROLLER_KINDS)]
+Damping = Annotated[float, Number("a part of critical damping", "0.05", at_least=0, below=1)]
+
+
+class CamLimitsTable(Table):
+    """Largest pressure angles and least radii of curvature."""
+
+    pressure_angle: Pressure | None = Field(
+        default=None, description="Largest pressure angle on the rise (default: translating 30, oscillating 45 deg)."
+    )
+    pressure_angle_return: ReturnPressure | None = Field(
+        default=None,
+        description="The same on the return; false: not limited. Default: in a groove that of the rise, with force "
+        "closure not limited, because the spring drives.",
+    )
+    convex_radius: Distance = Field(
+        default=0.0025, description="r_m: least radius of curvature of convex parts of the working profile."
+    )
+    concave_radius: Distance = Field(
+        default=0.075, description="r_i: least radius of the tool for concave parts of the working profile."
+    )
+    allow_concave: bool = Field(default=True, description="Whether the working profile may have concave parts.")
+    shaft_radius: Distance = Field(default=0.0, description="Radius of the shaft that the base circle has to clear.")
+
+
+class ForceTable(Table):
+    """A technological force or moment by the angle of the cam, straight lines between, repeated every turn."""
+
+    phi: list[Place] | None = Field(
+        default=None, min_length=2, description="Angles from the start of the rise, ascending (default: equal steps)."
+    )
+    force: list[Load] | None = Field(default=None, min_length=2, description="Force at each angle.")
+    moment: list[Load] | None = Field(default=None, min_length=2, description="Moment at each angle, on a rocker.")
+    file: str | None = Field(
+        default=None,
+        description="CSV file of two columns with a header such as phi[deg],Q[N], in place of the values; "
+        "its path counts from the spec.",
+    )
+
+
+class CamLoadsTable(Table):
+    """Masses, forces and friction of the follower; forces are positive along the lift."""
+
+    mass: Mass | None = Field(default=None, description="Mass of a translating follower and what moves with it.")
+    inertia: Inertia | None = Field(default=None, description="Moment of inertia of a rocker about its pivot.")
+    force: Load = Field(default=0.0, description="Technological force (on a rocker moment) during rise and high dwell.")
+    force_return: Load = Field(default=0.0, description="The same during return and low dwell.")
+    force_table: ForceTable | None = Field(default=None, description="The same by the angle of the cam.")
+    gravity: Acceleration = Field(
+        default=0.0, description="Component of the gravity along the lift; negative if the weight presses on the cam."
+    )
+    friction: Friction = Field(default=0.0, description="Coefficient of friction of the follower in its guide.")
+    pivot_friction: Friction = Field(default=0.0, description="Coefficient of friction in the rocker's pivot.")
+    pivot_radius: Size | None = Field(default=None, description="Radius of the rocker's pivot.")
+
+
+class CamSpringTable(Table):
+    """The spring that keeps the follower on the cam: sized, or given."""
+
+    method: Annotated[str, Known("way to size the spring", tuple(SPRING_KEYS))] | None = Field(
+        default=None,
+        description="safety: preload and stiffness by the safety of the contact; preload: stiffness by the deflection "
+        "of the preload and the least contact force; given; none. Default: what the other keys belong to, else safety.",
+    )
+    safety: Safety = Field(default=1.25, description="K1: the spring's force over the inertia force that lifts off.")
+    exact: bool = Field(
+        default=False, description="Whether the safety is kept over the whole turn, in place of the textbook's rule."
+    )
+    stiffness: Stiffness | None = Field(default=None, description="Stiffness of a given spring.")
+    preload: PressingLoad = Field(default=0.0, description="Its force (moment on a rocker) at the lowest position.")
+    deflection: Deflection | None = Field(
+        default=None, description="Deflection of the preload at the lowest position (default: 0.4 of the stroke)."
+    )
+    least_contact: PressingLoad = Field(default=5.0, description="Least force (moment) that presses on the cam.")
+    wire: Size | None = Field(default=None, description="Diameter of the wire, with coil: coils and stress follow.")
+    coil: Size | None = Field(default=None, description="Mean diameter of the coils.")
+    shear_modulus: Stress = Field(default=8e10, description="Shear modulus of the wire.")
+
+
+class CamGuideTable(Table):
+    """The guide of a translating or flat-faced follower."""
+
+    top: Size | None = Field(default=None, description="H2: height of the upper edge above the cam's axis.")
+    length: Size | None = Field(default=None, description="Or l: distance of the two edges.")
+    gap: Distance = Field(default=0.0, description="Between the roller at its highest and the lower edge.")
+    stem_radius: Size | None = Field(default=None, description="r_T: radius of the stem.")
+    land: Size | None = Field(default=None, description="l_H: length of each of the two ground lands of the stem.")
+
+
+class CamRequirementsTable(Table):
+    """Data of slip, shaft, stem, pin and contact; what is not said is not judged."""
+
+    width: Size | None = Field(default=None, description="b: length of the line of contact.")
+    modulus: Stress = Field(default=2e11, description="E_n: reduced modulus of elasticity of cam and roller.")
+    contact: Stress | None = Field(default=None, description="Allowed contact stress.")
+    rolling_arm: Distance | None = Field(default=None, description="k: arm of the rolling resistance of the roller.")
+    roller_friction: Coefficient | None = Field(default=None, description="f: sliding friction of roller on cam.")
+    pin_friction: Friction | None = Field(default=None, description="f0: friction of the roller on its pin.")
+    pin: Size | None = Field(default=None, description="r0: radius of the pin (default: by the pressure on it).")
+    pin_pressure: Stress | None = Field(default=None, description="Allowed pressure on the pin.")
+    pin_ratio: Factor = Field(default=1.4, description="alpha2: width of the roller's hub over the pin's diameter.")
+    roller_ratio: Factor = Field(
+        default=2.5, description="alpha0: least radius of the roller over that of the pin, by the kind of its bearing."
+    )
+    roller_density: Density = Field(default=7820.0, description="Density of the roller.")
+    roller_inertia: Inertia | None = Field(
+        default=None, description="Moment of inertia of the roller (default: a hollow cylinder)."
+    )
+    span: Size | None = Field(default=None, description="l_s: distance of the camshaft's supports.")
+    bending: Stress | None = Field(default=None, description="Allowed bending stress of camshaft and stem.")
+    deflection: Size | None = Field(default=None, description="Allowed deflection of the camshaft.")
+    young: Stress = Field(default=2e11, description="Modulus of elasticity of the camshaft.")
+    torsion: Factor = Field(default=0.75, description="alpha_e: weight of the torque in the reduced moment.")
+    guide_pressure: Stress | None = Field(default=None, description="Allowed pressure of the stem in its guide.")
+
+
+class CamOptimumTable(Table):
+    """The search for the lowest mechanism over start distance and roller radius."""
+
+    step: Size = Field(default=1e-3, description="Step of start distance and roller radius.")
+    height_step: Size = Field(default=1e-3, description="Step of the height.")
+    heights: Heights | None = Field(
+        default=None, description="Heights of the guide's upper edge, from and to (default: from the least possible)."
+    )
+    phases: Annotated[str, Known("part of the turn", ("turn", "rise"))] = Field(
+        default="turn", description="What is examined: the whole turn, or the rise alone as in the textbook."
+    )
+    laws: LawNames | None = Field(default=None, description="Laws that are tried in place of the cam's.")
+    safeties: Safeties | None = Field(default=None, description="Safeties K1 by which the spring is sized instead.")
+    contacts: Contacts | None = Field(
+        default=None, description="Allowed contact stresses that are tried, of other materials."
+    )
+    roller_ratios: RollerRatios | None = Field(
+        default=None, description="Kinds of roller that are tried: alpha0, or needle 1.15, plain 2.2, rolling 3."
+    )
+    combine: bool = Field(
+        default=False, description="Whether all combinations of the options are tried (at most 60), not each alone."
+    )
+
+
+class CamElasticTable(Table):
+    """A follower as one mass on an elastic train."""
+
+    stiffness: Stiffness = Field(description="Stiffness between cam and mass.")
+    damping: Damping = Field(default=0.0, description="Damping as a part of critical.")
+    mass: MassOrInertia | None = Field(
+        default=None, description="Mass (moment of inertia of a rocker) on it (default: that of the loads)."
+    )

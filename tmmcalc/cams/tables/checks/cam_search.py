@@ -1,0 +1,65 @@
+"""Checks of the search for the lowest mechanism in ``[cam.optimum]``, and of the options of its design game."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import prod
+
+from tmmcalc.cams.tables.checks.written_cam import place, written_cam
+from tmmcalc.spec.findings import Finding
+from tmmcalc.spec.outline import Outline
+from tmmcalc.spec.phrases import listing, show
+from tmmcalc.spec.values import amounts
+
+# What the search for the lowest mechanism needs: without them nothing holds the guide, and the roller.
+_GUIDED = (("loads", "mass"), ("guide", "stem_radius"), ("guide", "land"), ("requirements", "guide_pressure"))
+_ROLLING = (("requirements", "width"), ("requirements", "contact"))
+_OPTIONS = ("laws", "safeties", "contacts", "roller_ratios")
+MOST_OPTIONS = 60  # mechanisms in one design game; a test holds it to that of the search
+
+
+def check_optimum(outline: Outline) -> Iterator[Finding]:
+    """The search has what its constraints need; heights run upwards."""
+    cam = written_cam(outline)
+    optimum = cam.part("optimum")
+    if cam.has("optimum") and cam.kind in ("translating", "flat"):
+        pinned = cam.kind == "flat" or "pin_pressure" in cam.part("requirements")
+        needed = _GUIDED if pinned else (*_GUIDED, *_ROLLING)
+        absent = [f"{key} in [cam.{part}]" for part, key in needed if key not in cam.part(part)]
+        if absent:
+            rule = "[cam.optimum] without what holds the sizes: guide and roller would become as small as you please"
+            yield Finding(place("optimum"), rule, f"add {listing(absent)}")
+    heights = amounts(optimum.get("heights"), "length")
+    if heights is not None and len(heights) == 2 and heights[0] >= heights[1]:
+        rule = f"{show(optimum['heights'])} runs backwards"
+        yield Finding(place("optimum", "heights"), rule, "write the smaller height first")
+
+
+def check_game(outline: Outline) -> Iterator[Finding]:
+    """The options of the design game differ, change something, and are not too many together."""
+    cam = written_cam(outline)
+    optimum, needs = cam.part("optimum"), cam.part("requirements")
+    counts = []
+    for key in _OPTIONS:
+        written = optimum.get(key)
+        listed = [each for each in written if isinstance(each, str | float | int)] if isinstance(written, list) else []
+        counts.append(len(written) if isinstance(written, list | dict) else 0)
+        twice = next((each for k, each in enumerate(listed) if each in listed[:k]), None)
+        if twice is not None:
+            yield Finding(place("optimum", key), f"{show(twice)} is named twice", "remove one of them")
+    if "roller_ratios" in optimum and cam.kind == "flat":
+        yield Finding(place("optimum", "roller_ratios"), "roller_ratios of a flat face: it has no roller", "remove it")
+    elif "roller_ratios" in optimum and not {"pin", "pin_pressure"} & {*needs}:
+        rule = "roller_ratios without what the pin needs: the roller may be as small as you please"
+        yield Finding(place("optimum", "roller_ratios"), rule, "add pin_pressure or pin in [cam.requirements]")
+    if "contacts" in optimum and "width" not in needs:
+        rule = "contacts without the width of the line of contact: there is no contact stress"
+        yield Finding(place("optimum", "contacts"), rule, "add width in [cam.requirements]")
+    together = prod(count + 1 for count in counts) if optimum.get("combine") is True else 1 + sum(counts)
+    if together > MOST_OPTIONS:
+        rule = f"{together} mechanisms with what is asked are too many, at most are {MOST_OPTIONS}"
+        remedy = "name fewer options" + (", or combine = false" if optimum.get("combine") is True else "")
+        yield Finding(place("optimum"), rule, remedy)
+
+
+CHECKS = (check_optimum, check_game)

@@ -1,0 +1,1 @@
+"""What a study of accuracy is made of: methods at their settings, a reference, errors and times."""

@@ -1,0 +1,1 @@
+"""The methods of the extras stages, each studied beside a better reference."""

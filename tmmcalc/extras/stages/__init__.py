@@ -1,0 +1,1 @@
+"""The stages of the extras room, one module each."""

@@ -1,0 +1,108 @@
+"""Stage ``feasibility``: whether results keep the named constraints of the spec.
+
+Of a synthesis every design is judged, by its own row of the table and by the stages of its ready spec.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.stage import Record, Table, resolve
+from tmmcalc.feasibility.judge import OF, ROWS, Constraint, Feasibility, FeasibilityTask, judge
+from tmmcalc.feasibility.quantities import limits, named, of_name, place
+from tmmcalc.pipeline.stages import STAGES
+
+if TYPE_CHECKING:
+    from tmmcalc.project import Spec
+
+Quantity = tuple[float, str]  # value and unit
+
+
+def inputs(spec: Spec) -> FeasibilityTask:
+    """The constraints and the rule."""
+    from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
+
+    return to_feasibility(spec)
+
+
+def solve(task: FeasibilityTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Feasibility:
+    """Judge every constraint; raises `UsageError` for a quantity that the stage does not tell."""
+    if "synthesis" not in upstream:
+        return judged(task, upstream)
+    from tmmcalc.feasibility.stages.candidates import judge_designs
+
+    return judge_designs(task, upstream)
+
+
+def judged(task: FeasibilityTask, upstream: Mapping[str, Any]) -> Feasibility:
+    """Judge one set of results by stage."""
+    found = {}
+    for constraint in task.constraints:
+        value, unit = _quantity(constraint, upstream)
+        found[constraint.name] = value, unit, *limits(constraint, unit)
+    return judge(task, found)
+
+
+def _quantity(constraint: Constraint, upstream: Mapping[str, Any]) -> Quantity:
+    """Value and unit of the quantity of a constraint."""
+    if constraint.stage not in upstream:
+        raise UsageError(
+            f"this scene has no {constraint.stage}",
+            where=place(constraint),
+            remedy="tmmcalc plan says why a stage is left out",
+        )
+    result = upstream[constraint.stage]
+    told = dict(facts(constraint.stage, result)) if constraint.value else dict(columns(constraint, result))
+    return of_name(constraint, told)
+
+
+def facts(stage: str, result: Any) -> Iterator[tuple[str, Quantity]]:
+    """All numbers of a stage's summary by name, without their unit."""
+    from tmmcalc.pipeline.summary import SUMMARIES
+
+    document = resolve(SUMMARIES[stage])(result, stage)
+    for part in (document, *document.parts):
+        for fact in part.facts:
+            yield from _numbers(fact.values)
+
+
+def _numbers(values: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Quantity]]:
+    for key, value in values.items():
+        name, unit = named(key)
+        if isinstance(value, Mapping):
+            yield from _numbers(value, f"{path}{key}.")
+        elif isinstance(value, int | float):
+            yield f"{path}{name}", (float(value), unit)
+
+
+def columns(constraint: Constraint, result: Any) -> Iterator[tuple[str, Quantity]]:
+    """What is asked of every column of numbers of the stage's table, by name."""
+    maker = STAGES[constraint.stage].table
+    made: Table | None = resolve(maker)(result) if maker else None
+    for header, column in zip(made.header, made.columns, strict=True) if made else ():
+        if np.asarray(column).dtype.kind in "fi" and len(column):
+            name, unit = named(header)
+            yield name, (_asked(constraint, result, np.asarray(column, float)), unit)
+
+
+def _asked(constraint: Constraint, result: Any, column: np.ndarray) -> float:
+    """Where rows are sets to choose from the value of the chosen one, the first where none is."""
+    if constraint.stage not in ROWS:
+        return float(OF[constraint.of](column))
+    return float(column[result.winner.place if constraint.stage == "criteria" else 0])
+
+
+def dump(result: Feasibility) -> Record:
+    """All of it is scalars."""
+    return to_record(result, {"margins": result.error})
+
+
+def load(record: Record) -> Feasibility:
+    """Build the result from its record."""
+    result: Feasibility = from_record(Feasibility, record)
+    return result

@@ -1,0 +1,84 @@
+"""``[[constraints]]`` and ``[feasibility]``: what the results of stages must keep, and how that is combined."""
+
+import re
+from keyword import iskeyword
+from typing import Annotated, Any
+
+from pydantic import Field
+
+from tmmcalc.spec.choices import Known, Whole
+from tmmcalc.spec.phrases import show
+from tmmcalc.spec.quantities import Number
+from tmmcalc.spec.reader import Reader
+from tmmcalc.spec.table import Table
+from tmmcalc.spec.units import UnitError
+
+
+class RuleName(Reader):
+    """A name that a rule can call: a Latin letter or ``_``, then letters, digits, ``_``; no word of its grammar."""
+
+    PATTERN = "[A-Za-z_][A-Za-z0-9_]*"
+
+    def read(self, value: object) -> str:
+        """Return the name; raise UnitError with the fault in plain words."""
+        if not isinstance(value, str) or not re.fullmatch(self.PATTERN, value):
+            rule = "a name is a Latin letter or _, then letters, digits or _"
+            raise UnitError(f"{show(value)} cannot name a constraint", f'{rule}: "calm"')
+        if iskeyword(value):
+            raise UnitError(f"{show(value)} cannot name a constraint: rules keep this word", "choose another name")
+        return value
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema of a name."""
+        return {"type": "string", "pattern": f"^{self.PATTERN}$", "description": "Name of a constraint."}
+
+
+class Bound(Number):
+    """A number in the unit of its quantity; a text, which has a unit of its own, is read with the quantity."""
+
+    def read(self, value: object) -> Any:
+        """Return the number, or the text; raise UnitError with the fault in plain words."""
+        return value if isinstance(value, str) else super().read(value)
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema: a number or a text."""
+        return {"anyOf": [{"type": "number"}, {"type": "string"}], "description": "A limit."}
+
+
+ConstraintName = Annotated[str, RuleName()]
+What = Annotated[str, Known("what of a column", ("max", "min", "range", "mean", "size", "first", "last"))]
+FormName = Annotated[str, Known("form of the function", ("minmax", "R0", "Rm"))]
+Smoothness = Annotated[int, Whole("an order of smoothness", 1, 9)]
+Limit = Annotated[float | str, Bound("a limit", '350, or "350 mm"')]
+
+
+class ConstraintTable(Table):
+    """A named inequality on a result."""
+
+    name: ConstraintName = Field(description="Its name in the rule and in messages.")
+    stage: str = Field(description='The stage of the result, such as "kinematics".')
+    value: str | None = Field(
+        default=None,
+        description="A fact of the stage's summary by its name in --format json, without its unit, such as stroke_D.",
+    )
+    column: str | None = Field(
+        default=None, description="A column of the stage's table, without its unit, such as R_A, in place of value."
+    )
+    of: What = Field(default="max", description="What of the column; size is the largest magnitude.")
+    at_least: Limit | None = Field(
+        default=None, description="Lower limit: a number in the unit of the quantity, or a text with a unit."
+    )
+    at_most: Limit | None = Field(default=None, description="Upper limit, alike.")
+
+
+class FeasibilityTable(Table):
+    """How the constraints are combined."""
+
+    rule: str = Field(
+        default="",
+        description='Constraints with and, or, not, brackets: "stroke and (light or not fast)" (default: all).',
+    )
+    form: FormName = Field(
+        default="minmax", description="Function of the rule for searches: minmax (exact), R0 or Rm (smooth)."
+    )
+    smoothness: Smoothness = Field(default=1, description="Order m of Rm.")

@@ -1,0 +1,235 @@
+"""The documents of the criteria stage: the best gear train and why, minima, Pareto front, comparisons."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from tmmcalc.gears.criteria.choice import OBJECTIVES, Reason
+from tmmcalc.gears.criteria.comparison import Comparison
+from tmmcalc.gears.selection.columns import YES, chosen_columns, pair_columns
+from tmmcalc.gears.selection.pairs import SERIES
+from tmmcalc.gears.selection.results import Guide, Pairs, Selection, Weighed
+from tmmcalc.gears.selection.task import ROW, WEIGHTED
+from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.numbers import number
+from tmmcalc.report.sizes import drawn, lengths, plain, quantity
+
+ROWS, FEW = 20, 5  # rows of the table; of the summary of a whole run
+BEST = 3  # trains of the ranking that are named
+DIGITS = 5
+
+
+def criteria_summary(result: Selection, title: str) -> Document:
+    """Facts, notes and the first trains of the Pareto front."""
+    return criteria_document(result, title, rows=FEW)
+
+
+def criteria_document(result: Selection, title: str, *, rows: int = ROWS, everything: bool = False) -> Document:
+    """Facts, notes and the Pareto front, the best by the choice first; with ``everything`` all trains instead."""
+    columns = chosen_columns(result)
+    facts = (
+        *(_variant_fact(each) for each in result.variants),
+        *_winner_facts(result),
+        *_minimum_facts(result, columns),
+        _front_fact(result, rows),
+        _ranking_fact(result, columns),
+        *_comparison_facts("planets", result.by_planets),
+        *_comparison_facts("layouts", result.by_layouts),
+        *(fact for guide in result.guides for fact in _guide_facts(result, guide)),
+        *(() if result.pairs is None else _pair_facts(result.pairs)),
+    )
+    whole = {**columns, "front": columns["front"] == YES}
+    view = plain(whole) if everything else drawn(_front_rows(result, columns, rows))
+    more = "--format csv prints all trains and columns"
+    parts = () if result.pairs is None or everything else tuple(_pair_documents(result.pairs, rows))
+    return Document(title, facts, tuple(_notes(result)), view, wide=True, more=more, parts=parts)
+
+
+def _value(key: str, value: float) -> str:
+    """A criterion with its unit, a part as per cent.
+
+    >>> _value("inertia", 3.173144), _value("size", 0.594), _value("error", 0.0057444)
+    ('3.1731 kg*m^2', '594 mm', '0.57444 %')
+    """
+    if key in ("efficiency", "error"):
+        return f"{number(100 * value, DIGITS)} %"
+    return quantity(value, OBJECTIVES[key].unit, DIGITS)
+
+
+def _called(key: str) -> str:
+    return key.replace("_", " ")
+
+
+def _variant_fact(each: Weighed) -> Fact:
+    """How many sets are left of a variant, and what the others lack."""
+    left = len(each.sets)
+    lacks = [f"{each.weak} are not strong enough"] if each.weak else []
+    lacks += [f"{each.locking} lock themselves"] if each.locking else []
+    lacks += [f"constraint {name} removed {count}" for name, count in each.refused.items() if count]
+    text = "; ".join([f"{left} of {each.sized} tooth sets", *lacks]) if each.sized else "no tooth sets"
+    key = each.title.replace(" ", "_")
+    values = {"sized": each.sized, "left": left, "weak": each.weak, "locking": each.locking}
+    return Fact(each.title, text, {key: values | ({"removed": each.refused} if each.refused else {})})
+
+
+def _winner_facts(result: Selection) -> Iterator[Fact]:
+    best = result.winner
+    values = {
+        "winner": best.name,
+        "winner_row": best.place + 1,
+        "layout": best.layout,
+        "planets": best.planets,
+        "teeth": list(best.teeth),
+        "modules[m]": list(best.modules),
+        "widths[m]": list(best.widths),
+    }
+    text = f"{best.title}: {'/'.join(map(str, best.teeth))} (row {best.place + 1})\n"
+    text += f"m = {lengths(best.modules)}, b = {lengths(best.widths)}"
+    yield Fact("best train", text, values)
+    yield Fact("because", _because(result), {"choose": result.choose})
+    criteria = [f"{_called(key)} {_value(key, best.values[key])}" for key in OBJECTIVES if key != "width_deviation"]
+    yield Fact("its criteria", ", ".join(criteria), {key: best.values[key] for key in OBJECTIVES})
+    exact = f" = {best.ratio}" if best.ratio.denominator > 1 else ""
+    values = {"ratio": float(best.ratio), "ratio_exact": str(best.ratio)}
+    yield Fact("its ratio", f"{number(float(best.ratio), 10)}{exact}", values)
+    text = f"{number(best.inertia)} kg*m^2 on its output shaft"
+    if best.beyond != 1:
+        text += f", {number(best.on_crank)} kg*m^2 on the crank, which turns {number(1 / best.beyond)} times as fast"
+    yield Fact("reduced inertia", text, {"J_output[kg*m^2]": best.inertia, "J_crank[kg*m^2]": best.on_crank})
+
+
+def _because(result: Selection) -> str:
+    reason = result.reason
+    if result.choose == ROW:
+        return "it is the row that choose asks for"
+    if result.choose == WEIGHTED:
+        weights = ", ".join(f"{_called(key)} {number(share, 3)}" for key, share in result.ranking.weights.items())
+        text = f"its weighted sum is the least, {number(reason.value, 4)} (weights: {weights})"
+    else:
+        text = f"its {_called(result.choose)} is the {_extreme(result.choose)}, {_value(result.choose, reason.value)}"
+    if reason.runner_up is None or reason.runner_up_value is None:
+        return f"{text}; there is no other train"
+    value = reason.runner_up_value
+    second = number(value, 4) if result.choose == WEIGHTED else _value(result.choose, value)
+    ties = f"; {reason.tied} more {'is' if reason.tied == 1 else 'are'} as good" if reason.tied else ""
+    return f"{text}; next {second} (row {reason.runner_up + 1}){ties}"
+
+
+def _extreme(key: str) -> str:
+    return "largest" if OBJECTIVES[key].largest else "least"
+
+
+def _minimum_facts(result: Selection, columns: dict[str, np.ndarray]) -> Iterator[Fact]:
+    for reason in result.minima:
+        key = reason.criterion
+        text = f"{_value(key, reason.value)}: {_train(columns, reason.winner)}{_tied(reason)}"
+        values = {f"best_{key}": reason.value, f"best_{key}_row": reason.winner + 1}
+        yield Fact(f"{_extreme(key)} {_called(key)}", text, values)
+
+
+def _tied(reason: Reason) -> str:
+    return f" and {reason.tied} more" if reason.tied else ""
+
+
+def _train(columns: dict[str, np.ndarray], row: int) -> str:
+    """Layout, planets, teeth and row of a train; rows are shown from 1."""
+    teeth = [column[row] for header, column in columns.items() if header.startswith("z_")]
+    numbers = "/".join(str(z) for z in teeth if str(z))
+    planets = int(columns["K"][row])
+    return f"{columns['layout'][row]}{f' K = {planets}' if planets > 1 else ''} {numbers} (row {row + 1})"
+
+
+def _front_fact(result: Selection, rows: int) -> Fact:
+    count = len(result.front)
+    text = f"{count} of {len(result.ranking.order)} trains by {', '.join(map(_called, result.objectives))}"
+    if count > rows:
+        text += f"; the first {rows} are shown"
+    return Fact("Pareto front", text, {"objectives": list(result.objectives), "front": (result.front + 1).tolist()})
+
+
+def _ranking_fact(result: Selection, columns: dict[str, np.ndarray]) -> Fact:
+    """The first trains by the weighted sum."""
+    ranking = result.ranking
+    first = ranking.order[:BEST].tolist()
+    lines = [f"{number(float(ranking.scores[row]), 4)}: {_train(columns, row)}" for row in first]
+    values = {"weights": ranking.weights, "ranking": [row + 1 for row in first]}
+    return Fact("by weights", "\n".join(lines), values)
+
+
+def _comparison_facts(what: str, compared: Sequence[Comparison]) -> Iterator[Fact]:
+    """The best of every option by each criterion, and which option wins."""
+    if not compared:
+        return
+    lines, values = [], {}
+    for each in compared:
+        key = each.criterion
+        best = {str(option.option): option.values.get(key) for option in each.options}
+        told = ", ".join(f"{name}: {'none' if v is None else _value(key, v)}" for name, v in best.items())
+        lines.append(f"{_called(key)} - {told}; best {each.winner}")
+        values[key] = {"best": each.winner, **{name: v for name, v in best.items() if v is not None}}
+    yield Fact(what, "\n".join(lines), {f"by_{what}": values})
+
+
+def _guide_facts(result: Selection, guide: Guide) -> Iterator[Fact]:
+    """mu* and the theoretical splits of the ratio, beside those of the best train."""
+    own = result.winner if result.winner.layout == guide.layout else None
+    if guide.proportion is not None:
+        text = f"mu* = m2/m1 = {number(guide.proportion, DIGITS)} at U = {number(guide.ratio, DIGITS)}"
+        if own is not None and len(own.modules) > 1:
+            text += f"; the best train has {number(own.modules[1] / own.modules[0], DIGITS)}"
+        yield Fact(f"equal strength, {guide.layout}", text, {f"mu_star_{guide.layout}": guide.proportion})
+    if not guide.splits:
+        return
+    lines = [f"{split.criterion}: {_ratios(split.ratios.tolist())}" for split in guide.splits]
+    if own is not None:
+        z = own.teeth
+        lines.append(f"best train: {_ratios([z[k + 1] / z[k] for k in range(0, len(z), 2)])}")
+    values = {split.criterion: split.ratios.tolist() for split in guide.splits}
+    yield Fact(f"best splits of U, {guide.layout}", "\n".join(lines), {f"splits_{guide.layout}": values})
+
+
+def _ratios(ratios: Sequence[float]) -> str:
+    return " x ".join(number(ratio, DIGITS) for ratio in ratios)
+
+
+def _pair_facts(pairs: Pairs) -> Iterator[Fact]:
+    one, two = pairs.counts
+    values: dict[str, Any] = {"pairs_admitted": pairs.admitted, "pairs_tried": pairs.tried}
+    if pairs.best is None:
+        yield Fact("two in series", pairs.failure, {"pairs_failure": pairs.failure})
+        return
+    text = f"{SERIES}, each of i_1H near {number(float(pairs.single), DIGITS)}, {pairs.planets} planets\n"
+    text += f"{one} and {two} trains, {pairs.admitted} of {pairs.tried} pairs within the tolerance\n"
+    text += ", ".join(f"{_extreme(key)} {_called(key)} {_value(key, value)}" for key, value in pairs.best.items())
+    yield Fact("two in series", text, {**values, "pairs_best": pairs.best})
+
+
+def _pair_documents(pairs: Pairs, rows: int) -> Iterator[Document]:
+    columns = {header: column[:rows] for header, column in pair_columns(pairs).items()}
+    if columns:
+        yield Document(f"{SERIES}: Pareto front", table=drawn(columns), wide=True, more="--format json prints more")
+
+
+def _front_rows(result: Selection, columns: dict[str, np.ndarray], rows: int) -> dict[str, np.ndarray]:
+    """The front, the best by the choice first."""
+    scores = result.ranking.scores[result.front]
+    if result.choose in OBJECTIVES:
+        own: np.ndarray = getattr(result.pool, result.choose)[result.front]
+        scores = -own if OBJECTIVES[result.choose].largest else own
+    order = result.front[np.argsort(scores, kind="stable")][:rows]
+    single = len({*columns["layout"].tolist()}) == 1 and len({*columns["K"].tolist()}) == 1
+    hidden = {"front", *(("layout", "K") if single else ())}
+    return {header: column[order] for header, column in columns.items() if header not in hidden}
+
+
+def _notes(result: Selection) -> Iterator[str]:
+    if result.winner.values["width_deviation"] > 0:
+        yield "warning: the face width of the best train over its module is outside 6 to 40"
+    unseen = {each.title: each.unseen for each in result.variants if each.unseen}
+    for title, count in unseen.items():
+        yield f"note: {title}: {count} further tooth sets, of larger Z1 + Z2, are not compared"
+    if any(each.winner == SERIES for each in result.by_layouts if each.criterion == result.choose):
+        yield f"note: two trains {SERIES} in series have a better {_called(result.choose)} than the best single one"

@@ -1,0 +1,150 @@
+"""What is measured on the wheels of the pairs: spans over teeth, sizes over balls, chords, each with its limits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from tmmcalc.core.records import record
+from tmmcalc.gears.facts.meshes import known, millimetres, places, titles
+from tmmcalc.gears.facts.spans import all_spans, limits_fact, span_fact, spans_view
+from tmmcalc.gears.meshing.results import Measures, MeshPair, Pairs, WheelSizes
+from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.numbers import angle, number
+
+CHORDS = ("arc", "chord", "height", "space")
+
+
+@record
+class Measured:
+    """One wheel of one pair."""
+
+    title: str
+    pair: MeshPair
+    size: WheelSizes
+    measures: Measures
+
+
+def measure_document(result: Pairs, title: str, *, wheel: str | None = None, everything: bool = False) -> Document:
+    """Every wheel, or the one of a name; with ``everything`` the spans of all in one table.
+
+    Raises `UsageError` if no wheel is called so.
+    """
+    measured = list(_wheels(result))
+    shown = [measured[k] for k in places([each.measures.wheel for each in measured], wheel, "wheel")]
+    parts = tuple(_wheel_document(each, everything) for each in shown)
+    notes = tuple(f"note: {remark}" for remark in result.remarks)
+    spans = all_spans([(each.pair.task.name, each.measures) for each in shown]) if everything else None
+    return Document(title, (), notes, spans, parts=parts)
+
+
+def _wheels(result: Pairs) -> Iterator[Measured]:
+    for found, heading in zip(result.pairs, titles(result), strict=True):
+        for size, measures in zip(found.sizes, found.measures, strict=True):
+            name = f"wheel {measures.wheel}"
+            yield Measured(name if len(result.pairs) == 1 else f"{heading}, {name}", found, size, measures)
+
+
+def _wheel_document(each: Measured, everything: bool) -> Document:
+    ring, helical = each.size.kind == "ring", bool(each.pair.task.helix)
+    facts = [_wheel_fact(each), _base_fact(each.measures), span_fact(each.measures, ring=ring, helical=helical)]
+    if not ring:
+        facts.append(limits_fact(each.measures))
+    facts += [_balls_fact(each), _constant_chord_fact(each.measures)]
+    notes = tuple(f"warning: {remark}" for remark in each.measures.remarks)
+    if everything:
+        facts.append(Fact("chords", "", {"chords": _chord_values(each.measures)}))
+        return Document(each.title, tuple(facts), notes)
+    view = spans_view(each.measures, helical=helical) if each.measures.spans else None
+    return Document(each.title, tuple(facts), notes, view, parts=(_chords_document(each),))
+
+
+def _wheel_fact(each: Measured) -> Fact:
+    size, task = each.size, each.pair.task
+    form = "ring" if size.kind == "ring" else "external"
+    text = f"{form}, z = {size.teeth}, x = {number(size.shift)}, m = {millimetres(task.module)}"
+    if task.helix:
+        text += f", beta = {angle(math.degrees(task.helix))} deg"
+    text += f"\nr_a = {millimetres(size.tip)}, the involute ends at r_F = {millimetres(size.form)}"
+    usable = each.measures.usable
+    if usable == "active":
+        text += f"\nusable to r = {millimetres(size.active_left)}, the lowest active point"
+    values = {"wheel": size.name, "kind": size.kind, "z": size.teeth, "x": size.shift, "m[m]": task.module}
+    values |= {"beta[rad]": task.helix, "r_a[m]": size.tip, "r_F[m]": size.form}
+    return Fact("wheel", text, values | {"r_usable[m]": size.active_left, "usable_to": usable})
+
+
+def _base_fact(measures: Measures) -> Fact:
+    text = (
+        f"p_bn = {millimetres(measures.base_pitch)}, s_bn = {millimetres(measures.base_thickness)} on the base circle"
+    )
+    return Fact("base pitch", text, {"p_bn[m]": measures.base_pitch, "s_bn[m]": measures.base_thickness})
+
+
+def _balls_fact(each: Measured) -> Fact:
+    """The size over balls or pins, of a ring between them."""
+    row = each.measures.balls
+    label = f"{'between' if each.size.kind == 'ring' else 'over'} two {each.pair.task.measuring.body}"
+    if row is None:
+        return Fact(label, "none can be measured")
+    text = f"M = {millimetres(row.size)} with D = {millimetres(row.diameter)}\n"
+    text += f"touching at r = {millimetres(row.radius)}"
+    if not row.on_flank:
+        text += "\nnot valid: they do not touch the usable involute"
+    if not row.clear:
+        text += "\nnot valid: they do not stand proud of the tips, or reach the root"
+    values = {"D[m]": row.diameter, "M[m]": row.size, "M_radius[m]": row.radius, "rho_M[m]": row.curvature}
+    values |= {"alpha_D[rad]": row.angle, "d_D[m]": row.centres}
+    return Fact(label, text, values | {"M_on_flank": row.on_flank, "M_clear": row.clear})
+
+
+def _constant_chord_fact(measures: Measures) -> Fact:
+    text = f"s_c = {millimetres(measures.constant_chord)}, h_c = {millimetres(measures.constant_chord_height)} "
+    text += "from the tip"
+    if not measures.constant_chord_valid:
+        text += "\nnot to be measured: it does not end on the usable involute"
+    values = {
+        "s_c[m]": measures.constant_chord,
+        "h_c[m]": measures.constant_chord_height,
+        "rho_s[m]": measures.constant_chord_curvature,
+        "s_c_valid": measures.constant_chord_valid,
+    }
+    return Fact("constant chord", text, values)
+
+
+def _chords_document(each: Measured) -> Document:
+    helical = bool(each.pair.task.helix)
+    legend = "tooth on circles: half angle theta, normal arc and chord, height of the tip above the chord, "
+    legend += "arc of the space" + ("; s_t: transverse arc" if helical else "")
+    rows = each.measures.chords
+    columns: dict[str, list[Any]] = {
+        "circle": [row.name for row in rows],
+        "r[mm]": [1e3 * row.radius for row in rows],
+        "theta[deg]": [round(math.degrees(row.half_angle), 4) for row in rows],
+    }
+    columns |= {f"{name}[mm]": [1e3 * getattr(row, name) for row in rows] for name in CHORDS}
+    if helical:
+        columns["s_t[mm]"] = [1e3 * row.transverse for row in rows]
+    columns["alpha_y[deg]"] = [round(math.degrees(row.angle), 4) for row in rows]
+    if helical:
+        columns["beta_y[deg]"] = [round(math.degrees(row.helix), 4) for row in rows]
+    view = View(list(columns), list(columns.values()))
+    return Document("chords", (Fact("in the table", legend),), (), view, wide=True, more="--format json has them")
+
+
+def _chord_values(measures: Measures) -> list[dict[str, Any]]:
+    return [
+        known(
+            {
+                "circle": row.name,
+                "r[m]": row.radius,
+                "theta[rad]": row.half_angle,
+                "alpha_y[rad]": row.angle,
+                "beta_y[rad]": row.helix,
+                "s_t[m]": row.transverse,
+                **{f"{name}[m]": getattr(row, name) for name in CHORDS},
+            }
+        )
+        for row in measures.chords
+    ]

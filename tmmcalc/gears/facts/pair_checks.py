@@ -1,0 +1,116 @@
+"""What is checked of a pair of gears: the table of conditions, the warnings, what programs get of both."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from tmmcalc.gears.facts.meshes import known, renamed
+from tmmcalc.gears.involute.quality.verdicts import Check
+from tmmcalc.gears.meshing.results import MeshPair
+from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.numbers import number
+
+VERDICTS = {"ok": "ok", "warn": "warning", "fail": "fails"}
+ANGLES = ("pressure angle",)
+PLACES = 4  # decimals that people read
+PURE = ("sliding", "pressure")  # numbers without a unit, as are all ratios; what is left are lengths in modules
+
+
+def unit_of(check: Check) -> str:
+    """Unit of the numbers of a check: rad, module, or 1."""
+    if check.name in ANGLES:
+        return "rad"
+    return "1" if check.name in PURE or check.name.endswith("ratio") else "module"
+
+
+def checks_document(found: MeshPair) -> Document:
+    """The table for people: angles in degrees, lengths in modules, their margins in millimetres too."""
+    legend = "lengths in normal modules, angles in degrees; margin: what is left to the limit"
+    return Document("checks", (Fact("in the table", legend),), (), _view(found))
+
+
+def _view(found: MeshPair) -> View:
+    columns: dict[str, list[Any]] = {
+        name: [] for name in ("check", "wheel", "value", "limit", "margin", "margin[mm]", "verdict")
+    }
+    for check in found.checks:
+        unit = unit_of(check)
+        factor = math.degrees(1.0) if unit == "rad" else 1.0
+        judged = check.limit is not None
+        in_mm = 1e3 * found.task.module * check.margin
+        row = (
+            f"{check.name}, deg" if unit == "rad" else check.name,
+            _named(found, check.wheel),
+            round(factor * check.value, PLACES),
+            "" if check.limit is None else round(factor * check.limit, PLACES),
+            round(factor * check.margin, PLACES) if judged else "",
+            f"{_settled(in_mm):.3f}" if judged and unit == "module" else "",
+            VERDICTS[check.verdict] if judged or check.verdict != "ok" else "not judged",
+        )
+        for cells, cell in zip(columns.values(), row, strict=True):
+            cells.append(cell)
+    return View(list(columns), list(columns.values()))
+
+
+def _named(found: MeshPair, wheel: int) -> str:
+    """Whose check it is; empty: the pair's."""
+    if wheel == 2 and found.task.kind == "rack":
+        return "rack"
+    return found.task.wheels[wheel - 1] if wheel else ""
+
+
+def _settled(value: float) -> float:
+    """Without the sign of a zero."""
+    return round(value, 3) + 0.0
+
+
+def checks_values(found: MeshPair) -> list[dict[str, Any]]:
+    """The checks for programs, lengths in modules, angles in radians."""
+    return [
+        known(
+            {
+                "check": check.name,
+                "wheel": _named(found, check.wheel) or None,
+                "value": check.value,
+                "limit": check.limit,
+                "margin": check.margin if check.limit is not None else None,
+                "unit": unit_of(check),
+                "verdict": check.verdict,
+                "text": renamed(check.text, found.task.wheels) or None,
+            }
+        )
+        for check in found.checks
+    ]
+
+
+def verdict_fact(found: MeshPair) -> Fact:
+    """All checks in one line."""
+    judged = [check.verdict for check in found.checks if check.limit is not None or check.verdict != "ok"]
+    failed, unusual = judged.count("fail"), judged.count("warn")
+    if failed:
+        text = f"cannot work: {failed} of {len(judged)} conditions fail"
+    elif unusual:
+        text = f"works; {unusual} of {len(judged)} conditions not as recommended"
+    else:
+        text = f"good: all {len(judged)} conditions are kept"
+    return Fact("verdict", text, {"verdict": found.verdict})
+
+
+def pair_notes(found: MeshPair) -> Iterator[str]:
+    """What fails, what is not recommended, how far the nearest good shifts are, what the choice had to give up."""
+    wheels = found.task.wheels
+    for check in sorted(found.checks, key=lambda check: check.verdict != "fail"):
+        if check.verdict == "fail":
+            yield f"warning: cannot work: {renamed(check.text, wheels)}"
+        elif check.verdict == "warn":
+            yield f"warning: {renamed(check.text, wheels)}"
+    if found.broken:
+        text = f"the shifts lie outside the blocking contour: {renamed('; '.join(found.broken), wheels)}"
+        if found.nearest is not None:
+            x1, x2 = found.nearest
+            text += f"; the nearest inside are x1 = {number(x1, 5)}, x2 = {number(x2, 5)}"
+        yield f"warning: {text}"
+    if found.note:
+        yield f"note: {renamed(found.note, wheels)}"

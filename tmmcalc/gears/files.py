@@ -1,0 +1,37 @@
+"""Outlines of gears for drawings, a layer each, and as the bytes of a CSV file in metres."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from io import StringIO
+
+import numpy as np
+
+from tmmcalc.gears.meshing.tracks import Track
+from tmmcalc.report.outlinefiles import layer_name
+from tmmcalc.report.strokes import Outline
+
+
+def layer_of(track: Track) -> str:
+    """The name of a track's layer."""
+    return layer_name(f"wheel {track.member.label}")
+
+
+def outlines(tracks: Sequence[Track]) -> list[Outline]:
+    """Every track on a layer of its own."""
+    return [Outline(each.member.label, layer_of(each), each.pieces, each.polygon, each.closed) for each in tracks]
+
+
+def outline_csv(tracks: Sequence[Track]) -> bytes:
+    """The points of every track in chords, one track after the other; a closed one ends where it began."""
+    buffer = StringIO()
+    writer = csv.writer(buffer, lineterminator="\n")
+    named = any(track.member.pair for track in tracks)
+    writer.writerow([*(["pair"] if named else []), "wheel", "x[m]", "y[m]"])
+    for track in tracks:
+        names = [*([track.member.pair] if named else []), track.member.name]
+        points = np.append(track.polygon, track.polygon[:1]) if track.closed else track.polygon
+        rows = zip(points.real.tolist(), points.imag.tolist(), strict=True)
+        writer.writerows([*names, x, y] for x, y in rows)
+    return buffer.getvalue().encode()

@@ -1,0 +1,97 @@
+"""The picture of the criteria stage: the Pareto diagram, all pairs of criteria, the chosen train to scale."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from matplotlib.figure import Figure, SubFigure
+
+from tmmcalc.core.errors import UsageError
+from tmmcalc.gears.pictures.front import pairs_sheet, pareto_sheet
+from tmmcalc.gears.pictures.placed import placed
+from tmmcalc.gears.pictures.scheme import scheme_sheet
+from tmmcalc.gears.pictures.words import CRITERIA, layout_name, ratio_text, teeth_text
+from tmmcalc.gears.selection.results import Pool, Selection
+from tmmcalc.gears.selection.solve import speed_ratio
+from tmmcalc.gears.sizing import rows_of
+from tmmcalc.gears.train import Trains
+from tmmcalc.report.drawing.page import blank, settle
+from tmmcalc.report.numbers import number
+
+USUAL = 3  # objectives that the first diagram shows together: mass, inertia, size
+
+
+def criteria_figure(result: Selection, trains: Trains, choose: int | None = None) -> Figure:
+    """The winner's sheets, or those of row ``choose`` of the stage's table, from 1.
+
+    Raises `UsageError` for a row that there is not.
+    """
+    count = len(result.pool)
+    place = result.winner.place if choose is None else choose - 1
+    if not 0 <= place < count:
+        raise UsageError(
+            f"there is no row {place + 1} of criteria.csv",
+            where="plot",
+            value=place + 1,
+            limit=count,
+            remedy=f"1 to {count}",
+        )
+    more = len(result.objectives) > USUAL or bool(set(result.objectives) - {"mass", "inertia", "size"})
+    paired = more and len(result.objectives) > 1
+    figure, sheets = blank(3 if paired else 2)
+    finish = [pareto_sheet(sheets[0], result, place, _heading(result, place))]
+    if paired:
+        finish.append(pairs_sheet(sheets[1], result, place))
+    finish.append(_scheme(sheets[-1], result, trains, place))
+    settle(figure)
+    for draw in finish:
+        draw()
+    return figure
+
+
+def _heading(result: Selection, place: int) -> str:
+    """How many trains there are, and by what the one that is drawn was chosen."""
+    reason = result.reason
+    first = f"{len(result.pool)} trains strong enough; {len(result.front)} of them on the Pareto front"
+    if place != result.winner.place:
+        return f"{first}\nrow {place + 1} is drawn; chosen is row {result.winner.place + 1}, {result.winner.name}"
+    if reason.criterion not in CRITERIA:
+        return f"{first}\nchosen by {reason.criterion}: {result.winner.name}"
+    _, factor, unit = CRITERIA[reason.criterion]
+    second = f"chosen by the best {reason.criterion.replace('_', ' ')}: {result.winner.name}"
+    value = f"{number(factor * reason.value, 4)} {unit}".strip()
+    if reason.runner_up_value is None:
+        return f"{first}\n{second}, {value}"
+    other = f"{number(factor * reason.runner_up_value, 4)} {unit}".strip()
+    return f"{first}\n{second}, {value}; the next best has {other}"
+
+
+def _scheme(sheet: SubFigure, result: Selection, trains: Trains, place: int) -> Callable[[], None]:
+    """The train of a row with its modules and widths."""
+    pool = result.pool
+    at, row = int(pool.variant[place]), int(pool.row[place])
+    variant, request = result.variants[at], trains.variants[at].request
+    task = request.task
+    train = placed(
+        variant.sets,
+        row,
+        variant.module[row],
+        variant.width[row],
+        rack=task.pressure_angle,
+        addendum=float(task.addendum),
+        driver="H" if request.kind == "i_H1" else "1",
+    )
+    ratio = speed_ratio(rows_of(variant.sets, np.array([row])), request.kind)
+    kind = request.kind if request.scheme.sign and request.kind != "u" else "i"
+    name = layout_name(request.scheme, variant.sets.planets)
+    teeth = teeth_text(variant.sets.teeth[row].tolist())
+    measured = ", ".join(_measured(pool, key, place) for key in ("mass", "inertia", "size", "efficiency", "error"))
+    heading = f"{name}: {ratio_text(kind, ratio)}, $z$ = {teeth}\n{measured}"
+    return scheme_sheet(sheet, train, heading)
+
+
+def _measured(pool: Pool, key: str, place: int) -> str:
+    symbols = {"mass": "$M$", "inertia": "$J$", "size": "$D$", "efficiency": "$\\eta$", "error": "error of the ratio"}
+    _, factor, unit = CRITERIA[key]
+    return f"{symbols[key]} = {number(factor * float(getattr(pool, key)[place]), 4)} {unit}".strip()

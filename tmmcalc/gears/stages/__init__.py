@@ -1,0 +1,1 @@
+"""The stages of the gear room, one module each."""

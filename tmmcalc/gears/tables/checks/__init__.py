@@ -1,0 +1,1 @@
+"""Checks of the tables of the gear room that reach beyond one value."""

@@ -1,0 +1,206 @@
+"""``[pair]``: pairs of gears written out, or what is asked of the pairs of the train that is chosen."""
+
+import math
+from typing import Annotated, Any
+
+from pydantic import Field
+
+from tmmcalc.gears.involute.rack import RACKS
+from tmmcalc.gears.tables.shifting import SPLITS, STRATEGIES
+from tmmcalc.spec.choices import Known, Listed, Whole, Within
+from tmmcalc.spec.identifiers import Words
+from tmmcalc.spec.phrases import show
+from tmmcalc.spec.quantities import Number
+from tmmcalc.spec.reader import Reader
+from tmmcalc.spec.table import Table
+from tmmcalc.spec.units import UnitError
+
+TEETH = (3, 10_000)
+SHIFTS = (-5, 5)
+POINTS = 50  # of each curve of a profile, if nothing else is asked
+
+
+class OneOrTwo(Reader):
+    """A list of one value or two: for the first wheel and the second."""
+
+    def __init__(self, item: Reader, example: str) -> None:
+        self.item = item
+        self.example = example
+
+    def read(self, value: object) -> list[Any]:
+        """Return the list; raise UnitError with the fault in plain words."""
+        if not isinstance(value, list) or len(value) not in (1, 2):
+            what = f"{show(value)} is not a list of one value or two, of the first wheel and of the second"
+            raise UnitError(what, f"write {self.example}")
+        return [self.item.read(each) for each in value]
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema: an array."""
+        whose = f"A list of one value or two: {self.example}."
+        return {"type": "array", "items": self.item.describe(), "minItems": 1, "maxItems": 2, "description": whose}
+
+
+_LENGTH = Within("length", "mm", 1e-3, 1e-3, 1e5, bare=2.0)
+_ANGLE = ("angle", "deg", math.pi / 180)
+
+PairName = Annotated[str, Words("pair")]
+Kind = Annotated[str, Known("kind of pair", ("external", "internal", "rack"))]
+Teeth = Annotated[list[int], OneOrTwo(Whole("a number of teeth", *TEETH), "[14, 17], or [14] of a pinion on a rack")]
+Module = Annotated[float, Within("length", "mm", 1e-3, 1e-3, 1e3, bare=0.2)]
+Helix = Annotated[float, Within(*_ANGLE, -60, 60)]
+RackName = Annotated[str, Known("basic rack", tuple(RACKS))]
+RackAngle = Annotated[float, Within(*_ANGLE, 10, 35)]
+Addendum = Annotated[float, Number("an addendum in modules", "1", above=0, below=2)]
+Clearance = Annotated[float, Number("a clearance in modules", "0.25", at_least=0, at_most=1)]
+TipRadius = Annotated[float, Number("a radius of the rack's tip in modules", "0.38", at_least=0, at_most=1)]
+Strategy = Annotated[str, Known("way to choose the shifts", STRATEGIES)]
+Split = Annotated[str, Known("way to split the sum of the shifts", SPLITS)]
+Shift = Annotated[float, Number("a shift in modules", "0.5", at_least=SHIFTS[0], at_most=SHIFTS[1])]
+Length = Annotated[float, _LENGTH]
+ContactRatio = Annotated[float, Number("a contact ratio", "1.2", above=0, at_most=5)]
+Thickness = Annotated[float, Number("a tip thickness in modules", "0.25", at_least=0, at_most=1)]
+Sliding = Annotated[float, Number("a specific sliding", "3", above=0)]
+Pressure = Annotated[float, Number("a specific pressure", "1.5", above=0)]
+Angles = Annotated[list[float], Listed(Within(*_ANGLE, 0, 60), '["15 deg", "30 deg"]', 2)]
+Undercut = Annotated[str, Known("rule for undercut", ("none", "tolerated"))]
+Fillet = Annotated[str, Known("section of the fillet", ("ellipse", "circle"))]
+Diameters = Annotated[list[float], OneOrTwo(_LENGTH, '["86.8 mm", "152 mm"]')]
+SpanTeeth = Annotated[list[int], OneOrTwo(Whole("a number of teeth", 2, TEETH[1]), "[3, 5]")]
+Body = Annotated[str, Known("body to measure over", ("balls", "pins"))]
+WidthRule = Annotated[str, Known("rule of the face width", ("book", "exact"))]
+CutterTeeth = Annotated[int, Whole("a number of teeth", *TEETH)]
+CutterShift = Annotated[float, Number("a shift in modules", "0.1", at_least=SHIFTS[0], at_most=SHIFTS[1])]
+Rounding = Annotated[float, Number("a rounding in modules", "0.2", at_least=0, at_most=1)]
+Points = Annotated[int, Whole("a number of points", 2, 10_000)]
+
+
+class CutterTable(Table):
+    """The pinion-type shaper that cuts a ring."""
+
+    teeth: CutterTeeth = Field(description="Number of teeth of the cutter.")
+    shift: CutterShift = Field(default=0.0, description="Shift of the cutter in modules; it falls as it is ground.")
+    rounding: Rounding = Field(default=0.0, description="Radius of the rounding of its tips, in modules.")
+    tip_diameter: Length | None = Field(
+        default=None, description="Diameter of its tip circle (default: by the rack and its shift)."
+    )
+
+
+class PairKeys(Table):
+    """What [pair] and each of [[pair.meshes]] may say."""
+
+    name: PairName | None = Field(default=None, description="Name of the pair, in titles and files.")
+    kind: Kind | None = Field(
+        default=None, description="External wheels (default), a pinion in a ring (internal), or on a rack."
+    )
+    teeth: Teeth | None = Field(
+        default=None, description="Numbers of teeth of the pinion and of its mate; of a pinion on a rack one number."
+    )
+    module: Module | None = Field(default=None, description="Module in the normal section.")
+    helix_angle: Helix | None = Field(
+        default=None, description="Helix angle on the reference cylinder (default: 0, spur); its sign does not matter."
+    )
+    rack: RackName | None = Field(
+        default=None, description="Basic rack that cuts the wheels (default: GOST 13755; of a train that of [train])."
+    )
+    pressure_angle: RackAngle | None = Field(
+        default=None, description="Pressure angle of the rack in the normal section, in place of the rack's."
+    )
+    addendum: Addendum | None = Field(default=None, description="Addendum in modules, in place of the rack's.")
+    clearance: Clearance | None = Field(
+        default=None, description="Radial clearance in modules, in place of the rack's."
+    )
+    tip_radius: TipRadius | None = Field(
+        default=None, description="Radius of the rounding of the rack's tips in modules, in place of the rack's."
+    )
+    strategy: Strategy | None = Field(
+        default=None,
+        description="How the shifts are chosen (default: given with x1 and x2, given_aw with centre_distance and in "
+        "a train, else balanced; of a ring and of a rack zero).",
+    )
+    x1: Shift | None = Field(default=None, description="Shift of the pinion in modules.")
+    x2: Shift | None = Field(
+        default=None, description="Shift of its mate in modules; of a ring positive towards the tips of its teeth."
+    )
+    centre_distance: Length | None = Field(
+        default=None, description="Operating centre distance (default in a train: that of its tooth numbers)."
+    )
+    split: Split | None = Field(
+        default=None, description="How the sum of the shifts is split, where it is given (default: equal_sliding)."
+    )
+    desired_contact_ratio: ContactRatio | None = Field(
+        default=None, description="Contact ratio of the strategy equal_sliding (default: 1.2)."
+    )
+    contact_ratio_min: ContactRatio | None = Field(
+        default=None, description="Least transverse contact ratio (default: 1)."
+    )
+    contact_ratio_wanted: ContactRatio | None = Field(
+        default=None, description="Contact ratio below which is warned (default: 1.2)."
+    )
+    tip_thickness_min: Thickness | None = Field(
+        default=None, description="Least thickness of the tips in modules (default: 0)."
+    )
+    tip_thickness_wanted: Thickness | None = Field(
+        default=None, description="Thickness of the tips below which is warned, in modules (default: 0.25)."
+    )
+    sliding_max: Sliding | None = Field(
+        default=None, description="Specific sliding above which is warned (default: 3)."
+    )
+    pressure_max: Pressure | None = Field(
+        default=None, description="Specific pressure above which is warned (default: it is not judged)."
+    )
+    angle_range: Angles | None = Field(
+        default=None, description="Usual operating pressure angles (default: 15 to 30 deg)."
+    )
+    undercut: Undercut | None = Field(
+        default=None,
+        description="Whether undercut that leaves the active flank whole is a fault (none) or the choice of shifts "
+        "makes use of it (tolerated). Default: the choice avoids it, given shifts may have it.",
+    )
+    face_width: Length | None = Field(
+        default=None, description="Working face width (default in a train: that of strength)."
+    )
+    fillet: Fillet | None = Field(
+        default=None,
+        description="Section of the rack's rounding across helical teeth: ellipse (default) or circle (textbook).",
+    )
+    tip_diameters: Diameters | None = Field(
+        default=None, description="Diameters of the tip circles (default: by the shifts, with the full clearance)."
+    )
+    cutter: CutterTable | None = Field(
+        default=None, description="The shaper that cuts a ring (default: as deep as the rack)."
+    )
+    span_teeth: SpanTeeth | None = Field(
+        default=None, description="Teeth that the span is measured over (default: as many as the rule admits)."
+    )
+    ball_diameters: Diameters | None = Field(
+        default=None, description="Diameters of the balls or pins (default: they touch near the middle of the flank)."
+    )
+    measure_over: Body | None = Field(default=None, description="Balls (default) or pins.")
+    face_width_rule: WidthRule | None = Field(
+        default=None, description="Face width that a span needs: of the textbook (book, default) or exact."
+    )
+
+
+class PairMeshTable(PairKeys):
+    """One of several pairs, or of the meshes of a train; what it does not say is that of [pair]."""
+
+    mesh: str | None = Field(
+        default=None, description="Mesh of the train by its wheels, such as 2'-3; without a train no such key."
+    )
+
+
+class PairTable(PairKeys):
+    """Pairs of gears: teeth, rack, choice of the shifts, limits, what is measured."""
+
+    refuse: bool = Field(
+        default=True, description="Whether a pair that cannot work is an error; false: it is told and shown."
+    )
+    points: Points = Field(default=POINTS, description="Points of each curve of a tooth profile.")
+    meshes: list[PairMeshTable] = Field(
+        default=[], description="Several pairs, or the meshes of the train that differ from the others."
+    )
+
+    @property
+    def of_train(self) -> bool:
+        """Whether the pairs are those of the train: none has teeth of its own."""
+        return self.teeth is None and not any(mesh.teeth for mesh in self.meshes)

@@ -1,0 +1,1 @@
+"""From the tables of the gear room to the plain values that its theory takes."""

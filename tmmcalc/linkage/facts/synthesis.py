@@ -1,0 +1,171 @@
+"""The documents of the synthesis: sizes of the best solution, its post-check, defects, and all solutions in a table."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from tmmcalc.core.columns import picked
+from tmmcalc.linkage.synthesis.columns import columns
+from tmmcalc.linkage.synthesis.results import Check, Design, Precision, Size, StrokeTimes, Synthesis, check_key
+from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.numbers import angle, number
+
+ANGLE = math.degrees(1.0)
+FEW = 10  # points that are listed for people
+
+
+def synthesis_summary(result: Synthesis, title: str) -> Document:
+    """Sizes of the best solution, its checks and warnings, and its merits unless the stage's table has them."""
+    best = result.best
+    merits = () if best.dwell is None else _merit_facts(best)
+    facts = (_kind_fact(result), *(_size_fact(size) for size in best.sizes), *map(_check_fact, best.checks), *merits)
+    warnings = tuple(note for note in result.notes if note.startswith("warning"))
+    return Document(title, facts, warnings)
+
+
+def synthesis_document(
+    result: Synthesis, title: str, *, choose: int = 1, patterns: Sequence[str] = (), everything: bool = False
+) -> Document:
+    """Solution ``choose`` in full, all of them in the table; ``patterns`` choose its columns by name."""
+    design = result.designs[choose - 1]
+    facts = tuple(_facts(result, design, choose))
+    if design.dwell is not None:
+        from tmmcalc.linkage.facts.dwell import dwell_table
+
+        table = dwell_table(design.dwell, patterns, everything)
+    else:
+        table = _table(result, patterns, everything)
+    return Document(title, facts, result.notes, table, wide=not patterns)
+
+
+def _facts(result: Synthesis, design: Design, choose: int) -> Iterator[Fact]:
+    yield _kind_fact(result)
+    count = len(result.designs)
+    shown = f"{choose} of {count}, {design.name}" if count > 1 else design.name
+    yield Fact("solution", shown, {"solution": choose, "solutions": count, "name": design.name})
+    yield Fact("chosen by", result.rule, {"rule": result.rule})
+    for size in design.sizes:
+        yield _size_fact(size)
+    if design.times is not None:
+        yield from _time_facts(design.times)
+    for found in design.checks:
+        yield _check_fact(found)
+    yield from _merit_facts(design)
+    if design.precision is not None:
+        yield _sense_fact(design.precision)
+        yield _precision_fact(design.precision)
+    if design.dwell is not None:
+        from tmmcalc.linkage.facts.dwell import dwell_facts
+
+        yield from dwell_facts(design.dwell)
+    defects = "\n".join(design.defects) or "none"
+    yield Fact("defects", defects, {"defects": list(design.defects)})
+    yield Fact("residual", f"{result.residual:.0e}", {"residual": result.residual})
+    if result.counters:
+        text = ", ".join(
+            f"{value} {name if value != 1 else name.removesuffix('s')}" for name, value in result.counters.items()
+        )
+        yield Fact("search", text, {"counters": dict(result.counters)})
+
+
+def _merit_facts(design: Design) -> Iterator[Fact]:
+    for name, value in design.merits.items():
+        label, unit = name.rstrip("]").replace("_", " ").partition("[")[::2]
+        yield Fact(label, f"{number(value, 6)} {unit}".strip(), {name: value})
+
+
+def _kind_fact(result: Synthesis) -> Fact:
+    return Fact("synthesis", result.kind.replace("_", " "), {"kind": result.kind})
+
+
+def shown(value: float, unit: str) -> str:
+    """A size for people: mm, deg, or a number."""
+    if unit == "rad":
+        return f"{angle(value * ANGLE)} deg"
+    return f"{number(1e3 * value, 7)} mm" if unit == "m" else number(value, 7)
+
+
+def _size_fact(size: Size) -> Fact:
+    key = size.symbol if size.unit == "-" else f"{size.symbol}[{size.unit}]"
+    return Fact(size.symbol, f"{shown(size.value, size.unit)}, {size.meaning}", {key: size.value})
+
+
+def _time_facts(times: StrokeTimes) -> Iterator[Fact]:
+    rpm = times.crank_speed * 30 / math.pi
+    yield Fact("speed of the crank", f"{number(rpm)} rpm", {"n[rpm]": rpm, "omega[rad/s]": times.crank_speed})
+    text = f"working {number(times.working_time)} s, idle {number(times.idle_time)} s, cycle {number(times.period)} s"
+    yield Fact("times", text, {"t_p[s]": times.working_time, "t_x[s]": times.idle_time, "t[s]": times.period})
+    text = f"working {angle(times.working_angle * ANGLE)} deg, idle {angle(times.idle_angle * ANGLE)} deg of the crank"
+    yield Fact("strokes", text, {"alpha_p[rad]": times.working_angle, "alpha_x[rad]": times.idle_angle})
+    text = f"working {number(times.working_speed)}, idle {number(times.idle_speed)}, cycle {number(times.mean_speed)}"
+    symbol = "v" if times.unit == "m" else "omega"
+    speeds = (("p", times.working_speed), ("x", times.idle_speed), ("mean", times.mean_speed))
+    values = {f"{symbol}_{which}[{times.unit}/s]": speed for which, speed in speeds}
+    yield Fact(f"mean speeds, {times.unit}/s", text, values)
+
+
+def _check_fact(found: Check) -> Fact:
+    text = f"{shown(found.achieved, found.unit)} by simulation"
+    values: dict[str, Any] = {"achieved": found.achieved, "unit": found.unit}
+    if found.target is not None and found.residual is not None:
+        text += f", wanted {shown(found.target, found.unit)} (residual {found.residual:.0e})"
+        values |= {"target": found.target, "residual": found.residual}
+    return Fact(f"check: {found.name}", text, {check_key(found.name): values})
+
+
+def _sense_fact(found: Precision) -> Fact:
+    """In which sense the crank turns, and between which angles."""
+    way = "counter-clockwise" if found.sense > 0 else "clockwise"
+    first, last = (angle(float(found.crank[k]) * ANGLE) for k in (0, -1))
+    return Fact("crank turns", f"{way}, from {first} to {last} deg", {"sense": found.sense})
+
+
+def _precision_fact(found: Precision) -> Fact:
+    """Errors at the points; the first of many."""
+    values: dict[str, Any] = {"crank[rad]": found.crank.tolist()}
+    if len(found.points):
+        off = np.abs(found.reached - found.points)
+        values |= {"points[m]": _pairs(found.points), "reached[m]": _pairs(found.reached)}
+        lines = [
+            f"{_point(p)} mm at {angle(x * ANGLE)} deg, off by {1e3 * o:.0e} mm"
+            for p, x, o in zip(found.points.tolist(), found.crank, off, strict=True)
+        ]
+    else:
+        values |= {f"wanted[{found.unit}]": found.wanted.tolist(), f"found[{found.unit}]": found.found.tolist()}
+        factor, unit = (1e3, "mm") if found.unit == "m" else (ANGLE, "deg")
+        lines = [
+            f"{angle(x * ANGLE)} deg of the crank, off by {abs(factor * (f - w)):.0e} {unit}"
+            for x, w, f in zip(found.crank, found.wanted, found.found, strict=True)
+        ]
+    if len(found.angle_errors):
+        values["angle_errors[rad]"] = found.angle_errors.tolist()
+    rest = [f"... and {len(lines) - FEW} more"] if len(lines) > FEW else []
+    return Fact("points", "\n".join([*lines[:FEW], *rest]), {"precision": values})
+
+
+def _point(p: complex) -> str:
+    return f"({number(1e3 * p.real, 6)}, {number(1e3 * p.imag, 6)})"
+
+
+def _pairs(points: np.ndarray) -> list[list[float]]:
+    return [[float(p.real), float(p.imag)] for p in points]
+
+
+def _table(result: Synthesis, patterns: Sequence[str], everything: bool) -> View:
+    found = picked(columns(result), patterns)
+    if everything:
+        return View(list(found), list(found.values()))
+    drawn = [_drawn(header, values) for header, values in found.items()]
+    return View([header for header, _ in drawn], [values for _, values in drawn])
+
+
+def _drawn(header: str, values: Sequence[Any]) -> tuple[str, Sequence[Any]]:
+    """A column for people: mm and degrees."""
+    for unit, new, factor in (("[m]", "[mm]", 1e3), ("[rad]", "[deg]", ANGLE)):
+        if header.endswith(unit):
+            return header.replace(unit, new), [factor * value for value in values]
+    return header, values

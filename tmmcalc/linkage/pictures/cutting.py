@@ -1,0 +1,160 @@
+"""Sheets of free bodies: of each group its load diagram, its closed force polygon to scale, and the values."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import Any
+
+from matplotlib.axes import Axes
+from matplotlib.figure import SubFigure
+from matplotlib.lines import Line2D
+
+from tmmcalc.core.records import record
+from tmmcalc.linkage.forces.kinetostatics import Statics
+from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.freebody import Acting, Couple, FreeBody, cleared, free_bodies
+from tmmcalc.linkage.pictures.cycle import Motion, motion_at, whole_cycle
+from tmmcalc.linkage.pictures.forcepolygon import draw_force_polygon
+from tmmcalc.linkage.pictures.loaddiagram import draw_load_diagram
+from tmmcalc.linkage.results import Kinematics
+from tmmcalc.report.drawing.labels import MM, signed, symbol
+from tmmcalc.report.drawing.style import FORCES, INK
+from tmmcalc.report.numbers import number
+
+BODIES = 3  # on a sheet
+SEEN = 1e-4  # of the largest force or couple: less is left out
+DIFFERENT = 1e-6  # of the largest force: a smaller difference of the limits is none
+ROW = 3.1  # height of a row of the values [mm]
+COLUMNS = (1.0, 11.0, 19.0, 37.0, 49.0, 65.0, 83.0)  # where the columns of the values begin [mm]
+WIDEST = 95.0  # of all of them [mm]
+LABELS = {
+    "load": "load",
+    "weight": "weight",
+    "inertia": "inertia",
+    "spring": "spring",
+    "damper": "damper",
+    "drive": "drive",
+    "reaction": "reaction",
+    "friction": "friction",
+}
+Part = Acting | Couple
+
+
+@record
+class Sheet:
+    """What one sheet shows: its heading, the bodies, those of the other limit where friction jumps, the position."""
+
+    heading: str
+    bodies: tuple[FreeBody, ...]
+    others: tuple[FreeBody, ...]  # empty without a jump
+    limits: tuple[str, str]  # names of the limit that is drawn and of the other
+    motion: Motion
+    cycle: Motion
+
+
+def sheets_of(statics: Statics, kinematics: Kinematics, result: Forces, row: int) -> list[Sheet]:
+    """The free bodies of one row of the result, a few to a sheet, with the other limit where friction jumps there."""
+    theta, chain = float(result.theta[row]), statics.scene.chain
+    before = result.labels[row].endswith("-") or row == len(result.labels) - 1
+    side = -1.0 if before else 1.0
+    bodies, others = (cleared(free_bodies(statics, theta, s), SEEN) for s in (side, -side))
+    limits = ("just before", "just after") if before else ("just after", "just before")
+    if not _differ(bodies, others):
+        others = ()
+    motion, cycle = motion_at(chain, statics.scene.travel.x(result.theta[[row]])), whole_cycle(chain, kinematics)
+    heading = _heading(result, row, limits if others else None)
+    count = -(-len(bodies) // -(-len(bodies) // BODIES))
+    return [
+        Sheet(heading, bodies[k : k + count], others[k : k + count], limits, motion, cycle)
+        for k in range(0, len(bodies), count)
+    ]
+
+
+def _heading(result: Forces, row: int, limits: tuple[str, str] | None) -> str:
+    phi = float(result.phi[row])
+    at = f"$\\varphi$ = {signed(math.degrees(phi), 5)}°" if result.turns else f"$s - s_0$ = {signed(phi, 5)} m"
+    text = f"Load diagrams and force polygons in position {result.labels[row].removesuffix('-')}, {at}"
+    if limits:
+        text += f"\nFriction jumps here: drawn {limits[0]}, dashed polygon {limits[1]} the position"
+    return text
+
+
+def _parts(body: FreeBody) -> list[Part]:
+    return [*body.forces, *([] if body.inner is None else [body.inner]), *body.couples]
+
+
+def _key(part: Part) -> tuple[str, ...]:
+    return (part.letter, part.index, part.kind, str(part.link), part.joint, type(part).__name__)
+
+
+def _differ(one: tuple[FreeBody, ...], other: tuple[FreeBody, ...]) -> bool:
+    forces = [{_key(f): f.value for body in bodies for f in body.forces} for bodies in (one, other)]
+    peak = max(map(abs, forces[0].values()), default=0.0)
+    return any(abs(forces[0].get(key, 0j) - forces[1].get(key, 0j)) > DIFFERENT * peak for key in forces[0] | forces[1])
+
+
+def draw_sheet(sheet: SubFigure, drawn: Sheet) -> None:
+    """One column a body: load diagram, polygon, values."""
+    sheet.text(0.5, 0.975, drawn.heading, ha="center", va="top", fontsize=10)
+    count = len(drawn.bodies)
+    for k, body in enumerate(drawn.bodies):
+        left, width = (k + 0.02) / count, 0.96 / count
+        other = drawn.others[k] if drawn.others else None
+        diagram = sheet.add_axes((left, 0.53, width, 0.37))
+        mu = draw_load_diagram(diagram, body, drawn.motion, drawn.cycle)
+        diagram.set_title(f"{body.name},  $\\mu_l$ = {number(mu, 4)} m/mm")
+        polygon = sheet.add_axes((left, 0.232, width, 0.268))
+        draw_force_polygon(polygon, body, other)
+        _draw_values(sheet.add_axes((left, 0.05, width, 0.178)), body, other, drawn.limits)
+    _draw_legend(sheet, drawn)
+
+
+def _draw_values(axes: Axes, body: FreeBody, other: FreeBody | None, limits: tuple[str, str]) -> None:
+    """Size and direction of everything, in both limits if there are two."""
+    axes.set_axis_off()
+    box, dpi = axes.get_window_extent(), axes.figure.dpi
+    width, height = box.width * MM / dpi, box.height * MM / dpi
+    left = max(0.0, (width - WIDEST) / 2)
+    axes.set_xlim(-left, width - left)
+    axes.set_ylim(-height, 0)
+    parts = _parts(body)
+    pitch = min(ROW, height / (len(parts) + 1.5))
+    now, then = ("size", "") if other is None else limits
+    arms = "arm h" if any(isinstance(part, Acting) and part.arm for part in parts) else ""
+    heads = ["", "joint", now, "direction", arms, then]
+    rows = [heads, *(_row(part, _found(other, part)) for part in parts)]
+    for r, row in enumerate(rows):
+        for x, text in zip(COLUMNS, row, strict=False):
+            style: dict[str, Any] = {"color": INK if r else "#555555", "fontsize": (6.5 if r else 5.8) * pitch / ROW}
+            axes.text(x, -pitch * (r + 0.5), text, va="center", **style)
+
+
+def _found(other: FreeBody | None, part: Part) -> Part | None:
+    if other is None:
+        return None
+    return next((p for p in _parts(other) if _key(p) == _key(part)), None)
+
+
+def _row(part: Part, other: Part | None) -> list[str]:
+    arm = f"{signed(part.arm * 1e3, 4)} mm" if isinstance(part, Acting) and part.arm else ""
+    told = part.joint or ("damping" if part.kind == "damper" else "")  # a damper has the name of its spring
+    row = [symbol(part.letter, part.index), told, *_value(part), arm]
+    return row if other is None else [*row, *_value(other)]
+
+
+def _value(part: Part) -> tuple[str, str]:
+    """Size with its unit, and direction or sense."""
+    if isinstance(part, Couple):
+        return f"{signed(abs(part.value), 5)} N·m", "ccw" if part.value > 0 else "cw"
+    return f"{signed(abs(part.value), 5)} N", f"{signed(round(math.degrees(cmath.phase(part.value)), 2), 6)}°"
+
+
+def _draw_legend(sheet: SubFigure, drawn: Sheet) -> None:
+    """What the kinds of lines are, and how to read the names."""
+    used = {part.kind for body in drawn.bodies for part in _parts(body)}
+    handles = [Line2D([], [], label=LABELS[kind], **style) for kind, style in FORCES.items() if kind in used]
+    sheet.legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, 0.022), ncols=8, handlelength=3.2)
+    text = "First index: the link acted on, second: the link it comes from. Arrows of load diagrams are not to scale. "
+    text += "What is less than 0.01 % of the largest is left out."
+    sheet.text(0.5, 0.012, text, ha="center", va="center", fontsize=7, color="#555555")

@@ -1,0 +1,176 @@
+"""The load diagram of a free body: its links to scale, forces as arrows of readable length, couples as arcs.
+
+Arrows are longer for larger forces but not to scale: a weight would not be seen beside a cutting force. A force
+slides along its line, so each arrow takes the free side of its point - tail or head there - and keeps clear of bars
+and other arrows; where both sides are taken it stands farther off or a little beside its line.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import product
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from tmmcalc.linkage.freebody import Acting, Couple, FreeBody
+from tmmcalc.linkage.model import FRAME, Joint
+from tmmcalc.linkage.pictures.bodies import bodies
+from tmmcalc.linkage.pictures.cycle import Motion
+from tmmcalc.linkage.pictures.links import draw_link
+from tmmcalc.linkage.pins import Pin, find_pins
+from tmmcalc.report.drawing import symbols
+from tmmcalc.report.drawing.board import Board
+from tmmcalc.report.drawing.labels import symbol
+from tmmcalc.report.drawing.style import FORCES, INK, THIN
+
+MARGIN = 18.0  # free border [mm]
+SHORTEST, LONGEST = 7.0, 13.0  # arrows [mm]
+HEAD = 2.3
+GAPS = (0.9, 6.0, 11.0)  # between a point and its arrow [mm]
+MEETING = 4.6  # what lies nearer to the point is not counted as covered [mm]
+CLEAR = 1.2  # nearer than this to other lines an arrow covers them [mm]
+PUSHED = 1.5  # what is said against a head at the point
+BESIDE, APART = 2.6, 5.0  # an arrow drawn so far beside its line [mm], and what is said against that
+POINT = 0.05  # links that fill less than this part of the mechanism's reach are a point
+SAME = 2.0  # points nearer than this are one [mm]
+ARC = 3.6  # radius of a couple's arc [mm]
+PITCH = math.radians(35)  # half of the arc of a pitch circle that is shown
+
+
+def draw_load_diagram(axes: Axes, body: FreeBody, motion: Motion, cycle: Motion) -> float:
+    """Draw on an axes whose place is settled; returns the scale of the links [m/mm]."""
+    diagram = _Diagram(axes, body, motion, cycle)
+    diagram.links()
+    diagram.forces()
+    diagram.couples()
+    axes.set_axis_off()
+    return diagram.board.mu
+
+
+class _Diagram:
+    """One load diagram while it is drawn."""
+
+    def __init__(self, axes: Axes, body: FreeBody, motion: Motion, cycle: Motion) -> None:
+        self.body, self.motion = body, motion
+        self.mechanism = motion.chain.mechanism
+        self.pins = find_pins(self.mechanism)
+        shapes = bodies(self.mechanism, self.pins, cycle, 0.0)
+        self.shapes = [shape for shape in shapes if shape.link in body.links]
+        content = [self.place(s.link, p) for s in self.shapes for p in s.corners]
+        content += [self.place_of(pin) for pin in self.own_pins()]
+        content += [force.at for force in body.forces if force.kind == "drive"]
+        self.board = Board(axes, np.array([*content, *self._room(content)]), MARGIN)
+
+    def _room(self, content: list[complex]) -> list[complex]:
+        """Corners around links that all stand in one point, which would give no scale."""
+        everything = np.array([self.place_of(pin) for pin in self.pins])
+        reach = float(np.max(np.abs(everything - everything[0])))
+        if not content or max(abs(p - content[0]) for p in content) > POINT * reach:
+            return []
+        return [content[0] + POINT * reach * corner for corner in (1 + 1j, -1 - 1j)]
+
+    def place(self, link: int, p: complex) -> complex:
+        """Place of a point of a link."""
+        return complex(self.motion.place(link, p)[0])
+
+    def place_of(self, pin: Pin) -> complex:
+        return self.place(*next(iter(pin.at.items())))
+
+    def own_pins(self) -> Iterator[Pin]:
+        """Pins of the body's links."""
+        return (pin for pin in self.pins if set(pin.at) & set(self.body.links) and (pin.joints or pin.centre))
+
+    def links(self) -> None:
+        """The links, their pins and centres of mass, the lines of the guides that were taken away."""
+        for joint in self.mechanism.joints:
+            if joint.kind == "prismatic" and len(set(joint.links) & set(self.body.links)) == 1:
+                self._guide_line(joint)
+        for force in self.body.forces:
+            if force.kind == "drive" and self.mechanism.joint(self.mechanism.input.joint).kind == "revolute":
+                self._pitch_circle(force.at)
+        for shape in self.shapes:
+            draw_link(self.board, shape, self.motion)
+        for pin in self.own_pins():
+            at = self.place_of(pin)
+            if pin.joints:
+                symbols.pin(self.board, at)
+                self.board.labels.put(pin.name, [at], size=7, style="italic", gaps=(1.6, 2.4, 3.4))
+            else:
+                symbols.centre_of_mass(self.board, at)
+
+    def _guide_line(self, joint: Joint) -> None:
+        link = joint.links[0]
+        at, e = self.place(link, joint.points[0]), complex(self.motion.turn(link)[0]) * joint.directions[0]
+        reach = 12 * self.board.mu * e
+        style = {"linewidth": 0.7, "linestyle": (0, (6, 1.5, 1, 1.5)), "color": THIN, "zorder": 1}
+        self.board.line((at - reach, at + reach), weight=0.1, **style)
+
+    def _pitch_circle(self, at: complex) -> None:
+        """A part of the pitch circle of the gear on the crank, around the pitch point."""
+        joint = self.mechanism.joint(self.mechanism.input.joint)
+        pivot = joint.points[joint.links.index(FRAME)]
+        arc = pivot + (at - pivot) * np.exp(1j * np.linspace(-PITCH, PITCH, 30))
+        style = {"linewidth": 0.8, "linestyle": (0, (6, 1.5, 1, 1.5)), "color": THIN, "zorder": 1}
+        self.board.line(arc, weight=0.1, **style)
+        self.board.circle(at, 0.5, facecolor=INK)
+
+    def forces(self) -> None:
+        """All forces, the largest first, for it has the first choice of its side."""
+        largest = max((abs(force.value) for force in self.body.forces), default=0.0)
+        for force in sorted(self.body.forces, key=lambda f: -abs(f.value)):
+            size = SHORTEST + (LONGEST - SHORTEST) * math.sqrt(abs(force.value) / largest)
+            self._force(force, size * self.board.mu)
+
+    def _force(self, force: Acting, size: float) -> None:
+        """One arrow where it is nearest to its point and covers least."""
+        e, mu = force.value / abs(force.value), self.board.mu
+        tail, head = min(self._places(force.at, e, size), key=lambda found: found[2])[:2]
+        style = FORCES[force.kind]
+        self.board.line((tail, head - e * 0.8 * HEAD * mu), solid_capstyle="butt", zorder=13, **style)
+        self.board.arrowhead(head, e, HEAD, facecolor=style["color"], zorder=14)
+        anchors = sorted((tail, head), key=lambda p: -abs(p - force.at))
+        prefer = anchors[0] - anchors[1]
+        label = symbol(force.letter, force.index)
+        self.board.labels.put(label, anchors, size=8, color=style["color"], prefer=prefer, gaps=(0.9, 1.6, 2.6))
+
+    def _places(self, at: complex, e: complex, size: float) -> Iterator[tuple[complex, complex, float]]:
+        """Where an arrow could be, tail and head; and what is said against it, what it covers included.
+
+        Its part next to the point is not counted: the pin and the bars that meet there are near it anyway.
+        """
+        mu = self.board.mu
+        for side, offset, gap in product((1, -1), (0.0, -1.0, 1.0), GAPS):
+            near = at + side * gap * mu * e + 1j * e * offset * BESIDE * mu
+            far = near + side * e * size
+            counted = near + side * e * max(0.0, MEETING - gap) * mu
+            covered = self.board.labels.crowded((counted, far), CLEAR)
+            against = covered + (PUSHED if side < 0 else 0.0) + 0.5 * (gap - GAPS[0]) + APART * abs(offset)
+            yield (near, far, against) if side > 0 else (far, near, against)
+
+    def couples(self) -> None:
+        """Arcs around their points; of several the later ones are wider."""
+        drawn: list[complex] = []
+        for couple in self.body.couples:
+            radius = ARC + 1.6 * sum(abs(couple.at - other) <= SAME * self.board.mu for other in drawn)
+            drawn.append(couple.at)
+            self._couple(couple, radius)
+
+    def _couple(self, couple: Couple, radius: float) -> None:
+        """An open circle of 250 degrees with its head in the sense of the couple."""
+        mu, sense, style = self.board.mu, math.copysign(1.0, couple.value), FORCES[couple.kind]
+        arc = couple.at + radius * mu * np.exp(1j * sense * np.radians(np.linspace(-35, 215, 40)))
+        self.board.line(arc[:-3], weight=0.6, zorder=13, **{**style, "linewidth": 1.1})
+        tip = complex(arc[-1])
+        self.board.arrowhead(
+            tip,
+            1j * sense * (tip - couple.at) + 0.25 * (couple.at - tip),
+            HEAD * 0.9,
+            facecolor=style["color"],
+            zorder=14,
+        )
+        label = symbol(couple.letter, couple.index)
+        self.board.labels.put(
+            label, [complex(arc[len(arc) // 2]), complex(arc[8])], size=7.5, color=style["color"], gaps=(0.8, 1.6, 2.6)
+        )

@@ -1,0 +1,1 @@
+"""The stages of the linkage room, one module each."""

@@ -1,0 +1,77 @@
+"""Stage ``kinematics``: positions, velocities, accelerations, transfer functions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, get_type_hints
+
+import numpy as np
+
+from tmmcalc.core.conversion import plain, restore
+from tmmcalc.core.stage import Late, Record, Table
+from tmmcalc.linkage.columns import columns
+from tmmcalc.linkage.results import Kinematics, Method, Trace
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.model import Mechanism
+    from tmmcalc.project import Spec
+
+_TRACE_ARRAYS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "joint_s", "joint_ds", "joint_dds")
+_TRACE_FIELDS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "s", "ds", "dds")
+_OUTPUT_ARRAYS = ("s", "ds", "dds")
+
+
+def inputs(spec: Spec) -> Mechanism:
+    """The linkage as plain numbers; masses, gravity and the project's title are not read."""
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+    return to_linkage(spec.linkage)
+
+
+def solve(mechanism: Mechanism, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Kinematics:
+    """Solve all positions by the method of the settings; a step or decimals of 0 mean the default and none."""
+    from tmmcalc.linkage.kinematics import solve_kinematics  # a stored result is loaded without it
+
+    method = Method(settings["method"], settings["step"] or None, settings["decimals"] or None)
+    return solve_kinematics(mechanism, upstream["structure"], method)
+
+
+def dump(result: Kinematics) -> Record:
+    """Arrays go to npz: x (n,), outputs s, ds, dds (O, n), points r (P, n), links angle (L, n), joints (J, n)."""
+    arrays: dict[str, np.ndarray] = {"label": np.array(result.labels), "phi": result.phi, "x": result.x}
+    arrays |= {f"output_{name}": getattr(result, name) for name in _OUTPUT_ARRAYS}
+    arrays |= {name: getattr(result.trace, own) for name, own in zip(_TRACE_ARRAYS, _TRACE_FIELDS, strict=True)}
+    left_out = {"labels", "phi", "x", *_OUTPUT_ARRAYS, "trace", "branches", "error", "counters"}
+    scalars = {name: plain(value) for name, value in vars(result).items() if name not in left_out and value is not None}
+    branches = plain(result.branches, arrays, "branches")
+    if branches:
+        scalars["branches"] = branches
+    names = {"points": result.trace.point_names, "links": result.trace.link_ids, "joints": result.trace.joint_names}
+    return Record({**scalars, "rows": plain(names)}, arrays, plain(result.error), result.counters)
+
+
+def load(record: Record) -> Kinematics:
+    """Build the result from its record."""
+    arrays, rows = record.arrays, record.scalars["rows"]
+    own = (arrays[name] for name in _TRACE_ARRAYS)
+    r, dr, ddr, angle, dangle, ddangle, s, ds, dds = own
+    points, links, joints = (tuple(rows[name]) for name in ("points", "links", "joints"))
+    trace = Trace(points, r, dr, ddr, links, angle, dangle, ddangle, joints, s, ds, dds)
+    given: dict[str, Any] = {
+        "labels": tuple(arrays["label"].tolist()),
+        "phi": arrays["phi"],
+        "x": arrays["x"],
+        **{name: arrays[f"output_{name}"] for name in _OUTPUT_ARRAYS},
+        "trace": trace,
+    }
+    hints = get_type_hints(Kinematics)
+    given["branches"] = restore(hints["branches"], record.scalars.get("branches", {}), arrays, "branches")
+    stored = {**record.scalars, "error": record.error, "counters": record.counters}
+    return Kinematics(**given, **{f: restore(hints[f], stored.get(f)) for f in hints if f not in given})
+
+
+def table(result: Kinematics) -> Table:
+    """All columns, one row a position."""
+    chosen = columns(result)
+    label = np.array(result.labels)
+    return Table(["i", *(c.header for c in chosen)], Late([label, *(c.make for c in chosen)]))

@@ -1,0 +1,37 @@
+"""Stage ``structure``: mobility, Assur groups, order of assembly."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from tmmcalc.core.conversion import plain, restore
+from tmmcalc.core.stage import Record
+from tmmcalc.linkage.structure import Structure, skeleton, solve_structure
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.model import Mechanism
+    from tmmcalc.project import Spec
+
+
+def inputs(spec: Spec) -> Mechanism:
+    """Links and joints with their kinds and links: the metric plays no part."""
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+    return skeleton(to_linkage(spec.linkage))
+
+
+def solve(mechanism: Mechanism, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Structure:
+    """Find the groups."""
+    return solve_structure(mechanism)
+
+
+def dump(result: Structure) -> Record:
+    """All of it is scalars; the formula is added for readers."""
+    return Record(scalars={"formula": result.formula, "class_number": result.class_number, **plain(result)})
+
+
+def load(record: Record) -> Structure:
+    """Build the result from its record."""
+    structure: Structure = restore(Structure, record.scalars)
+    return structure

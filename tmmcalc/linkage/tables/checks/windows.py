@@ -1,0 +1,146 @@
+"""Checks of where a load acts: on a stroke, between two angles, or between two positions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from tmmcalc.linkage.tables.checks.loads import loads
+from tmmcalc.spec.dimensions import DIMENSIONS
+from tmmcalc.spec.findings import Finding
+from tmmcalc.spec.outline import Outline, Raw, is_integer, subtable, tables
+from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
+from tmmcalc.spec.units import FULL_TURN, dimension_of
+from tmmcalc.spec.values import amount
+
+WINDOWS = ("stroke", "between", "positions")
+
+
+def check_windows(outline: Outline) -> Iterator[Finding]:
+    """A load acts always or in one window, which exists."""
+    for path, load in loads(outline):
+        windows = [window for window in WINDOWS if window in load]
+        for window in windows[1:]:
+            yield Finding(
+                (*path, window),
+                f"{' and '.join(windows)} together: a load acts in one window",
+                "keep one of them, or write one [[loads]] for each",
+            )
+        law = next((law for law in ("viscous", "quadratic") if law in load), None)
+        if law and windows:
+            yield Finding(
+                (*path, windows[0]),
+                f"{windows[0]} together with {law}: a resistance against the velocity acts all the time",
+                f"remove {windows[0]}",
+            )
+        if "output" in load and "stroke" not in load:
+            yield Finding((*path, "output"), "output without stroke: it tells whose stroke is meant", "remove it")
+        yield from check_output(outline, load.get("output"), (*path, "output"))
+        yield from _check_between(outline, load.get("between"), (*path, "between"))
+        yield from _check_positions(outline, load.get("positions"), (*path, "positions"))
+
+
+def check_output(outline: Outline, name: object, path: Path) -> Iterator[Finding]:
+    """An output of this name is listed."""
+    known = [name for name, _ in outputs(outline)]
+    if isinstance(name, str) and name not in known:
+        guess = did_you_mean(name, known)
+        remedy = f"the outputs are: {listing(known)}" if known else "add it: [[mechanism.outputs]]"
+        yield Finding(path, f"there is no output {show(name)}", f"{guess} {remedy}".strip())
+
+
+def outputs(outline: Outline) -> list[tuple[str, Raw]]:
+    """Return the outputs by name: their own, or that of the point, the link or the joint."""
+    named = [
+        (next((str(output[key]) for key in ("name", "point", "link", "joint") if key in output), ""), output)
+        for _, output in tables(outline.table, "outputs")
+    ]
+    return [(name, output) for name, output in named if name]
+
+
+def cycle(outline: Outline) -> float:
+    """Return the angle after which all loads repeat: a turn, of a four-stroke engine two."""
+    turn, longest = 2 * math.pi, 2 * math.pi
+    for _, load in loads(outline):
+        strokes = subtable(load, "indicator").get("strokes")
+        longest = max(longest, 2 * turn if isinstance(strokes, list) and len(strokes) == 4 else 0.0)
+        longest = max(longest, amount(subtable(load, "table").get("period"), "angle") or 0.0)
+    return longest
+
+
+def travel(outline: Outline) -> str:
+    """Return the dimension of the input's travel."""
+    return "length" if outline.slides else "angle"
+
+
+def check_travel(outline: Outline, value: object, limit: float, path: Path) -> Iterator[Finding]:
+    """A distance along the motion has the dimension of the input, and lies within ``limit``."""
+    needed, written = travel(outline), dimension_of(value)
+    number = amount(value, "angle", "length")  # a bare number as well, whatever its size
+    if written in ("angle", "length") and written != needed and outline.input_joint is not None:
+        yield Finding(
+            path,
+            f'{show(value)} is {DIMENSIONS[written].noun}; the input joint "{outline.input_joint.name}" is '
+            f"{outline.input_joint.kind}, so {DIMENSIONS[needed].noun} is needed",
+            f'write {DIMENSIONS[needed].noun}, such as "{DIMENSIONS[needed].example}"',
+        )
+    elif number is not None and number > limit * (1 + 1e-12):
+        yield beyond(value, number, limit, path)
+
+
+def beyond(value: object, number: float, limit: float, path: Path) -> Finding:
+    """Return the finding for an angle after the end of the cycle: perhaps degrees without their unit."""
+    if not isinstance(value, str) and number > FULL_TURN:
+        what = f"{show(value)} without a unit is in radians, more than the cycle of the loads"
+        return Finding(path, what, f'write "{value} deg"')
+    return Finding(
+        path, f"{show(value)} is beyond the cycle of the loads, {math.degrees(limit):g} deg", "count from position 0"
+    )
+
+
+def _check_between(outline: Outline, pair: object, path: Path) -> Iterator[Finding]:
+    if not isinstance(pair, list) or len(pair) != 2:
+        return
+    limit = math.inf if outline.slides else cycle(outline)
+    for index, value in enumerate(pair):
+        yield from check_travel(outline, value, limit, (*path, index))
+    first, last = (amount(value, "angle", "length") for value in pair)
+    if first is None or last is None:
+        return
+    if first == last:
+        yield Finding(path, f"{show(pair)} begins where it ends", "write from and to; remove between for always")
+    elif first > last and outline.slides:
+        yield Finding(
+            path, f"{show(pair)} runs backwards: a driven slider passes each place once", "write from, then to"
+        )
+
+
+def _check_positions(outline: Outline, pair: object, path: Path) -> Iterator[Finding]:
+    if not isinstance(pair, list) or len(pair) != 2:
+        return
+    steps, grid = grid_steps(outline), subtable(outline.table, "grid")
+    for index, label in enumerate(pair):
+        digits = str(label).rstrip("'") if is_integer(label) or isinstance(label, str) else ""
+        if steps is not None and digits.isdecimal() and len(digits) < 8 and int(digits) > steps:
+            yield Finding(
+                (*path, index), f"there is no position {label}", f"the positions are 0 to {steps} ([mechanism.grid])"
+            )
+        elif isinstance(label, str) and label.endswith("'") and not (grid.get("extra") or grid.get("extremes")):
+            yield Finding(
+                (*path, index),
+                f"there is no position {label}: the grid has no added positions",
+                "add extra = [...] or extremes = true to [mechanism.grid]",
+            )
+    if str(pair[0]) == str(pair[1]):
+        yield Finding(path, f"{show(pair)} begins where it ends", "write from and to; remove positions for always")
+
+
+def grid_steps(outline: Outline) -> int | None:
+    """Return the number of steps of the grid, which is the number of its last position."""
+    grid = subtable(outline.table, "grid")
+    strokes = [grid[key] for key in ("working", "idle") if key in grid]
+    parts = strokes or [grid.get("positions", 24)]
+    return sum(parts) if all(map(is_integer, parts)) else None
+
+
+CHECKS = (check_windows,)

@@ -1,0 +1,22 @@
+"""``[[mechanism.links]]``: the moving links, each with its points in its own axes."""
+
+from pydantic import Field
+
+from tmmcalc.spec.identifiers import PointName
+from tmmcalc.spec.quantities import Inertia, Mass, Point
+from tmmcalc.spec.table import Table
+
+
+class LinkTable(Table):
+    """A rigid moving link."""
+
+    id: int = Field(ge=1, description="Number of the link; 0 is the frame.")
+    name: str = Field(default="", description="Name of the link for tables and messages.")
+    points: dict[PointName, Point] = Field(
+        default={}, description="Points of the link [x, y] in its own axes: the metric of the mechanism."
+    )
+    mass: Mass | None = Field(default=None, description="Mass of the link; without it the link is massless.")
+    inertia: Inertia | None = Field(default=None, description="Moment of inertia about the centre of mass.")
+    center: Point | None = Field(
+        default=None, description="Centre of mass [x, y] in the link's own axes; it becomes the point S<id>."
+    )

@@ -1,0 +1,69 @@
+"""``[synthesis]``: a linkage by what it is to do; exactly one sub-table says of which kind."""
+
+import math
+from typing import TYPE_CHECKING, Annotated
+
+from pydantic import Field
+
+from tmmcalc.spec.choices import Whole, Within
+from tmmcalc.spec.late import late
+from tmmcalc.spec.quantities import AngularSpeed
+from tmmcalc.spec.table import Table
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.tables.synthesis_dwell import DwellTable
+    from tmmcalc.linkage.tables.synthesis_generation import FunctionTable, MotionSynthesisTable, PathTable
+    from tmmcalc.linkage.tables.synthesis_kinds import (
+        CrankRockerTable,
+        RotatingSlottedLinkTable,
+        SliderCrankTable,
+        SlottedLinkTable,
+    )
+else:
+    SliderCrankTable = late("linkage.tables.synthesis_kinds", "SliderCrankTable")
+    SlottedLinkTable = late("linkage.tables.synthesis_kinds", "SlottedLinkTable")
+    RotatingSlottedLinkTable = late("linkage.tables.synthesis_kinds", "RotatingSlottedLinkTable")
+    CrankRockerTable = late("linkage.tables.synthesis_kinds", "CrankRockerTable")
+    PathTable = late("linkage.tables.synthesis_generation", "PathTable")
+    FunctionTable = late("linkage.tables.synthesis_generation", "FunctionTable")
+    MotionSynthesisTable = late("linkage.tables.synthesis_generation", "MotionSynthesisTable")
+    DwellTable = late("linkage.tables.synthesis_dwell", "DwellTable")
+
+# The kinds, of which a spec has one: each is a sub-table; a further one joins here and below.
+KINDS = ("slider_crank", "slotted_link", "rotating_slotted_link", "crank_rocker", "path", "function", "motion", "dwell")
+
+Solutions = Annotated[int, Whole("a number of solutions", 1, 50)]
+Seed = Annotated[int, Whole("a seed", 0, 2**31 - 1)]
+Positions = Annotated[int, Whole("a number of positions", 4, 100_000)]
+Transmission = Annotated[float, Within("angle", "deg", math.pi / 180, 0, 89.9)]
+
+
+class LinkSynthesisTable(Table):
+    """The synthesis of a planar linkage: what all kinds share, and one sub-table, the kind."""
+
+    crank_speed: AngularSpeed | None = Field(default=None, description="Speed of the crank in the ready spec.")
+    solutions: Solutions = Field(default=5, description="Number of solutions that are listed, the best first.")
+    seed: Seed = Field(default=1, description="Seed of the random starts: equal seeds give equal results.")
+    transmission: Transmission | None = Field(
+        default=None, description="Least transmission angle; below it a solution has a defect (default: 20 deg)."
+    )
+    positions: Positions = Field(default=24, description="Positions of the crank in the ready spec.")
+    slider_crank: SliderCrankTable | None = Field(
+        default=None, description="A slider-crank from stroke, time ratio, pressure angles, ratios."
+    )
+    slotted_link: SlottedLinkTable | None = Field(
+        default=None, description="An oscillating slotted link that drives a slider."
+    )
+    rotating_slotted_link: RotatingSlottedLinkTable | None = Field(
+        default=None, description="A rotating slotted link that drives a slider."
+    )
+    crank_rocker: CrankRockerTable | None = Field(default=None, description="A crank-rocker from swing and time ratio.")
+    path: PathTable | None = Field(default=None, description="A coupler point that passes through points.")
+    function: FunctionTable | None = Field(default=None, description="An output that is a function of the input.")
+    motion: MotionSynthesisTable | None = Field(default=None, description="A coupler that passes through poses.")
+    dwell: DwellTable | None = Field(default=None, description="A six-bar of class IV whose output dwells.")
+
+    @property
+    def kind(self) -> str:
+        """The kind: the one sub-table that is there."""
+        return next(kind for kind in KINDS if getattr(self, kind, None) is not None)

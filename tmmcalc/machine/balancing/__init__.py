@@ -1,1 +1,0 @@
-"""Balancing of engines with several cranks and of rotors, and the sizes of balance weights."""

@@ -1,0 +1,229 @@
+"""The documents of the balance stage: of the linkage, and with it or in its place those of an engine and of a rotor.
+
+Angles of weights are positive counter-clockwise. A place is phi, the crank coordinate counted from position 0.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from tmmcalc.core.columns import Column
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.fourier import Magnitude
+from tmmcalc.machine.balance.columns import columns
+from tmmcalc.machine.balance.redistribution import Redistribution
+from tmmcalc.machine.balance.schemes import RotatingWeight
+from tmmcalc.machine.balance.task import Balancing, Scheme
+from tmmcalc.machine.balance.weights import Weight
+from tmmcalc.machine.facts.shakingmoment import less, moment, moment_left, moved, phi_at, raised
+from tmmcalc.machine.facts.weights import direction, size_text, size_values
+from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.numbers import NOISE, angle, number
+from tmmcalc.report.positions import with_positions
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.stages.balance import Balances
+
+GOALS = {
+    "least squares": "counterweight for the least mean square of the force",
+    "minimax": "counterweight for the least maximum of the force",
+    "lanchester": "counter-rotating pair against the first harmonic",
+    "lanchester 2": "pairs against the first and the second harmonic",
+    "given": "your own weights",
+}
+
+
+def balance_summary(result: Balances, title: str) -> Document:
+    """Facts and notes of all that is balanced, without the table of positions."""
+    parts = tuple(_others(result))
+    if result.linkage is None:
+        return replace(parts[0], title=title) if len(parts) == 1 else Document(title, parts=parts)
+    found = result.linkage
+    facts = (
+        *_shaking_facts(found),
+        *(_scheme_fact(found, scheme) for scheme in found.schemes),
+        *_legend_facts(found),
+        *([] if found.redistribution is None else _redistribution_facts(found, found.redistribution)),
+        _error_fact(found.shaking.error),
+    )
+    return Document(title, facts, tuple(_notes(found)), parts=parts)
+
+
+def _error_fact(error: float) -> Fact:
+    return Fact("error of force (est.)", f"{error:.0e} (relative)", {"error": {"shaking": error}})
+
+
+def balance_document(
+    result: Balances,
+    title: str,
+    *,
+    patterns: Sequence[str] = (),
+    rows: Sequence[int] | None = None,
+    everything: bool = False,
+    where: str = "",
+) -> Document:
+    """Summary, and of a linkage the table of positions, the sizes of forces first.
+
+    ``patterns`` choose columns by name, header or wildcard, ``rows`` positions by index; ``everything`` takes all
+    columns in their order (for csv, json, toml). ``where`` is the file that has them all. Raises `UsageError` for
+    columns or rows without a linkage.
+    """
+    summary = balance_summary(result, title)
+    if result.linkage is None:
+        if patterns or rows is not None:
+            text = "an engine and a rotor have no table of positions"
+            raise UsageError(text, where="balance", remedy="leave --columns and --positions out")
+        return summary
+    available = columns(result.linkage)
+    usual = available if everything else _first(available)
+    told = with_positions(
+        summary, result.labels, available, patterns, rows, usual=usual, example="phi,R,D_*", where=where
+    )
+    assert told.table is not None
+    return replace(told, table=replace(told.table, peaks=_peaks(told.table, result.linkage.shaking.scale)))
+
+
+def _peaks(view: View, scale: float) -> list[float]:
+    """What forces and moments are noise against: all inertia forces together, at an arm of a metre."""
+    return [
+        max(peak, scale) if header.endswith(("[N]", "[N*m]")) else peak
+        for header, peak in zip(view.headers, view.peaks, strict=True)
+    ]
+
+
+def _others(result: Balances) -> Iterator[Document]:
+    """The documents of an engine and of a rotor."""
+    if result.engine is not None:
+        from tmmcalc.machine.facts.engine import engine_document
+
+        yield engine_document(result.engine, "engine")
+    if result.rotor is not None:
+        from tmmcalc.machine.facts.rotor import rotor_document
+
+        yield rotor_document(result.rotor, "rotor")
+
+
+def _first(available: list[Column]) -> list[Column]:
+    """Position, sizes of the forces before and after, moments; then the components."""
+
+    def rank(column: Column) -> int:
+        sizes = column.name == "R" or column.name.startswith("D_")
+        return 0 if column.name == "phi" else 1 if sizes else 2 if column.name.startswith("M_") else 3
+
+    return sorted(available, key=rank)
+
+
+def _force(result: Balancing, key: str, size: Magnitude) -> tuple[str, dict[str, float]]:
+    """A force for people and for programs."""
+    phi = phi_at(result, size.at)
+    text = size_text(size, "N", result.shaking.scale, f" at phi = {angle(phi)} deg")
+    return text, size_values(size, key, "N", "_phi", phi)
+
+
+def _shaking_facts(result: Balancing) -> Iterator[Fact]:
+    """The force and the moment of the inertia of all links, and the centroid of the hodograph. Textbook (3.71)."""
+    found = result.shaking
+    speed = f"{number(found.speed)} rad/s ({number(found.speed * 30 / math.pi)} rpm) of the input"
+    yield Fact("taken at", speed, {"speed[rad/s]": found.speed})
+    text, values = _force(result, "R", found.size)
+    yield Fact("shaking force R", text, values)
+    text, values = moment(result, "M_R", found.moment_size, placed=True)
+    about = f"about {'the pivot of the crank' if found.about == found.pivot else _point(found.about)}"
+    place = {"about_x[m]": found.about.real, "about_y[m]": found.about.imag}
+    yield Fact("shaking moment M_R", f"{text}\n{about}", {**values, **place})
+    x0, y0 = found.series.coefficient(1).real, found.series.coefficient(1).imag
+    text = f"mean X0 = {number(x0, peak=found.scale)} N along the crank, Y0 = {number(y0, peak=found.scale)} N across"
+    yield Fact("hodograph (3.74)", text, {"X0[N]": x0, "Y0[N]": y0})
+
+
+def _point(z: complex) -> str:
+    x, y = (number(1e3 * value, peak=1e3 * abs(z)) for value in (z.real, z.imag))
+    return f"({x}, {y}) mm"
+
+
+def _scheme_fact(result: Balancing, scheme: Scheme) -> Fact:
+    """The weights of a scheme as they are to be made, and what they leave."""
+    balance, key = scheme.balance, scheme.name.replace(" ", "_")
+    pairs = list(zip(balance.weights, scheme.weights, strict=True)) if scheme.weights else []
+    lines = [GOALS[scheme.name], *(_weight_line(result, scheme, *pair) for pair in pairs)]
+    if not pairs:
+        lines.append("no weight: there is nothing of it to balance")
+    left, values = _left(result, f"D_{key}", balance.before, balance.after)
+    turning, more = moment_left(result, f"M_D_{key}", balance.moment_before, balance.moment_after)
+    lines += [left, turning]
+    weights = [_weight_values(scheme, *pair) for pair in pairs]
+    named = {f"weights_{key}": weights} if weights else {}
+    return Fact(scheme.name, "\n".join(lines), {**named, **values, **more})
+
+
+def _left(result: Balancing, key: str, before: Magnitude, after: Magnitude) -> tuple[str, dict[str, Any]]:
+    """What is left of the force, and how many times less that is."""
+    _, values = _force(result, key, after)
+    if after.largest <= NOISE * result.shaking.scale:
+        return "leaves no force", values
+    ratios = {f"{key}_ratio": before.rms / after.rms, f"{key}_max_ratio": before.largest / after.largest}
+    rms, largest = map(less, ratios.values())
+    place = f"at phi = {angle(phi_at(result, after.at))} deg"
+    text = f"leaves rms {number(after.rms)} N, {rms}\nmax {number(after.largest)} N {place}, {largest}"
+    return text, {**values, **ratios}
+
+
+def _weight_line(result: Balancing, scheme: Scheme, weight: RotatingWeight, made: Weight) -> str:
+    """A weight for people; of those given only the static moment is known."""
+    size = f"{number(abs(weight.moment), 5)} kg*m"
+    if scheme.name != "given":
+        size = f"{number(made.mass, 5)} kg * {number(1e3 * made.radius, 5)} mm = {size}"
+    axis = "" if weight.axis == result.shaking.pivot else f", axis at {_point(weight.axis)}"
+    return f"order {weight.order}, {direction(made.angle)} deg: {size}{axis}"
+
+
+def _weight_values(scheme: Scheme, weight: RotatingWeight, made: Weight) -> dict[str, float]:
+    sizes = {} if scheme.name == "given" else {"mass[kg]": made.mass, "radius[m]": made.radius}
+    place = {"axis_x[m]": weight.axis.real, "axis_y[m]": weight.axis.imag}
+    moment = {"moment[kg*m]": abs(weight.moment), "angle[deg]": math.degrees(made.angle)}
+    return {"order": weight.order, **sizes, **moment, **place}
+
+
+def _redistribution_facts(result: Balancing, found: Redistribution) -> Iterator[Fact]:
+    """Counterweights on links, what they leave, and the links that could bear an exact balance."""
+    lines = [
+        f"link {body.link}: {number(body.mass, 5)} kg at {_point(body.center)} in its axes"
+        for body in found.counterweights
+    ]
+    before, after = found.before.size, found.after.size
+    left, values = _left(result, "D_counterweights", before, after)
+    turning, more = moment_left(result, "M_D_counterweights", found.before.moment_size, found.after.moment_size)
+    lines += [f"{number(found.added, 5)} kg in all", left, turning]
+    bodies = [
+        {"link": b.link, "mass[kg]": b.mass, "x[m]": b.center.real, "y[m]": b.center.imag} for b in found.counterweights
+    ]
+    own = {"counterweights": bodies, "counterweights_exact": found.exact, "counterweights_added[kg]": found.added}
+    yield Fact("counterweights", "\n".join(lines), {**own, **values, **more})
+    sets = [list(some) for some in found.sufficient]
+    text = " or ".join(" and ".join(map(str, some)) for some in sets) or "none: a link of some mass only slides"
+    if sets == [[]]:
+        text = "none is needed"
+    yield Fact("links that suffice", text, {"sufficient_links": sets})
+
+
+def _legend_facts(result: Balancing) -> list[Fact]:
+    """How the weights are told."""
+    if not any(scheme.weights for scheme in result.schemes):
+        return []
+    text = "speed of its shaft over that of the crank. Order 1 is on the crank, its angle is from the crank; "
+    text += "that of others is from the x axis where the crank points along x"
+    return [Fact("order of a weight", text)]
+
+
+def _notes(result: Balancing) -> Iterator[str]:
+    """What is to be known beside the numbers."""
+    if result.schemes and not any(moved(scheme.balance) for scheme in result.schemes):
+        yield "note: weights whose axes are at the pivot do not change the shaking moment"
+    yield from raised(result)
+    if result.shaking.acceleration:
+        yield "note: the crank accelerates; the moments that its acceleration gives to the weights are left out"
+    if result.redistribution is not None and not result.redistribution.exact:
+        yield f"note: {result.redistribution.message}"

@@ -1,0 +1,251 @@
+"""The documents of the motion stage: unevenness, extreme speeds, the drive, stability, the recurrence, the table.
+
+Speeds, moments and inertias are those of the input shaft, counted along its motion: speeds are positive, and so are
+moments that drive.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from tmmcalc.linkage.results import Extreme
+from tmmcalc.machine.columns import motion_columns
+from tmmcalc.machine.driver import ConstantInertia
+from tmmcalc.machine.facts.places import Shaft, span_fact
+from tmmcalc.machine.facts.timescales import scales_fact
+from tmmcalc.machine.motion import Motion
+from tmmcalc.machine.motorside import MotorSide
+from tmmcalc.machine.recurrence import BOOK
+from tmmcalc.machine.regime import LOST, Regime
+from tmmcalc.machine.textbook import Textbook
+from tmmcalc.machine.verdicts import SLACK
+from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.numbers import NOISE, number
+from tmmcalc.report.positions import with_positions
+
+NAMES = {"kloss": "Kloss", "table": "tabulated"}
+SHOWN = 6  # speeds of the iteration that are named
+STEADY = 1e-9  # of a moment: it changes by less and is constant
+
+
+def motion_summary(result: Motion, title: str) -> Document:
+    """Facts and notes, without the table of positions."""
+    regime, shaft = result.regime, Shaft(result.phi)
+    facts = (
+        _driver_fact(result),
+        inertia_fact("constant inertia", "J_c", result.inertia),
+        _delta_fact(result),
+        _speed_fact(shaft, "speed", "omega", regime),
+        *_mean_facts(regime),
+        *(_driving_facts(shaft, regime) if result.kind != "none" else ()),
+        *_motor_facts(result.motor),
+        _stability_fact(regime),
+        *_idle_facts(shaft, result.idle),
+        *_textbook_facts(result),
+        *_method_facts(result),
+        *_check_facts(regime),
+    )
+    return Document(title, facts, tuple(str(verdict) for verdict in result.verdicts))
+
+
+def motion_document(
+    result: Motion,
+    title: str,
+    *,
+    patterns: Sequence[str] = (),
+    rows: Sequence[int] | None = None,
+    everything: bool = False,
+    where: str = "",
+) -> Document:
+    """Summary and table of positions.
+
+    ``patterns`` choose columns by name, header or wildcard, ``rows`` positions by index; all columns are shown
+    as far as they fit, so ``everything`` changes nothing here. ``where`` is the file that has them all.
+    """
+    told, available = motion_summary(result, title), motion_columns(result)
+    return with_positions(told, result.labels, available, patterns, rows, example="phi,omega*", where=where)
+
+
+def unevenness(delta: float, digits: int = 7) -> str:
+    """The coefficient, and as courses write it: ``0.05 = 1/20``."""
+    return f"{number(delta, digits)} = 1/{number(1 / delta, 4)}" if delta > NOISE else "0"
+
+
+def inertia_fact(label: str, key: str, inertia: ConstantInertia) -> Fact:
+    """A constant inertia and its parts."""
+    parts = {name: getattr(inertia, name) for name in ("rotor", "gears", "further", "flywheel")}
+    whence = {"gears": f" (gear train {inertia.train})" if inertia.train else ""}
+    text = " + ".join(f"{name} {number(value)}{whence.get(name, '')}" for name, value in parts.items() if value)
+    values = {f"{key}[kg*m^2]": inertia.total, **{f"J_{name}[kg*m^2]": value for name, value in parts.items() if value}}
+    if inertia.train:
+        values["gear_train"] = inertia.train
+    return Fact(label, f"{number(inertia.total)} kg*m^2{f' = {text}' if text else ''}", values)
+
+
+def _driver_fact(result: Motion) -> Fact:
+    values = {"drive": result.kind, "characteristic": result.characteristic}
+    if result.kind == "motor":
+        name = NAMES.get(result.characteristic, result.characteristic)
+        return Fact("driven by", f"a motor with the {name} characteristic", values)
+    if result.kind == "none":
+        return Fact("driven by", "nothing but its loads, which set the speed", values)
+    moment, balancing = result.regime.mean_moment, result.balancing
+    if balancing:
+        text = f"the diagram with its balancing moment of {number(balancing)} N*m"
+        return Fact("driven by", f"{text}: nothing is left to drive", values | {"M_balancing[N*m]": balancing})
+    what = "a constant moment" if moment >= 0 else "its loads, against a constant moment"
+    return Fact("driven by", f"{what} that makes the work of a cycle zero", values)
+
+
+def _delta_fact(result: Motion) -> Fact:
+    """The unevenness, and that of the idle run beside it."""
+    delta, idle = result.regime.delta, result.idle
+    values = {"delta": delta}
+    text = f"{unevenness(delta)}, coefficient of speed fluctuation"
+    if idle is not None:
+        text += f"\n{unevenness(idle.delta)} without technological loads"
+        values["delta_idle"] = idle.delta
+    return Fact("delta", text, values)
+
+
+def _speed_fact(shaft: Shaft, label: str, key: str, regime: Regime) -> Fact:
+    extremes = Extreme(regime.omega_min, regime.theta_min), Extreme(regime.omega_max, regime.theta_max)
+    return span_fact(shaft, label, key, "rad/s", extremes)
+
+
+def _mean_facts(regime: Regime) -> list[Fact]:
+    mean, over_time, time = regime.mean, regime.time_mean, regime.cycle_time
+    text = f"{number(mean)} rad/s ({number(mean * 30 / math.pi)} rpm), between the extremes\n"
+    text += f"{number(over_time)} rad/s ({number(over_time * 30 / math.pi)} rpm), over the time"
+    return [
+        Fact("mean speed", text, {"omega_mean[rad/s]": mean, "omega_time_mean[rad/s]": over_time}),
+        Fact("cycle time", f"{number(time)} s", {"cycle_time[s]": time}),
+    ]
+
+
+def _driving_facts(shaft: Shaft, regime: Regime) -> list[Fact]:
+    """Moment and power of the drive."""
+    (least, least_at), (largest, largest_at) = regime.panels.extremes(regime.driving)
+    mean, rms = regime.mean_moment, regime.rms_moment
+    fact = span_fact(shaft, "driving moment", "M_d", "N*m", (Extreme(least, least_at), Extreme(largest, largest_at)))
+    text = fact.text
+    if largest - least > STEADY * max(abs(least), abs(largest)):
+        text += f"\nmean {number(mean)} N*m, rms over the time {number(rms)} N*m"
+    values = {**fact.values, "M_d_mean[N*m]": mean, "M_d_rms[N*m]": rms}
+    return [
+        replace(fact, text=text, values=values),
+        Fact("mean driving power", f"{number(regime.mean_power)} W", {"P_mean[W]": regime.mean_power}),
+    ]
+
+
+def _motor_facts(motor: MotorSide | None) -> list[Fact]:
+    """Power and moment at the shaft of the motor, and how they warm it."""
+    if motor is None:
+        return []
+    gears = f", through gears of the efficiency {number(motor.efficiency)}" if motor.efficiency != 1 else ""
+    values = {"P_motor_mean[W]": motor.mean_power, "M_motor_max[N*m]": motor.largest}
+    text = f"mean {number(motor.mean_power)} W{gears}\nlargest moment {number(motor.largest)} N*m"
+    facts = [Fact("at the motor's shaft", text, values)]
+    rms, heating = f"rms moment {number(motor.rms_moment)} N*m", motor.heating
+    values = {"M_motor_rms[N*m]": motor.rms_moment}
+    if heating is None:
+        return [*facts, Fact("heating of the motor", f"{rms}; its rated moment is not known", values)]
+    says = "it overheats" if heating > 1 + SLACK else "it bears that"
+    text = f"{rms}, {number(heating, 4)} of the rated {number(motor.rated_moment or 0.0)} N*m: {says}"
+    return [*facts, Fact("heating of the motor", text, values | {"M_motor_rms/M_N": heating})]
+
+
+def _stability_fact(regime: Regime) -> Fact:
+    """The multipliers in words."""
+    pairs = [[mu.real, mu.imag] for mu in regime.multipliers]
+    slowest = regime.multipliers[0]
+    size = abs(slowest)
+    word = {True: "stable", False: "unstable", None: "indifferent"}[regime.stable]
+    if regime.stable is None:
+        text = "indifferent: nothing depends on the speed, a governor has to hold it"
+    elif not regime.stable:
+        text = f"unstable: a deviation grows {number(size, 4)} times in a cycle"
+    else:
+        left = number(100 * size, 3) if size > LOST else "0"
+        swings = ", swinging" if slowest.imag else ""
+        text = f"stable: {left} % of a deviation is left after a cycle{swings}"
+    return Fact("stability", text, {"stability": word, "multipliers": pairs})
+
+
+def _idle_facts(shaft: Shaft, idle: Regime | None) -> list[Fact]:
+    """The run without technological loads."""
+    if idle is None:
+        return []
+    power = {"P_idle_mean[W]": idle.mean_power}
+    return [
+        _speed_fact(shaft, "speed when idle", "omega_idle", idle),
+        Fact("idle driving power", f"{number(idle.mean_power)} W", power),
+    ]
+
+
+def _textbook_facts(result: Motion) -> list[Fact]:
+    """The recurrence (3.57) on the positions, and how far it is off."""
+    book = result.textbook
+    if book is None:
+        if result.characteristic != "parabolic":
+            return []
+        why = "not done: it takes a parabola without gear losses or lag, equal steps, and a speed that settles"
+        return [Fact("recurrence (3.57)", why)]
+    exact, nodal = result.regime.delta, book.regime.delta
+    off = f", {100 * (nodal / exact - 1):+.3g} % against the exact one" if exact > NOISE else ""
+    low, high = (result.labels[k] for k in (book.regime.node_min, book.regime.node_max))
+    lines = (
+        f"A = {number(book.a)} N*m, B = {number(book.b)} N*m*s^2",
+        f"delta = {number(nodal, peak=1.0)}{off}",
+        f"speed least in position {low}, largest in {high}",
+        f"speeds up to {number(100 * book.error, 3, peak=100.0)} % off the exact ones",
+        f"largest B dphi/J = {number(book.regime.warning, 4)}{_sound(book)}",
+        *_turns(book),
+    )
+    values = {
+        "A[N*m]": book.a,
+        "B[N*m*s^2/rad^2]": book.b,
+        "delta_textbook": nodal,
+        "omega_textbook_error": book.error,
+        "textbook_first[rad/s]": [turn.first for turn in book.turns],
+        "textbook_last[rad/s]": [turn.last for turn in book.turns],
+        "B_dphi_over_J": book.regime.warning,
+    }
+    return [Fact("recurrence (3.57)", "\n".join(lines), values)]
+
+
+def _turns(book: Textbook) -> Iterator[str]:
+    """The iteration of the textbook from the rated speed, where it settles."""
+    if not book.turns:
+        yield "turn by turn from the rated speed it does not settle"
+        return
+    speeds = [number(speed) for speed in (book.turns[0].first, *(turn.last for turn in book.turns))]
+    if len(speeds) > SHOWN:
+        speeds = [*speeds[: SHOWN - 1], "...", speeds[-1]]
+    yield f"settles within {BOOK:g} rad/s in {len(book.turns)} turns, if begun at the rated speed:"
+    yield f"{' -> '.join(speeds)} rad/s"
+
+
+def _sound(book: Textbook) -> str:
+    return "" if book.regime.warning < 1 else ": above 1 it swings from node to node, take more positions"
+
+
+def _method_facts(result: Motion) -> list[Fact]:
+    """How the regime was found, and of a motor's its time scales."""
+    counters = result.regime.counters
+    if result.kind != "motor":
+        return []
+    why = "implicit over the whole cycle at once, so that stiffness costs nothing"
+    text = f"collocation: {why}\n{result.regime.panels.count} panels, {counters['newton']} Newton steps"
+    values = {"method": "collocation", "method_reason": why, "counters": counters}
+    return [Fact("found by", text, values), scales_fact(result.scales, "stiffness of a cycle")]
+
+
+def _check_facts(regime: Regime) -> list[Fact]:
+    work, error = abs(regime.residual), regime.error
+    return [
+        Fact("energy balance", f"{work:.0e} of all work is left over a cycle", {"residual": {"work": work}}),
+        Fact("error of speed (est.)", f"{error:.0e} (relative)", {"error": {"speed": error}}),
+    ]

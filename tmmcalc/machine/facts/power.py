@@ -1,0 +1,249 @@
+"""The documents of the power stage: work over a cycle, efficiency and power, the motor against its duty.
+
+Work, moments and power are those of the input shaft at its mean speed; what drives is positive.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tmmcalc.linkage.results import Extreme
+from tmmcalc.machine.facts.places import Shaft, extreme_values, place
+from tmmcalc.machine.motors.model import Motor
+from tmmcalc.machine.motors.plausibility import Curve
+from tmmcalc.machine.power import MotorDuty, Power, WorkPart
+from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.numbers import number
+
+MACHINES = {
+    "working": "working machine: its loads resist",
+    "engine": "engine: its loads drive it",
+    "idle": "idle: no load does work over a cycle",
+}
+UNNAMED = "motor"  # name of a motor that the spec gives by its data alone
+STORED = 1e-9  # of what the loads could do: less is no work that weights and springs keep
+
+
+class Datum(NamedTuple):
+    """A datum of the name plate."""
+
+    field: str
+    text: str  # for people
+    key: str  # for programs
+    factor: float = 1.0  # from SI to the unit of both
+
+
+RPM = 30 / math.pi
+PLATE = (  # a line each
+    (
+        Datum("power", "{} W", "P_N[W]"),
+        Datum("speed", "{} rpm", "n_N[rpm]", RPM),
+        Datum("synchronous", "no load {} rpm", "n_sync[rpm]", RPM),
+        Datum("nominal_moment", "M_N = {} N*m", "M_N[N*m]"),
+    ),
+    (
+        Datum("overload", "largest moment {} M_N", "K"),
+        Datum("start", "starting moment {} M_N", "M_start/M_N"),
+    ),
+    (
+        Datum("inertia", "rotor J_R = {} kg*m^2", "J_R[kg*m^2]"),
+        Datum("time_constant", "time constant {} s", "tau_e[s]"),
+    ),
+    (
+        Datum("voltage", "{} V", "U[V]"),
+        Datum("resistance", "armature {} ohm", "R[ohm]"),
+        Datum("constant", "constant {} V*s/rad", "k[V*s/rad]"),
+        Datum("efficiency", "efficiency {}", "eta_motor"),
+    ),
+)
+
+
+def power_summary(result: Power, title: str) -> Document:
+    """Facts and notes; the work of every cause is left to the summary of the reduction."""
+    facts = [*_work_facts(result), *_power_facts(result), *_motor_facts(result)]
+    facts.append(
+        Fact("error of work (est.)", f"{result.error.work:.0e} (relative)", {"error": {"work": result.error.work}})
+    )
+    notes = tuple(_notes(result.duty)) if result.duty is not None else ()
+    return Document(title, tuple(facts), notes)
+
+
+def power_document(result: Power, title: str) -> Document:
+    """The summary with the work of every cause."""
+    summary = power_summary(result, title)
+    machine, *rest = summary.facts
+    return replace(summary, facts=(machine, *(_part_fact(result, part) for part in result.parts), *rest))
+
+
+def _scale(result: Power) -> float:
+    """What the loads could do if they kept their peak [J]: what is noise against it is no work."""
+    return max(map(abs, result.peak_power)) * result.cycle_time
+
+
+def _part_fact(result: Power, part: WorkPart) -> Fact:
+    """Work of one cause, under the names that it has in the reduction."""
+    twice = sum(other.name == part.name for other in result.parts) > 1
+    key = f"{part.name}_{part.kind}" if twice else part.name.replace(" ", "_")
+    called = f"{part.name} (damping)" if part.kind == "damper" else part.name
+    scale = _scale(result)
+    power = number(part.work / result.cycle_time, peak=scale / result.cycle_time)
+    text = f"{number(part.work, peak=scale)} J a cycle, {power} W"
+    return Fact(f"work of {called}", text, {f"work_{key}[J]": part.work})
+
+
+def _work_facts(result: Power) -> list[Fact]:
+    """Kind of the machine, work told apart by its sign, efficiency."""
+    scale = _scale(result)
+    parts = (
+        ("driving work A_d", "A_d[J]", result.driving, "of loads that drive", "no load drives"),
+        ("resisting work A_c", "A_c[J]", result.resisting, "of loads that resist", "no load resists"),
+        ("lost work A_F", "A_F[J]", result.losses, "of friction and dampers", "no friction, no dampers"),
+    )
+    facts = [Fact("machine", MACHINES[result.machine], {"machine": result.machine})]
+    for label, key, work, whose, none in parts:
+        text = f"{number(work, peak=scale)} J a cycle, {whose}" if work else f"0 J, {none}"
+        facts.append(Fact(label, text, {key: float(work)}))
+    if abs(result.stored) > STORED * scale:
+        text = f"{number(result.stored)} J a cycle, of weights and springs"
+        facts.append(Fact("stored work", text, {"work_stored[J]": result.stored}))
+    if result.efficiency is not None:
+        text = f"{number(result.efficiency)} = {_formula(result)}"
+        facts.append(Fact("efficiency", text, {"eta": result.efficiency}))
+    return facts
+
+
+def _formula(result: Power) -> str:
+    """How the efficiency comes from the work, textbook (3.36) where work is lacking, (3.37) where some is left."""
+    return "(A_d + A_F)/A_d" if result.mean_moment < 0 else "A_c/(A_c + A_F)"
+
+
+def _power_facts(result: Power) -> list[Fact]:
+    """Time of a cycle, mean and peak power and moment of the input shaft, and what they ask of a motor."""
+    (least, largest), mean = result.peak_power, result.mean_moment
+    peak = max(abs(least), abs(largest))
+    whose = _whose(result)
+    shaft = Shaft(np.array([0.0, result.sense]))
+    where = f", resisting at {place(shaft, result.peak_at)}" if result.peak_moment else ": nothing ever resists"
+    facts = [
+        Fact("cycle at mean speed", f"{number(result.cycle_time)} s", {"cycle_time[s]": result.cycle_time}),
+        Fact("mean power", f"{number(result.mean_power, peak=peak)} W {whose}", {"P_mean[W]": result.mean_power}),
+        Fact("mean moment", f"{number(abs(mean))} N*m", {"M_d_mean[N*m]": mean}),
+        Fact(
+            "peak resisting moment",
+            f"{number(result.peak_moment)} N*m{where}",
+            extreme_values(shaft, "M_peak", "N*m", Extreme(result.peak_moment, result.peak_at)),
+        ),
+        Fact(
+            "instant power",
+            f"from {number(least, peak=peak)} W to {number(largest, peak=peak)} W, of all loads together",
+            {"P_load_min[W]": least, "P_load_max[W]": largest},
+        ),
+    ]
+    if result.balancing:
+        facts.append(_balancing_fact(result))
+    if result.motor_power is not None:
+        gears = result.transmission
+        over = f", through gears of the efficiency {number(gears)}" if gears != 1 else ""
+        values = {"P_required[W]": result.motor_power, "eta_gears": gears}
+        facts.append(Fact("required motor power", f"{number(result.motor_power)} W{over}", values))
+    return facts
+
+
+def _whose(result: Power) -> str:
+    """Whose the mean power is."""
+    if result.mean_moment < 0:
+        return "left for the machine that it drives"
+    return "lacking: the loads resist more than they drive" if result.machine == "engine" else "of the drive"
+
+
+def _balancing_fact(result: Power) -> Fact:
+    """The moment of a balanced diagram that stands for what is driven, or for the drive."""
+    moment = result.balancing
+    power = moment * result.speed
+    part = "the load of the engine" if moment < 0 else "the drive"
+    text = f"{number(moment)} N*m, {number(power)} W: {part}, which makes the work of a cycle zero"
+    return Fact("balancing moment", text, {"M_balancing[N*m]": moment, "P_balancing[W]": power})
+
+
+def _motor_facts(result: Power) -> list[Fact]:
+    """The motor, why it was chosen, and what is asked of it."""
+    duty = result.duty
+    if duty is None:
+        return []
+    facts = [_plate_fact(duty.motor, duty.chosen)]
+    if duty.curve is not None:
+        facts.append(_curve_fact(duty.curve))
+    if duty.reasons:
+        facts.append(Fact("chosen because", "\n".join(duty.reasons), {"motor_reasons": list(duty.reasons)}))
+    rated = duty.motor.nominal_moment * duty.ratio * result.transmission
+    text = f"mean {number(duty.mean_load, 4)}, peak {number(duty.peak_load, 4)} of the rated moment"
+    facts += [
+        _ratio_fact(duty),
+        Fact("rated at the input", f"{number(rated)} N*m", {"M_N_input[N*m]": rated}),
+        Fact("load of the motor", text, {"mean_load": duty.mean_load, "peak_load": duty.peak_load}),
+    ]
+    if duty.motor.inertia is not None:
+        text = f"{number(duty.rotor)} kg*m^2 = J_R u^2"
+        facts.append(Fact("rotor at the input", text, {"J_rotor[kg*m^2]": duty.rotor}))
+    return facts
+
+
+def _ratio_fact(duty: MotorDuty) -> Fact:
+    """The ratio of the gears, and whose it is."""
+    whose = f", of gear train {duty.ratio_of}" if duty.ratio_of else ""
+    values = {"u": duty.ratio, **({"u_of": duty.ratio_of} if duty.ratio_of else {})}
+    return Fact("gear ratio u", f"{number(duty.ratio)}, motor over input shaft{whose}", values)
+
+
+def _plate_fact(motor: Motor, chosen: bool) -> Fact:
+    """The data of the motor that are known, and where they come from."""
+    lines: list[str] = [motor.name if motor.name != UNNAMED else "given by its data"]
+    values: dict[str, Any] = {"motor": motor.name, "motor_kind": motor.kind, "motor_chosen": chosen}
+    for line in PLATE:
+        known = [(datum, value * datum.factor) for datum in line if (value := getattr(motor, datum.field))]
+        values |= {datum.key: value for datum, value in known}
+        lines.append(", ".join(datum.text.format(number(value)) for datum, value in known))
+    if motor.source:
+        lines.append(f"data: {motor.source}")
+        values["motor_source"] = motor.source
+    return Fact("motor", "\n".join(line for line in lines if line), values)
+
+
+def _curve_fact(curve: Curve) -> Fact:
+    """Where the curve of a direct-current motor meets both axes, on its own shaft."""
+    values = {"M_stall[N*m]": curve.stall}
+    if curve.no_load is None:
+        idle = "runs away without load"
+    else:
+        idle = f"no load at {number(curve.no_load * RPM)} rpm"
+        values["n_no_load[rpm]"] = curve.no_load * RPM
+    return Fact("its characteristic", f"{idle}, {number(curve.stall)} N*m at standstill", values)
+
+
+def _notes(duty: MotorDuty) -> Iterator[str]:
+    """What the numbers of the motor mean for the machine."""
+    motor = duty.motor
+    if duty.off_speed is not None:
+        yield f"warning: {duty.off_speed}"
+    for contradiction in duty.contradictions:
+        yield f"warning: the data of the motor contradict each other: {contradiction}"
+    if duty.mean_load > 1:
+        yield (
+            f"warning: the mean load is {number(duty.mean_load, 4)} of the rated moment: the motor is too weak, "
+            "no flywheel helps"
+        )
+    if motor.inertia is None:
+        yield (
+            "warning: the inertia of the motor's rotor is not known and counts as 0: the speed comes out too "
+            "uneven, the flywheel too heavy; give inertia in [motor]"
+        )
+    if motor.overload is not None and duty.peak_load > motor.overload:
+        yield (
+            f"note: the peak load, {number(duty.peak_load, 4)} of the rated moment, exceeds the largest moment of the "
+            f"motor, {number(motor.overload, 4)}: kinetic energy has to carry the machine over it"
+        )

@@ -1,0 +1,38 @@
+"""The tables of vibration: columns chosen by name; people get the series that says most in few rows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from tmmcalc.core.columns import picked
+from tmmcalc.report.document import View
+from tmmcalc.report.sizes import plain
+
+SHOWN = 24  # equal steps of a series that is shown
+
+
+def whole(columns: Mapping[str, np.ndarray], patterns: Sequence[str]) -> View:
+    """All rows in SI."""
+    return plain(picked(columns, patterns, "series"))
+
+
+def some(columns: Mapping[str, np.ndarray], patterns: Sequence[str]) -> View:
+    """Rows at about equal steps of one series, in the units of a drawing."""
+    chosen = dict(_drawn(header, column) for header, column in picked(columns, patterns, "series").items())
+    count = len(next(iter(chosen.values())))
+    rows = sorted({round(k * (count - 1) / SHOWN) for k in range(SHOWN + 1)})
+    return View(
+        list(chosen),
+        [column[rows].tolist() for column in chosen.values()],
+        [float(np.max(np.abs(column))) for column in chosen.values()],
+    )
+
+
+def _drawn(header: str, column: np.ndarray) -> tuple[str, np.ndarray]:
+    """Lengths in millimetres, angles in degrees."""
+    name, _, unit = header.partition("[")
+    if unit == "m]":
+        return f"{name}[mm]", 1e3 * column
+    return (f"{name}[deg]", np.degrees(column)) if unit == "rad]" else (header, column)

@@ -1,0 +1,181 @@
+"""The picture of the balance stage: hodographs of the shaking force, and what the schemes leave of force and moment.
+
+In the axes of the crank the force of a counterweight stands still: the best one takes the mean of the hodograph
+there, O1, away, and in the fixed axes its force runs around a circle. An engine has a sheet of its own.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from matplotlib.figure import Figure, SubFigure
+
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.numerics.fourier import TURN, Magnitude, Series
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.machine.balance.task import Balancing, Scheme
+from tmmcalc.machine.facts.shakingmoment import moved, phi_at
+from tmmcalc.machine.pictures.shaking import Path, Polar, Ring, Sizes, Spot, shaking_sheet
+from tmmcalc.report.drawing.curves import Diagram, Line
+from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing.page import blank, settle
+from tmmcalc.report.drawing.style import CURVES
+from tmmcalc.report.numbers import NOISE
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.stages.balance import Balances
+
+SAMPLES = 721  # of a turn
+FORCE: dict[str, Any] = {**CURVES[0], "linewidth": 1.5}
+WEIGHT: dict[str, Any] = {"color": "#d55e00", "linestyle": "--", "linewidth": 1.1}
+LEFT: dict[str, Any] = {"color": "#009e73", "linestyle": "-.", "linewidth": 1.1}
+CIRCLE: dict[str, Any] = {"color": "#cc79a7", "linestyle": ":", "linewidth": 1.4}
+
+
+def balance_figure(result: Balances) -> Figure:
+    """A sheet of the linkage, and one of the engine. Raises `UsageError` for a rotor alone."""
+    linkage, engine = result.linkage, result.engine
+    if linkage is None and engine is None:
+        raise UsageError("there is no picture of a rotor", where="plot", remedy="tmmcalc balance tells its loads")
+    figure, sheets = blank(2 if linkage is not None and engine is not None else 1)
+    finish = []
+    if linkage is not None:
+        finish.append(_linkage_sheet(sheets[0], linkage))
+    if engine is not None:
+        from tmmcalc.machine.pictures.engine import engine_sheet
+
+        finish.append(engine_sheet(sheets[-1], engine))
+    settle(figure)
+    for draw in finish:
+        draw()
+    return figure
+
+
+def _linkage_sheet(sheet: SubFigure, result: Balancing) -> Callable[[], None]:
+    """Lay a sheet out; what is returned draws when the layout is settled."""
+    sheet.suptitle(_heading(result), fontsize=10)
+    return shaking_sheet(
+        sheet, (_fixed(result), _turning(result)), (_forces(result), _moments(result)), "$\\varphi$, °"
+    )
+
+
+def _heading(result: Balancing) -> str:
+    found = result.shaking
+    speed = f"{signed(found.speed)} rad/s ({signed(found.speed * 30 / math.pi)} rpm)"
+    about = "the crank's pivot"
+    if found.about != found.pivot:
+        about = f"({signed(1e3 * found.about.real)}, {signed(1e3 * found.about.imag)}) mm"
+    return (
+        f"Shaking force $R$ and moment $M_R$ about {about} at {speed}\n$D$: what the schemes of balancing leave of it"
+    )
+
+
+def _angles(result: Balancing) -> tuple[Real, Real]:
+    """phi over a whole turn from position 0 along the motion (m,), and the crank angle there (m,) [rad]."""
+    sense = math.copysign(1.0, result.shaking.speed)
+    phi = sense * np.linspace(0.0, TURN, SAMPLES)
+    return phi, phi + float(result.shaking.phi[0] - result.phi[0])
+
+
+def _counterweight(result: Balancing) -> Scheme | None:
+    """The counterweight for the least mean square, or else the one for the least maximum, if one is asked for."""
+    found = {scheme.name: scheme for scheme in result.schemes}
+    return found.get("least squares", found.get("minimax"))
+
+
+def _fixed(result: Balancing) -> Polar:
+    """The hodograph in the fixed axes, the circle of the counterweight's force, and the sum of both."""
+    found, best = result.shaking, _counterweight(result)
+    _, crank = _angles(result)
+    paths = [Path("$R$", found.series.at(crank), found.force, FORCE)]
+    rings, spots = [], []
+    if best is not None:
+        series = best.balance.series
+        paths.append(Path(f"$D$, {best.name}", series.at(crank), best.balance.force, LEFT))
+        weight = series.coefficient(1) - found.series.coefficient(1)
+        rings.append(Ring("force of the counterweight", 0j, abs(weight), WEIGHT))
+        spots.append(Spot("0", complex(weight * np.exp(1j * crank[0])), WEIGHT, arrow=True))
+    return Polar(
+        "Hodograph in the fixed axes", ("R_x", "R_y"), "N", tuple(paths), result.labels, tuple(rings), tuple(spots)
+    )
+
+
+def _turning(result: Balancing) -> Polar:
+    """The hodograph in the axes of the crank, its mean O1, and the smallest circle around it."""
+    found = result.shaking
+    _, crank = _angles(result)
+    mean = found.series.coefficient(1)
+    path = Path("$R$", found.series.at(crank) * np.exp(-1j * crank), found.turned, FORCE)
+    spots = [Spot("$O_1$", mean, WEIGHT, arrow=True)]
+    rings = []
+    for scheme in result.schemes:
+        if scheme.name == "minimax":
+            weight = scheme.balance.series.coefficient(1) - mean
+            rings.append(Ring("smallest circle about $O_2$: minimax", -weight, scheme.balance.after.largest, CIRCLE))
+            spots.append(Spot("$O_2$", -weight, CIRCLE))
+    heading = "In the axes of the crank; the best counterweight takes $OO_1$ away"
+    names = ("R_{x1}", "R_{y1}")
+    return Polar(heading, names, "N", (path,), result.labels, tuple(rings), tuple(spots))
+
+
+def _forces(result: Balancing) -> Sizes:
+    """|R| and |D| of every scheme."""
+    found = result.shaking
+    rows = [_Left("$R$", 0, found.series, found.force, found.size)]
+    for k, scheme in enumerate(result.schemes, 1):
+        balance = scheme.balance
+        rows.append(_Left(scheme.name, k, balance.series, balance.force, balance.after))
+    if result.redistribution is not None:
+        after = result.redistribution.after
+        rows.append(_Left("counterweights", len(rows), after.series, after.force, after.size))
+    return _sizes(result, ("|R|,\\ |D|", "N"), rows, np.abs)
+
+
+def _moments(result: Balancing) -> Sizes:
+    """M_R, and what is left of it by the schemes that change it."""
+    found = result.shaking
+    rows = [_Left("$M_R$", 0, found.moment_series, found.moment, found.moment_size)]
+    for k, scheme in enumerate(result.schemes, 1):
+        balance = scheme.balance
+        if moved(balance):
+            rows.append(_Left(scheme.name, k, balance.moment_series, balance.moment, balance.moment_after))
+    if result.redistribution is not None:
+        k, after = len(result.schemes) + 1, result.redistribution.after
+        rows.append(_Left("counterweights", k, after.moment_series, after.moment, after.moment_size))
+    return _sizes(result, ("M", "N*m"), rows, np.real)
+
+
+class _Left(NamedTuple):
+    """What a scheme leaves: its name and colour, its series, its values at the positions, how large it is."""
+
+    label: str
+    colour: int
+    series: Series
+    nodes: Plane | Real
+    size: Magnitude
+
+
+def _sizes(
+    result: Balancing, named: tuple[str, str], rows: Sequence[_Left], of: Callable[[Plane | Real], Real]
+) -> Sizes:
+    """A diagram with its rms levels; what is noise is drawn as zero."""
+    phi, crank = _angles(result)
+    seen = [row.size.largest > NOISE * result.shaking.scale for row in rows]
+    lines = [
+        _line(result, row, of(row.series.at(crank)) * some, of(row.nodes) * some)
+        for row, some in zip(rows, seen, strict=True)
+    ]
+    levels = tuple(row.size.rms * some for row, some in zip(rows, seen, strict=True))
+    return Sizes(Diagram(*named, True, phi, result.phi, tuple(lines)), levels)
+
+
+def _line(result: Balancing, row: _Left, values: Real, nodes: Real) -> Line:
+    """A curve with its largest value marked."""
+    style = CURVES[row.colour % len(CURVES)]
+    at = math.radians(phi_at(result, row.size.at))
+    value = float(np.interp(abs(at), np.abs(_angles(result)[0]), values))
+    marks = ((at, math.copysign(row.size.largest, value)),) if values.any() else ()
+    return Line(row.label, values, nodes, style, marks)

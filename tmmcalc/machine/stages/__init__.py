@@ -1,0 +1,1 @@
+"""The stages of the machine room, one module each."""

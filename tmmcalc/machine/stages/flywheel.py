@@ -1,0 +1,97 @@
+"""Stage ``flywheel``: the flywheel that keeps the allowed unevenness, by all methods, and its rim."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.stage import Record
+from tmmcalc.machine.flywheel.task import Flywheel, Machine, flywheel_of, solve_flywheel
+from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.driver import ConstantInertia, Driver
+    from tmmcalc.machine.flywheel.comparison import Comparison
+    from tmmcalc.machine.flywheel.trials import Trial
+    from tmmcalc.project import Spec
+
+
+class Asked(NamedTuple):
+    """What a flywheel is for: the constant inertia at hand, what drives, the mean speed without a motor [rad/s]."""
+
+    at_hand: ConstantInertia
+    driver: Driver | None
+    speed: float
+
+
+Given = tuple[FlywheelTask, MotorChoice | None, Gears, MotionTask]
+
+
+def inputs(spec: Spec) -> Given:
+    """The flywheel's table, the motor, the gears, the constant inertia."""
+    from tmmcalc.machine.tables.tasks.machine import to_flywheel, to_gears, to_motion, to_motor
+
+    task = to_flywheel(spec)
+    assert task is not None
+    return task, to_motor(spec), to_gears(spec), to_motion(spec)
+
+
+def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Flywheel:
+    """All methods, and the wheel itself."""
+    return solve_flywheel(_machine(given, upstream))
+
+
+def of_searches(
+    given: Given, upstream: Mapping[str, Any], comparison: Comparison, history: tuple[Trial, ...]
+) -> Flywheel:
+    """The same from what all methods lead to, where that is known."""
+    return flywheel_of(_machine(given, upstream), comparison, history)
+
+
+def _machine(given: Given, upstream: Mapping[str, Any]) -> Machine:
+    from tmmcalc.machine.stages.shaft import equal_steps, geared, motor_ratio, sense, shaft_ratio
+
+    task, machine = given[0], asked(given, upstream)
+    gears = geared(upstream, given[2])
+    reduction, power = upstream["reduction"], upstream["power"]
+    return Machine(
+        reduction.cycle,
+        machine.at_hand,
+        task,
+        machine.driver,
+        machine.speed,
+        shaft_ratio(task, power, gears),
+        motor_ratio(power, gears),
+        equal_steps(reduction),
+        sense(reduction),
+    )
+
+
+def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
+    """The machine with the gears that earlier stages found, without a flywheel."""
+    from tmmcalc.machine.stages.shaft import constant_inertia, driver, geared, mean_speed
+
+    _, wish, gears, motion = given
+    gears = geared(upstream, gears)
+    if motion.undriven:
+        from tmmcalc.machine.selfregulation import undriven_driver
+
+        moved: Driver | None = undriven_driver(upstream["reduction"].cycle)
+    else:
+        moved = driver(upstream, wish, gears, motion)
+    return Asked(constant_inertia(upstream, gears, motion), moved, mean_speed(upstream, motion))
+
+
+def dump(result: Flywheel) -> Record:
+    """Arrays by the names of the fields: the picture and the regime with the flywheel."""
+    errors = {"inertia": result.error, "fluctuation": result.uneven}
+    if result.required is not None:
+        errors["speed"] = result.required.regime.error
+    return to_record(result, errors)
+
+
+def load(record: Record) -> Flywheel:
+    """Build the result from its record."""
+    result: Flywheel = from_record(Flywheel, record)
+    return result

@@ -1,0 +1,79 @@
+"""Stage ``power``: work per cycle, efficiency, power, and the motor."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from tmmcalc.core.conversion import from_record, plain, to_record
+from tmmcalc.core.stage import Record
+from tmmcalc.machine.power import Power
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.model import Gears, MotorChoice
+    from tmmcalc.machine.power import MotorDuty
+    from tmmcalc.machine.reduction.results import Reduction
+    from tmmcalc.project import Spec
+
+
+Given = tuple["MotorChoice | None", "Gears", str]
+
+
+def inputs(spec: Spec) -> Given:
+    """The motor or the wish for one, the gears, and where the spec gives the speed."""
+    from tmmcalc.machine.tables.tasks.machine import speed_key, to_gears, to_motor
+
+    return to_motor(spec), to_gears(spec), speed_key(spec)
+
+
+def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Power:
+    """Work and power of the cycle, and how the motor stands to them."""
+    from tmmcalc.linkage.rounding import MARGIN
+    from tmmcalc.machine.power import WorkPart, chosen_motor, duty_of, solve_power
+    from tmmcalc.machine.reduction.signs import turnover
+    from tmmcalc.machine.stages.shaft import geared, sense
+
+    wish, gears, key = given[0], geared(upstream, given[1]), given[2]
+    reduction: Reduction = upstream["reduction"]
+    parts = tuple(
+        WorkPart(c.name, c.kind, c.work, turnover(reduction.cycle.panels, part), c.error)
+        for c, part in zip(reduction.contributions, reduction.parts, strict=True)
+    )
+    turns = sense(reduction)
+    # the margin is for worse places that were not looked at; at one place those of all causes add up by their squares
+    rounding = reduction.error.moment / MARGIN * len(parts) ** 0.5
+    power = solve_power(reduction.cycle, parts, gears.efficiency, turns, rounding)
+    if wish is None:
+        return power
+    speed = reduction.cycle.speed
+    if wish.motor is not None:
+        ratio = gears.ratio or wish.motor.speed / speed
+        duty = duty_of(power, wish.motor, ratio, (), False, wish.characteristic)
+        return replace(power, duty=_told(duty, gears, speed, turns, key))
+    from tmmcalc.machine.motors.catalogue import load_catalogue
+    from tmmcalc.machine.motors.model import with_lag
+
+    choice = chosen_motor(power, wish.catalogue or load_catalogue(), speed, gears.ratio, wish.synchronous)
+    motor = with_lag(choice.motor, wish.time_constant)
+    ratio = gears.ratio or motor.speed / speed
+    duty = duty_of(power, motor, ratio, choice.reasons, True, wish.characteristic)
+    return replace(power, duty=_told(duty, gears, speed, turns, key))
+
+
+def _told(duty: MotorDuty, gears: Gears, speed: float, turns: float, key: str) -> MotorDuty:
+    """The duty with whose ratio it has, and how far the motor misses the speed of the spec."""
+    from tmmcalc.machine.asked import off_rated
+
+    return replace(duty, ratio_of=gears.ratio_of, off_speed=off_rated(duty.motor.speed, duty.ratio, speed, turns, key))
+
+
+def dump(result: Power) -> Record:
+    """All of it is scalars."""
+    return to_record(result, plain(result.error))
+
+
+def load(record: Record) -> Power:
+    """Build the result from its record."""
+    result: Power = from_record(Power, record)
+    return result

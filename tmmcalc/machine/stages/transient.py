@@ -1,0 +1,184 @@
+"""Stage ``transient``: start-up, braking, run-down and load changes, in time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.stage import Record, Table
+from tmmcalc.machine.model import DriveShaft, FlywheelTask, Gears, MotionTask, MotorChoice, TransientTask
+from tmmcalc.machine.transient.columns import timed_columns
+from tmmcalc.machine.transient.timed import TimedMotions
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.loading import Loading
+    from tmmcalc.linkage.model import Mechanism
+    from tmmcalc.machine.cycle import Cycle
+    from tmmcalc.machine.motors.characteristics import Characteristic
+    from tmmcalc.machine.power import MotorDuty
+    from tmmcalc.machine.reduction.results import Reduction
+    from tmmcalc.machine.transient.task import Machine
+    from tmmcalc.project import Spec
+
+Linkage = tuple["Mechanism", "Loading", str]
+Given = tuple[
+    tuple[TransientTask, ...],
+    tuple[DriveShaft, ...],
+    MotorChoice | None,
+    Gears,
+    MotionTask,
+    FlywheelTask | None,
+    Linkage | None,
+]
+
+POSITIONAL = (
+    '[motion] drive = "positional" holds for the steady motion; motions in time take the motor, also for the steady '
+    "motion that they begin in"
+)
+
+
+def inputs(spec: Spec) -> Given:
+    """The scenarios, shafts, motor, gears, constant inertia, a flywheel, a linkage that may turn back."""
+    from tmmcalc.machine.tables.tasks.machine import to_flywheel, to_gears, to_motion, to_motor, to_scenarios, to_shafts
+
+    return (
+        to_scenarios(spec),
+        to_shafts(spec),
+        to_motor(spec),
+        to_gears(spec),
+        to_motion(spec),
+        to_flywheel(spec),
+        _linkage(spec),
+    )
+
+
+def _linkage(spec: Spec) -> Linkage | None:
+    """The linkage whose friction is reduced again where a motion may turn the crank back."""
+    if spec.mechanism is None or all(transient.standstill == "stop" for transient in spec.transients):
+        return None
+    from tmmcalc.machine.stages.reduction import inputs as reduced
+
+    given = reduced(spec)
+    return given if isinstance(given, tuple) else None
+
+
+def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> TimedMotions:
+    """Put the drive together and run every scenario."""
+    from tmmcalc.machine.stages.shaft import mean_speed
+    from tmmcalc.machine.transient.task import solve_transients
+
+    tasks, motion = given[0], given[4]
+    return solve_transients(machine_of(given, upstream), tasks, mean_speed(upstream, motion), settings["tolerance"])
+
+
+def machine_of(given: Given, upstream: Mapping[str, Any]) -> Machine:
+    """The machine with the gears and the flywheel that earlier stages found, the motor by its whole curve."""
+    from tmmcalc.machine.stages.shaft import constant_inertia, driver, flywheel_inertia, geared
+    from tmmcalc.machine.transient.task import Machine
+
+    tasks, shafts, wish, gears, motion, wheel, linkage = given
+    gears = geared(upstream, gears)
+    reduction, duty = upstream["reduction"], upstream["power"].duty
+    wish = _whole_curve(wish, duty)
+    moved = driver(upstream, wish, gears, replace(motion, positional=False))
+    rubs = any(part.kind == "friction" for part in reduction.contributions)
+    return Machine(
+        cycle=reduction.cycle,
+        idle=_idle(reduction, tasks),
+        inertia=constant_inertia(upstream, gears, motion, flywheel_inertia(upstream, wheel, gears)),
+        motor=_on_motor_shaft(duty, wish, gears),
+        reduced=moved.characteristic if moved is not None else None,
+        time_constant=moved.time_constant if moved is not None else 0.0,
+        ratio=duty.ratio if duty is not None else 1.0,
+        shafts=shafts,
+        wheel_at_motor=wheel is not None and wheel.shaft == "motor",
+        back=partial(back_of, linkage, reduction) if rubs else None,
+        undriven=motion.undriven and moved is None,
+        notes=(POSITIONAL,) if motion.positional and moved is not None else (),
+    )
+
+
+def back_of(linkage: Linkage | None, reduction: Reduction) -> tuple[Cycle, Cycle | None]:
+    """Both cycles of the crank turned back; it is never asked for where it may not turn back."""
+    if linkage is None:
+        return reduction.cycle, reduction.idle
+    from tmmcalc.linkage.kinematics import solve_kinematics
+    from tmmcalc.linkage.structure import solve_structure
+    from tmmcalc.machine.reduction.reduce import solve_back
+
+    mechanism, loading, rods = linkage
+    cycle, idle = solve_back(mechanism, loading, solve_kinematics(mechanism, solve_structure(mechanism)), rods)
+    return cycle, idle if reduction.idle is not None else cycle
+
+
+def _whole_curve(wish: MotorChoice | None, duty: MotorDuty | None) -> MotorChoice | None:
+    """The motor by its whole curve: parabola and line hold near the rated speed alone, a start needs more."""
+    if (
+        wish is None
+        or duty is None
+        or duty.motor.overload is None
+        or wish.characteristic not in ("parabolic", "linear")
+    ):
+        return wish
+    return replace(wish, characteristic="kloss") if duty.motor.kind == "induction" else wish
+
+
+def _idle(reduction: Reduction, tasks: Sequence[TransientTask]) -> Cycle | None:
+    """The cycle that a load factor of zero leaves: without technological loads there is nothing to switch off.
+
+    Raises `NoSolutionError` for a load factor other than one where friction locks the machine without its loads.
+    """
+    kinds = {part.kind for part in reduction.contributions}
+    if "load" not in kinds:
+        return reduction.cycle
+    if reduction.idle is None and "friction" in kinds:
+        for task in tasks:
+            factor = next((step.factor for step in task.scenario.load if step.factor != 1), None)
+            if factor is not None:
+                raise NoSolutionError(
+                    f"the load factor {factor:g} has no meaning: without its loads friction locks the machine, so that "
+                    "there is no idle run to go from",
+                    where=f"transient motion, scenario {task.scenario.name}",
+                    value=factor,
+                    limit=1.0,
+                    remedy="keep load = 1 and leave load_steps out, or lessen the friction coefficients",
+                )
+    return reduction.idle
+
+
+def _on_motor_shaft(duty: MotorDuty | None, wish: MotorChoice | None, gears: Gears) -> Characteristic | None:
+    """The motor on its own shaft, the losses of the gears taken from its moment."""
+    if duty is None or wish is None:
+        return None
+    from tmmcalc.machine.motors.gearing import reduced
+    from tmmcalc.machine.motors.model import characteristic
+
+    return reduced(characteristic(duty.motor, wish.characteristic), 1.0, gears.efficiency)
+
+
+def dump(result: TimedMotions) -> Record:
+    """Arrays by the names of the fields, those of the first motion under ``motions.0.``."""
+    worst = max((motion.error for motion in result.motions), default=0.0)
+    extremes = max((motion.extremes_error for motion in result.motions), default=0.0)
+    imbalance = max((motion.imbalance for motion in result.motions), default=0.0)
+    return to_record(result, {"speed": worst, "extremes": extremes, "energy": imbalance})
+
+
+def load(record: Record) -> TimedMotions:
+    """Build the result from its record."""
+    result: TimedMotions = from_record(TimedMotions, record)
+    return result
+
+
+def table(result: TimedMotions) -> Table:
+    """All columns, one row a time, one motion after the other."""
+    labels = np.concatenate([np.full(len(motion.t), motion.name) for motion in result.motions])
+    stacked = zip(*(timed_columns(motion) for motion in result.motions), strict=True)
+    columns = [(same[0].header, np.concatenate([column.make() for column in same])) for same in stacked]
+    return Table(["motion", *(header for header, _ in columns)], [labels, *(values for _, values in columns)])

@@ -1,0 +1,72 @@
+"""``[engine]``: the balance of an engine with several cranks."""
+
+import math
+from typing import Annotated, Literal
+
+from pydantic import Discriminator, Field, Tag
+
+from tmmcalc.spec.quantities import Angle, AngularSpeed, Length, Mass, Size
+from tmmcalc.spec.table import Table
+
+# Angle brackets: no TOML key of a spec looks like these, so they are told apart in the places of faults.
+COUNT_TAG, LIST_TAG = "<count>", "<list>"
+CylinderNumber = Annotated[int, Field(ge=1)]
+
+
+class CylinderTable(Table):
+    """One cylinder; sizes and masses that it lacks are those of ``[engine]``."""
+
+    axis_angle: Angle = Field(default=math.pi / 2, description="Direction from the shaft to the cylinder.")
+    crank_angle: Angle = Field(description="Direction of its crank where the shaft's angle is 0.")
+    position: Length = Field(description="Its place along the shaft.")
+    crank_radius: Size | None = Field(default=None, description="Length of the crank.")
+    rod_length: Size | None = Field(default=None, description="Length of the connecting rod.")
+    reciprocating_mass: Mass | None = Field(default=None, description="Mass of the piston and its part of the rod.")
+    rotating_mass: Mass | None = Field(default=None, description="Unbalanced mass at the crank pin.")
+    offset: Length | None = Field(default=None, description="Distance at which its axis passes the shaft on the left.")
+
+
+def _form(value: object) -> str:
+    return LIST_TAG if isinstance(value, list | dict) else COUNT_TAG
+
+
+Cylinders = Annotated[
+    Annotated[int, Field(ge=1, le=100), Tag(COUNT_TAG)]
+    | Annotated[list[CylinderTable], Field(min_length=1), Tag(LIST_TAG)],
+    Discriminator(_form),
+]
+
+
+class EngineTable(Table):
+    """An engine by its arrangement and the number of its cylinders, or cylinder by cylinder."""
+
+    speed: AngularSpeed = Field(description="Speed of the shaft.")
+    arrangement: Literal["in-line", "vee"] | None = Field(
+        default=None, description="A ready arrangement: upright in line, or two banks."
+    )
+    cylinders: Cylinders = Field(
+        description="Number of the cylinders of an arrangement; or each for itself, [[engine.cylinders]]."
+    )
+    angle: Angle | None = Field(default=None, description="Vee: angle between the banks.")
+    spacing: Size | None = Field(default=None, description="Distance of neighbouring throws along the shaft.")
+    crank_radius: Size | None = Field(default=None, description="Length of the cranks.")
+    rod_length: Size | None = Field(default=None, description="Length of the connecting rods.")
+    reciprocating_mass: Mass | None = Field(
+        default=None, description="Mass of the piston and its part of the rod, of one cylinder."
+    )
+    rotating_mass: Mass = Field(default=0.0, description="Unbalanced mass at the crank pin, of one cylinder.")
+    offset: Length = Field(default=0.0, description="Distance at which the axes pass the shaft on the left.")
+    strokes: Literal[2, 4] = Field(default=4, description="Strokes of the cycle.")
+    firing_order: list[CylinderNumber] | None = Field(
+        default=None, min_length=1, description="Cylinders in the order in which they fire."
+    )
+    throws: list[Angle] | None = Field(
+        default=None,
+        min_length=1,
+        description="Angles of the cranks against the first (default: by the firing order; of a vee the customary).",
+    )
+    split: Angle = Field(default=0.0, description="Vee: angle by which the right cylinder's pin leads the left one's.")
+    stagger: Length = Field(default=0.0, description="Vee: distance of the two cylinders of a throw along the shaft.")
+    orders: list[CylinderNumber] = Field(
+        default=[1, 2, 4, 6], min_length=1, description="Orders of the shaft speed that are told apart."
+    )

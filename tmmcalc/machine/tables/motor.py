@@ -1,0 +1,66 @@
+"""``[motor]``: the motor, by its name in a catalogue or by its data."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from tmmcalc.spec.quantities import AngularSpeed, Inertia, Moment, Number, Quantity
+from tmmcalc.spec.table import Table
+
+Power = Annotated[float, Quantity("power", at_least_zero=True, nonzero=True)]
+TimeConstant = Annotated[float | Literal["auto"], Quantity("time", at_least_zero=True, word="auto")]
+FlywheelMoment = Annotated[float, Quantity("flywheel moment", at_least_zero=True)]
+CurveSpeed = Annotated[float, Quantity("angular speed", at_least_zero=True)]
+Overload = Annotated[float, Number("an overload ratio", "2.2", above=1)]
+Efficiency = Annotated[float, Number("the efficiency of a motor", "0.88", above=0, below=1)]
+Voltage = Annotated[float, Quantity("voltage", at_least_zero=True, nonzero=True)]
+Resistance = Annotated[float, Quantity("resistance", at_least_zero=True, nonzero=True)]
+MotorConstant = Annotated[float, Quantity("motor constant", at_least_zero=True, nonzero=True)]
+Start = Annotated[float, Number("a starting ratio", "1.8", above=0)]
+
+
+class CurveTable(Table):
+    """A characteristic by points: moments of the motor at its speeds."""
+
+    speed: list[CurveSpeed] = Field(min_length=2, description="Speeds of the motor, ascending.")
+    moment: list[Moment] = Field(min_length=2, description="Moment of the motor at each speed.")
+    interpolation: Literal["linear", "pchip"] = Field(
+        default="pchip", description="Straight lines, or a smooth monotone curve."
+    )
+
+
+class MotorTable(Table):
+    """A motor; data beside a name stand in place of those of the catalogue."""
+
+    name: str | None = Field(default=None, description='Name in the catalogue, or "choose" for the least that does.')
+    catalogue: str | None = Field(
+        default=None,
+        description="CSV file of motors in place of the built-in catalogue; its path counts from the spec.",
+    )
+    kind: Literal["induction", "shunt", "series"] | None = Field(
+        default=None, description="Kind of the motor (default: induction, or that of the catalogue)."
+    )
+    power: Power | None = Field(default=None, description="Rated power.")
+    speed: AngularSpeed | None = Field(default=None, description="Rated speed.")
+    synchronous_speed: AngularSpeed | None = Field(default=None, description="Synchronous speed of an induction motor.")
+    no_load_speed: AngularSpeed | None = Field(default=None, description="No-load speed of a shunt motor.")
+    overload: Overload | None = Field(default=None, description="Largest moment over the rated one.")
+    start: Start | None = Field(default=None, description="Starting moment over the rated one.")
+    inertia: Inertia | None = Field(default=None, description="Moment of inertia of the rotor.")
+    flywheel_moment: FlywheelMoment | None = Field(
+        default=None, description="Flywheel moment GD^2 of the rotor in kgf*m^2, in place of inertia."
+    )
+    time_constant: TimeConstant | None = Field(
+        default=None,
+        description='Electromagnetic time constant; 0 without lag, "auto": by the critical slip of an induction motor.',
+    )
+    efficiency: Efficiency | None = Field(default=None, description="Rated efficiency; a series motor needs it.")
+    voltage: Voltage | None = Field(default=None, description="Voltage of a direct-current motor.")
+    resistance: Resistance | None = Field(
+        default=None, description="Resistance of the armature circuit of a direct-current motor."
+    )
+    constant: MotorConstant | None = Field(default=None, description="Motor constant of a shunt motor.")
+    characteristic: Literal["parabolic", "linear", "kloss", "shunt", "series", "table", "constant"] | None = Field(
+        default=None, description="Moment against speed (default: parabolic, or that of the kind of motor)."
+    )
+    table: CurveTable | None = Field(default=None, description="The characteristic by points.")

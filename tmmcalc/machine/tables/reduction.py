@@ -1,0 +1,15 @@
+"""``[reduction]``: how forces and masses are reduced to the crank."""
+
+from typing import Literal
+
+from pydantic import Field
+
+from tmmcalc.spec.table import Table
+
+
+class ReductionTable(Table):
+    """How forces and masses are reduced to the crank."""
+
+    rods: Literal["exact", "lumped"] = Field(
+        default="exact", description="Connecting rods as they are, or as two masses in their pins."
+    )

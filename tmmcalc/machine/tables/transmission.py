@@ -1,0 +1,26 @@
+"""``[transmission]``: the gears between the motor and the crank."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from tmmcalc.spec.quantities import Inertia, Number, Ratio
+from tmmcalc.spec.table import Table
+
+Efficiency = Annotated[float, Number("an efficiency", "0.95", above=0, at_most=1)]
+
+
+class TransmissionTable(Table):
+    """The gears between the motor and the crank."""
+
+    ratio: Ratio | None = Field(
+        default=None,
+        description="Speed of the motor over that of the crank (default: the product of the ratios of shafts, that of "
+        "the best gear train, or rated speed over the input's mean speed).",
+    )
+    efficiency: Efficiency = Field(default=1.0, description="Efficiency of the gears.")
+    inertia: Inertia | None = Field(
+        default=None,
+        description="Moment of inertia of the gears, reduced to the crank (default: that of the best gear train, or "
+        "none).",
+    )

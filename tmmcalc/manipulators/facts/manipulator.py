@@ -1,0 +1,165 @@
+"""The documents of the manipulator stage: path and phases, joints, singular places, limits, obstacles, the table."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from tmmcalc.manipulators.columns import manipulator_columns
+from tmmcalc.manipulators.results import LegFacts, Manipulator, PieceFacts
+from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.numbers import angle, number
+from tmmcalc.report.positions import with_positions
+from tmmcalc.report.timelaw import extreme_lines, extreme_values, law_facts
+
+ARMS = {
+    "spherical": "spherical: elevation phi_2, extension l_3",
+    "cylindrical": "cylindrical: height h, reach r",
+    "angular": "angular: upper arm phi_2, forearm phi_3",
+}
+GRIPPER = ("speed", "acceleration", "a_tangential", "a_normal")
+
+
+def manipulator_summary(result: Manipulator, title: str) -> Document:
+    """Facts and notes, without the table."""
+    return Document(title, tuple(_facts(result)), tuple(str(grade) for grade in result.grades))
+
+
+def manipulator_document(
+    result: Manipulator,
+    title: str,
+    *,
+    patterns: Sequence[str] = (),
+    rows: Sequence[int] | None = None,
+    everything: bool = False,
+    where: str = "",
+) -> Document:
+    """Summary and table; ``patterns`` choose columns, ``rows`` instants by index; there are no further columns."""
+    told, available = manipulator_summary(result, title), manipulator_columns(result)
+    example = f"t,{','.join(result.joints)}"
+    return with_positions(told, result.labels, available, patterns, rows, example=example, where=where)
+
+
+def _facts(result: Manipulator) -> Iterator[Fact]:
+    yield _arm_fact(result)
+    for k, leg in enumerate(result.legs):
+        yield from _leg_facts(leg, f"leg {k + 1}" if len(result.legs) > 1 else "the gripper", k, len(result.legs))
+    for name, angular, law in zip(result.joints, result.angular, result.laws, strict=False):
+        for fact in law_facts(law, angular, name, f"{name}_"):
+            yield fact if fact.label.startswith("travel") else Fact(f"{fact.label}, {name}", fact.text, fact.values)
+    if len(result.legs) != 1:
+        yield Fact("duration", f"T = {number(result.duration)} s", {"T[s]": result.duration})
+    yield from _extreme_facts(result)
+    yield from _place_facts(result)
+    yield from _contact_facts(result)
+    if result.residual is not None:
+        text = f"{result.residual:.0e} (relative): the joints lead the gripper back to where it was"
+        yield Fact("direct of inverse problem", text, {"residual": {"round_trip": result.residual}})
+
+
+def _arm_fact(result: Manipulator) -> Fact:
+    arm = result.arm
+    lines = [f"{ARMS[arm.kind]}{'; base psi' if arm.spatial else ''}"]
+    values: dict[str, object] = {"arm": arm.kind, "problem": "inverse" if result.inverse else "direct"}
+    if arm.kind == "angular":
+        values |= {"upper_arm[m]": arm.upper, "forearm[m]": arm.forearm}
+        side = ""
+        if result.inverse:  # else the joints settle it
+            values["elbow"] = "up" if arm.elbow > 0 else "down"
+            side = f", elbow {values['elbow']}"
+        lines.append(f"arms of {number(arm.upper)} m and {number(arm.forearm)} m{side}")
+    if arm.height:
+        lines.append(f"shoulder at a height of {number(arm.height)} m")
+        values["height[m]"] = arm.height
+    return Fact("arm", "\n".join(lines), values)
+
+
+def _leg_facts(leg: LegFacts, what: str, k: int, count: int) -> Iterator[Fact]:
+    prefix = f"leg_{k + 1}_" if count > 1 else ""
+    arcs = [_piece(piece) for piece in leg.pieces]
+    begin = f"from t = {number(leg.begin)} s: " if count > 1 else ""
+    pieces = [_values(piece) for piece in leg.pieces]
+    yield Fact(f"path of {what}", begin + "\n".join(arcs), {f"{prefix}path": pieces})
+    for fact in law_facts(leg.law, False, what, prefix, "the tangential"):
+        label = fact.label if fact.label.startswith("travel") or count == 1 else f"{fact.label}, {what}"
+        yield Fact(label, fact.text, fact.values)
+    if leg.speed_limit is not None:
+        text = f"{number(leg.speed_limit)} m/s by the limits of the accelerations on the arc"
+        yield Fact(
+            "speed allowed" + ("" if count == 1 else f", {what}"), text, {f"{prefix}v_arc[m/s]": leg.speed_limit}
+        )
+
+
+def _point(place: Sequence[float]) -> str:
+    return f"({', '.join(number(v, 6) for v in place)})"
+
+
+def _piece(piece: PieceFacts) -> str:
+    ends = f"{_point(piece.start)} to {_point(piece.end)} m, {number(piece.length)} m long"
+    if piece.radius is None or piece.centre is None or piece.theta is None or piece.theta_end is None:
+        return f"line {ends}"
+    turn = f"{angle(math.degrees(piece.theta))} to {angle(math.degrees(piece.theta_end))} deg"
+    about = f"centre {_point(piece.centre)} m, R = {number(piece.radius)} m"
+    return f"arc {ends}\n{about}, theta from {turn}, q = {piece.sense:+d}"
+
+
+def _values(piece: PieceFacts) -> dict[str, object]:
+    values: dict[str, object] = {
+        "start[m]": list(piece.start),
+        "end[m]": list(piece.end),
+        "length[m]": piece.length,
+        "begin[s]": piece.begin,
+    }
+    if piece.centre is not None and piece.radius is not None and piece.theta is not None:
+        values |= {
+            "centre[m]": list(piece.centre),
+            "R[m]": piece.radius,
+            "theta_1[rad]": piece.theta,
+            "theta_2[rad]": piece.theta_end,
+            "q": piece.sense,
+        }
+    return values
+
+
+def _extreme_facts(result: Manipulator) -> Iterator[Fact]:
+    """Extremes of the gripper and of each joint, for people without what never changes."""
+    found = {each.name: each for each in result.extremes}
+    groups = {joint.name: joint[:3] for joint in result.arm.ranged}
+    for what, names in {"gripper": GRIPPER, **groups}.items():
+        own = [found[name] for name in names if name in found]
+        told = [each for each in own if each.least != each.largest]
+        if told:
+            yield Fact(f"extremes, {what}", extreme_lines(told), extreme_values(own))
+
+
+def _place_facts(result: Manipulator) -> Iterator[Fact]:
+    """Singular places and passed limits: for programs; people read the notes."""
+    singular = [
+        {"what": each.what, "t[s]": each.t, "value": each.value, "relative": each.relative} for each in result.singular
+    ]
+    text = "none" if not singular else f"{len(singular)} nearly singular or singular, see the notes"
+    yield Fact("singular places", text, {"singular": singular})
+    excesses = [
+        {
+            "joint": each.joint,
+            "unit": "rad" if each.angular else "m",
+            "limit": each.limit,
+            "value": each.value,
+            "excess": each.excess,
+            "t[s]": each.t,
+            "first[s]": each.first,
+        }
+        for each in result.excesses
+    ]
+    if excesses:
+        yield Fact("joint limits", f"{len(excesses)} passed, see the notes", {"limits_passed": excesses})
+
+
+def _contact_facts(result: Manipulator) -> Iterator[Fact]:
+    for name in dict.fromkeys(contact.obstacle for contact in result.contacts):
+        own = [contact for contact in result.contacts if contact.obstacle == name]
+        lines = [f"{each.what}: {'crosses it' if each.intervals else 'clear'}" for each in own]
+        values = {
+            f"{name}_{each.what.replace(' ', '_')}": [list(interval) for interval in each.intervals] for each in own
+        }
+        yield Fact(f"obstacle {name}" if not name.startswith("obstacle") else name, "\n".join(lines), values)

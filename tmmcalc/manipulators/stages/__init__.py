@@ -1,0 +1,1 @@
+"""The stages of the manipulator room, one module each."""

@@ -1,0 +1,150 @@
+"""The columns of a CSV table that a spec names: what its header says of them, numbers of theirs in SI."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from tmmcalc.cams.tables.law_columns import law_columns
+from tmmcalc.spec.phrases import either, show
+from tmmcalc.spec.quantities import Number
+from tmmcalc.spec.units import UnitError, dimension_of, parse
+
+_HEADER = re.compile(r"(.*?)\s*(?:\[\s*(.*?)\s*\])?")
+_DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_NUMBER = re.compile(r"[+\N{MINUS SIGN}-]?[\d.,]*\d[.,]?([eE][+-]?\d+)?", re.ASCII)
+_COUNTED = {"position": "numbers of positions", "stroke": "parts of the stroke"}  # x without a unit
+_PLAIN = ("", "-", "1")  # how a header says that
+LAW_KINDS = {"points", "acceleration", "polynomial"}
+
+
+class FileError(Exception):
+    """A fault of a file: its line, what is wrong, what to write instead."""
+
+    def __init__(self, line: int, message: str, remedy: str) -> None:
+        self.line, self.message, self.remedy = line, message, remedy
+        super().__init__(message)
+
+
+class Form(NamedTuple):
+    """What a table is of: its words, the key and the dimensions of x, the dimensions of the values."""
+
+    noun: str
+    key: str
+    x: tuple[str, ...]  # an empty word among them: plain numbers
+    values: tuple[str, ...]
+    example: str
+
+    @property
+    def keys(self) -> set[str]:
+        """Keys of the table that the file stands in place of."""
+        return {self.key, *self.values} if self is not LAW else LAW_KINDS
+
+
+LOAD = Form("a load", "x", ("angle", "length"), ("force", "moment"), "write a header such as phi[deg],Q[N]")
+TORQUE = Form("a torque diagram", "theta", ("angle",), ("moment",), "write a header such as theta[deg],M[N*m]")
+FORCE = Form("a force on a cam", "phi", ("angle",), ("force", "moment"), "write a header such as phi[deg],Q[N]")
+LAW = Form(
+    "a law of motion", "k", ("angle", ""), ("length", "angle", ""), "write a header such as k,s or phi[deg],s[mm]"
+)
+
+
+class Column(NamedTuple):
+    """The unit of a column and its dimension, both empty for plain numbers."""
+
+    unit: str
+    dimension: str
+
+    def is_of(self, dimensions: tuple[str, ...]) -> bool:
+        """Whether it is of one of the dimensions; an unknown unit is of none."""
+        return self.dimension in dimensions and bool(self.unit) == bool(self.dimension)
+
+    def read(self, cell: str) -> float:
+        """Return a number of the column in SI; raise UnitError if it is none."""
+        text = cell.replace("−", "-")
+        if not _DECIMAL.fullmatch(text):
+            comma = re.fullmatch(r"([+-]?\d+),(\d+)", text)
+            remedy = f"write a decimal point: {comma[1]}.{comma[2]}" if comma else "write a number without its unit"
+            raise UnitError(f"{show(cell)} is not a number", remedy)
+        return parse(f"{text} {self.unit}", self.dimension) if self.unit else Number("a number", "1").read(float(text))
+
+
+class Columns(NamedTuple):
+    """The columns of x and of the values, where they stand in a row, and the key of the values in the table."""
+
+    x: Column
+    y: Column
+    order: tuple[int, int]
+    key: str
+
+    def pair(self, row: Sequence[str]) -> tuple[float, float]:
+        """Return x and the value of a row in SI; raise UnitError if there are none."""
+        if len(row) != 2:
+            raise UnitError(
+                f"{len(row)} value{'s' if len(row) != 1 else ''} in a table of two columns", "write x, value"
+            )
+        first, second = (row[place] for place in self.order)
+        at, value = self.x.read(first), self.y.read(second)
+        if at < 0:
+            raise UnitError(f"{show(first)} is negative; x counts from 0", "write it without the minus")
+        return at, value
+
+
+def cells(line: str, separator: str) -> list[str]:
+    """The cells of a line without blanks and quotes around them."""
+    return [cell.strip().strip('"').strip() for cell in line.split(separator)]
+
+
+def are_numbers(row: Sequence[str]) -> bool:
+    """Whether a row holds numbers alone, with a point or a comma."""
+    return all(_NUMBER.fullmatch(cell) for cell in row)
+
+
+def columns_of(header: Sequence[str], of: str, line: int, form: Form) -> Columns:
+    """Return the columns of x and of the values; raise FileError if the header does not name them."""
+    if len(header) != 2:
+        count = f"{len(header)} column{'s' if len(header) != 1 else ''}"
+        raise FileError(line, f"{count}; a table of {form.noun} has two, {form.key} and the values", form.example)
+    order, key = _of_law(header, line, form) if form is LAW else ((0, 1), "")
+    first, second = (header[place] for place in order)
+    x, y = _column(first), _column(second)
+    if of in _COUNTED and x.unit:
+        what = _COUNTED[of]
+        raise FileError(line, f"{show(first)} has a unit; x are {what}", "write a name without unit, such as i")
+    if of not in _COUNTED and not x.is_of(form.x):
+        raise _not_of(first, form.x, line, form)
+    if key == "acceleration" and y.unit:
+        what = "accelerations are to any scale"
+        raise FileError(line, f"{show(second)} has a unit; {what}", "write a name without unit, such as a")
+    if not y.is_of(form.values):
+        raise _not_of(second, form.values, line, form)
+    return Columns(x, y, order, key or y.dimension)
+
+
+def _of_law(header: Sequence[str], line: int, form: Form) -> tuple[tuple[int, int], str]:
+    """Where k and the values stand in a row, and the key of the values; raise FileError for names that do not say."""
+    names = [_named(cell)[0] for cell in header]
+    found = law_columns(names)
+    if found is None:
+        said = f"the columns are {' and '.join(map(show, names))}"
+        rule = f"{said}; {form.noun} has k and its displacement s, or k and its acceleration a"
+        raise FileError(line, rule, "name them k and s, or k and a")
+    return found
+
+
+def _not_of(name: str, dimensions: tuple[str, ...], line: int, form: Form) -> FileError:
+    kinds = either(f"{dimension}s" for dimension in dimensions if dimension)
+    plain = ", or of numbers without one" if "" in dimensions else ""
+    return FileError(line, f"{show(name)} is not a column of {kinds} with its unit{plain}", form.example)
+
+
+def _named(cell: str) -> tuple[str, str]:
+    """The name and the unit of a column, either empty where the header has none."""
+    match = _HEADER.fullmatch(cell)
+    return (match[1], match[2] or "") if match else (cell, "")
+
+
+def _column(cell: str) -> Column:
+    unit = _named(cell)[1]
+    return Column("", "") if unit in _PLAIN else Column(unit, dimension_of(f"1 {unit}") or "")

@@ -1,1 +1,0 @@
-"""Reports of the vibratory device and of the pendulum-rotor."""
