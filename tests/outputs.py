@@ -6,9 +6,10 @@
 ``record`` runs the command line of the checkout TREE (by default this one) on the ready specs of this checkout, with
 the commands of ``outputs_commands.py``, and leaves FOLDER/outputs.sqlite: by command its exit code, standard output,
 standard error, the names of all files and the contents of those that are new or changed. Each command is a fork of a
-process that has the libraries loaded but nothing of tmmcalc, with a fixed environment and LIMIT seconds at most; each
-scene has a temporary folder of its own, in which all names are relative. ``compare`` tells what differs: the first
-lines, or where only numbers do, how many and by how much at most. Its exit code is 0 if all is the same, otherwise 1.
+process that has the libraries loaded but nothing of tmmcalc, with a fixed environment and LIMIT seconds of computing;
+each scene has a temporary folder of its own, in which all names are relative. ``--sample`` is a representative tenth.
+``compare`` tells what differs: the first lines, or where only numbers do, how many and by how much at most. Differences
+in hashes alone are counted apart. The exit code is 0 if all is the same, otherwise 1.
 
 What cannot be the same twice is not compared:
 
@@ -30,6 +31,7 @@ import io
 import json
 import os
 import re
+import resource
 import shlex
 import shutil
 import signal
@@ -49,7 +51,7 @@ from typing import NoReturn
 from outputs_commands import Scene, of_stages, scenes
 
 ROOT = Path(__file__).resolve().parents[1]
-LIMIT = 120  # seconds that a command may take
+LIMIT = 120  # seconds of computing that a command may take
 FIXED = {
     "COLUMNS": "80",
     "LC_ALL": "C.UTF-8",
@@ -76,7 +78,7 @@ MASKS = [(re.compile(r"(: [a-z ]+ in )\d+( ms \()"), r"\1*\2")]
 TIMES = [  # in the tables of accuracy
     (re.compile(r"^cheapest .*(\n +.*)*", re.M), "cheapest *"),
     (re.compile(r" in [\d.e+-]+ ms\b"), " in * ms"),
-    (re.compile(r"(\d\.\d+e[+-]\d+) +[\d.e+-]+\b"), r"\1 *"),
+    (re.compile(r"(\d\.\d+e[+-]\d+|failed) +[\d.e+-]+\b"), r"\1 *"),
     (re.compile(r" {2,}|-{2,}"), " "),
 ]
 KINDS = ("the same", "other provenance", "other numbers", "other text")  # from the least to the greatest difference
@@ -178,16 +180,17 @@ def run(command: str, home: Path) -> Output:
     status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
     with suppress(ProcessLookupError):
         os.killpg(child, signal.SIGKILL)  # what it may have started
-    end = "no end" if status == -signal.SIGALRM else str(status)
+    end = "no end" if status in (-signal.SIGXCPU, -signal.SIGALRM) else str(status)
     return {"exit": end.encode(), "stdout": out.read_bytes(), "stderr": err.read_bytes()}
 
 
 def _main(args: list[str], home: Path, out: Path, err: Path) -> NoReturn:
-    """The program's entry point in the child: a process of its own group, which a signal ends at the limit."""
+    """The program's entry point in the child: a group of its own, ended by a signal at the limit."""
     code: object = 1
     try:
         os.setsid()
-        signal.alarm(LIMIT)
+        resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT + 1))
+        signal.alarm(5 * LIMIT)  # one that only waits
         os.chdir(home)
         os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
         for number, file in ((1, out), (2, err)):

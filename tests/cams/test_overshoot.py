@@ -4,8 +4,8 @@ from math import degrees
 
 import numpy as np
 import pytest
-from spec.camscenes import cam
 
+from cams.tables.camscenes import cam
 from cams.turns import task_of
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pressure import check_reach, solve_pressure

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 from bounding import assert_bounds, part
-from linkage.reduction.drawn import integrals, solved, wide
 
+from machine.reduction.drawn import integrals, solved, wide
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.machine.power import Power
 from tmmcalc.machine.reduction.causes import Causes

@@ -4,14 +4,13 @@ import tomllib
 from typing import Any
 
 import pytest
+from project.scenes import MACHINE
 
 from tmmcalc.core.errors import SpecError, UsageError
 from tmmcalc.linkage.loading import Constant
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.project import parse_spec
 from tmmcalc.spec.override import apply
-
-from .scenes import MACHINE
 
 
 def value_at(data: Any, path: tuple[str | int, ...]) -> Any:

@@ -7,8 +7,8 @@ from math import cos, radians, tan
 import numpy as np
 import pytest
 from scipy.optimize import brentq
-from stages.trains import AI, AIBAR, COAXIAL, UNFOLDED, chosen
 
+from gears.stages.trains import AI, AIBAR, COAXIAL, UNFOLDED, chosen
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.layouts import LAYOUTS, layout_of
 from tmmcalc.gears.meshing.solve import solve_pair

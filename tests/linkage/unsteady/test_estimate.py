@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 from bounding import assert_bounds, part
+from machine.reduction.drawn import drawn
 
-from linkage.reduction.drawn import drawn
 from tmmcalc import Kinematics, TmmError, Unsteady, solve_kinematics
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.linkage.chain import Chain, chain_of

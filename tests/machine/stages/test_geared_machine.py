@@ -1,0 +1,121 @@
+"""A machine that takes inertia and ratio of its best gear train: as one with the same numbers written by hand."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from gears.stages.trains import STEEL
+from machines import MOTOR, spec_text
+from stages.test_laziness import imported, within
+
+import tmmcalc
+from tmmcalc.machine.facts.motion import motion_summary
+from tmmcalc.machine.facts.power import power_summary
+from tmmcalc.pipeline.outcome import RunResult
+from tmmcalc.pipeline.plan import plan
+from tmmcalc.pipeline.runner import run
+
+TRAIN = f"""
+[train]
+layout = ["AIbar", "AI"]
+ratio = "16.1"
+module_ratios = [[1, 1]]
+sum_max = 120
+[strength]
+{STEEL}
+"""
+# a machine whose motor feels the train: heavy teeth under a hundred times the torque
+HEAVY = TRAIN.replace("[strength]", '[strength]\ntorque = "700 N*m"')
+NO_INERTIA = ("inertia = 0.4\n", "")
+ASYNCHRONOUS = MOTOR.replace("[motor]", '[motor]\ncharacteristic = "kloss"')
+START = '[[transients]]\nname = "start"\nduration = "0.3 s"\nload = 0\n'
+
+
+def machine(more: str, transmission: str = "", motor: str = ASYNCHRONOUS) -> RunResult:
+    text = spec_text(motor=motor, more=more).replace(NO_INERTIA[0], transmission)
+    return run(tmmcalc.parse_spec(text))
+
+
+@pytest.fixture(scope="module")
+def geared() -> RunResult:
+    return machine(HEAVY + START)
+
+
+def by_hand(geared: RunResult) -> str:
+    best = geared.results["criteria"].winner
+    return f"inertia = {best.inertia!r}\nratio = {abs(float(best.ratio))!r}\n"
+
+
+def test_the_same_motion_as_with_the_numbers_written_by_hand(geared: RunResult) -> None:
+    plain = machine(START, by_hand(geared))
+    assert "criteria" not in plain.outcomes
+    one, other = (found.results["motion"] for found in (geared, plain))
+    assert one.inertia.gears == geared.results["criteria"].winner.inertia > 0.3
+    np.testing.assert_allclose(one.omega, other.omega, rtol=1e-12)
+    np.testing.assert_allclose(one.driving, other.driving, rtol=1e-12, atol=1e-12 * np.abs(other.driving).max())
+    assert one.regime.delta == pytest.approx(other.regime.delta, rel=1e-12)
+    assert geared.results["power"].duty.ratio == plain.results["power"].duty.ratio
+    wheels = [found.results["flywheel"].addition for found in (geared, plain)]
+    assert wheels[0] == pytest.approx(wheels[1], rel=1e-12)
+    starts = [found.results["transient"].motions[0] for found in (geared, plain)]
+    np.testing.assert_allclose(starts[0].omega, starts[1].omega, rtol=1e-12, atol=1e-12)
+
+
+def test_the_train_is_felt(geared: RunResult) -> None:
+    without = machine(HEAVY + START, "inertia = 0\n").results
+    assert without["motion"].inertia.gears == 0.0
+    assert without["flywheel"].addition > geared.results["flywheel"].addition
+
+
+def test_reports_say_whose_inertia_and_ratio_they_are(geared: RunResult) -> None:
+    name = geared.results["criteria"].winner.name
+    for summary, stage in ((motion_summary, "motion"), (power_summary, "power")):
+        text = "\n".join(fact.text for fact in summary(geared.results[stage], stage).facts)
+        assert f"gear train {name}" in text
+
+
+def test_what_is_given_is_kept() -> None:
+    given = machine(TRAIN, "inertia = 0.4\n").results
+    best = given["criteria"].winner
+    assert given["motion"].inertia.gears == 0.4
+    assert given["motion"].inertia.train == ""
+    assert given["power"].duty.ratio == abs(float(best.ratio))
+    ratio = machine(TRAIN, "ratio = 15.5\n").results
+    assert ratio["power"].duty.ratio == 15.5
+    assert ratio["motion"].inertia.train == ratio["criteria"].winner.name
+
+
+def test_a_gear_between_the_train_and_the_crank() -> None:
+    """Wheel 1 turns 32.2 times as fast as the crank, so the output of the train turns twice as fast."""
+    found = machine(TRAIN + "moment_ratio = 32.2\n").results
+    best = found["criteria"].winner
+    assert found["motion"].inertia.gears == pytest.approx(4 * best.inertia, rel=1e-14)
+    assert found["power"].duty.ratio == pytest.approx(2 * abs(float(best.ratio)), rel=1e-14)
+
+
+def test_the_train_is_not_waited_for_where_both_are_given() -> None:
+    text = spec_text(more=TRAIN).replace(*NO_INERTIA)
+    both = text.replace("[transmission]\n", "[transmission]\nratio = 16\ninertia = 0.1\n")
+    assert "criteria" in plan(tmmcalc.parse_spec(text), "motion").running
+    assert plan(tmmcalc.parse_spec(text), "motion").step("criteria").reason == "needed by power, motion"
+    assert not {"train", "strength", "criteria"} & {*plan(tmmcalc.parse_spec(both), "motion").running}
+
+
+def test_a_torque_diagram_moves_with_the_inertia_of_its_train() -> None:
+    head = '[torque]\nspeed = "90 rpm"\nformula = "100*sin(theta)"\n[motion]\ndrive = "positional"\n'
+    found = run(tmmcalc.parse_spec(head + HEAVY), target="motion").results
+    assert found["motion"].inertia.total == found["criteria"].winner.inertia > 0
+    bare = plan(tmmcalc.parse_spec(head), "motion").step("motion")
+    assert not bare.runs
+
+
+@pytest.mark.parametrize("file", ["press.toml", "shaper.toml", "elastic-drive.toml"])
+def test_a_scene_without_a_train_imports_no_gears(file: str) -> None:
+    names = imported(file)
+    assert not within(
+        names,
+        "tmmcalc.gears",
+        "tmmcalc.gears.tables.tasks.sizing",
+        "tmmcalc.gears.tables.criteria",
+        "tmmcalc.gears.tables.strength",
+    )
