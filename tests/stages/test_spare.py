@@ -91,10 +91,10 @@ CALLED = {
     ("synthesis", omitted.CLOSED): ("stages/sifted.py:",),
     ("synthesis", omitted.NO_SEARCH): ("linkage/synthesis/dwell/optimum.py:",),
     ("manipulator", omitted.NO_OBSTACLES): ("manipulators/contacts.py:_path_contacts",),
-    ("vibrator", omitted.NO_EXCITATION): ("machine/vibration/vibrator/forced.py:steady",),
-    ("vibrator", omitted.NO_CURVE): ("machine/vibration/vibrator/forced.py:peaks",),
-    ("vibrator", omitted.NO_START): ("machine/vibration/vibrator/runup.py:run_up",),
-    ("vibrator", omitted.NO_DRIVE): ("machine/vibration/vibrator/rotor.py:driven",),
+    ("vibrator", omitted.NO_EXCITATION): ("vibration/vibrator/forced.py:steady",),
+    ("vibrator", omitted.NO_CURVE): ("vibration/vibrator/forced.py:peaks",),
+    ("vibrator", omitted.NO_START): ("vibration/vibrator/runup.py:run_up",),
+    ("vibrator", omitted.NO_DRIVE): ("vibration/vibrator/rotor.py:driven",),
 }
 WIDER = {  # where one of these is said, or the scene is of another kind, the sentence itself says nothing more
     omitted.GIVEN_MOTOR: omitted.NO_MOTOR,

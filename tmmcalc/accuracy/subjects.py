@@ -35,8 +35,8 @@ SUBJECTS: dict[str, str] = {
     "cam_elastic": "tmmcalc.cams.accuracy.cam_elastic:studies",
     "cam_optimum": "tmmcalc.cams.accuracy.cam_optimum:studies",
     "indexing": "tmmcalc.cams.accuracy.indexing:studies",
-    "vibrator": "tmmcalc.machine.accuracy.vibrator:studies",
-    "pendulum": "tmmcalc.machine.accuracy.pendulum:studies",
+    "vibrator": "tmmcalc.vibration.accuracy.vibrator:studies",
+    "pendulum": "tmmcalc.vibration.accuracy.pendulum:studies",
     "contact": "tmmcalc.extras.accuracy.contact:studies",
     "falling_ball": "tmmcalc.extras.accuracy.falling_ball:studies",
 }

@@ -12,11 +12,11 @@ if TYPE_CHECKING:
     from tmmcalc.machine.power import Power
     from tmmcalc.machine.stages.balance import Balances
     from tmmcalc.machine.transient.timed import TimedMotions
-    from tmmcalc.machine.vibration.pendulum.results import PendulumResult
-    from tmmcalc.machine.vibration.pendulum.task import PendulumTask
-    from tmmcalc.machine.vibration.vibrator.results import VibratorResult
-    from tmmcalc.machine.vibration.vibrator.task import VibratorTask
     from tmmcalc.project import Spec
+    from tmmcalc.vibration.pendulum.results import PendulumResult
+    from tmmcalc.vibration.pendulum.task import PendulumTask
+    from tmmcalc.vibration.vibrator.results import VibratorResult
+    from tmmcalc.vibration.vibrator.task import VibratorTask
 
 
 def solve_power(spec: Spec) -> Power:
@@ -50,11 +50,11 @@ def solve_vibrator(scene: Spec | VibratorTask) -> VibratorResult:
     Raises `NoSolutionError` if mass or stiffness is not positive definite, `SingularityError` at resonance without
     damping.
     """
-    from tmmcalc.machine.vibration.vibrator.task import VibratorTask
+    from tmmcalc.vibration.vibrator.task import VibratorTask
 
     if not isinstance(scene, VibratorTask):
         return solved(scene, "vibrator")
-    from tmmcalc.machine.vibration.vibrator.solve import solve_vibrator as _vibrator
+    from tmmcalc.vibration.vibrator.solve import solve_vibrator as _vibrator
 
     return _vibrator(scene)
 
@@ -64,10 +64,10 @@ def solve_pendulum(scene: Spec | PendulumTask) -> PendulumResult:
 
     Raises `NoSolutionError` where nothing holds the rod, `SingularityError` for an unbalance at a critical speed.
     """
-    from tmmcalc.machine.vibration.pendulum.task import PendulumTask
+    from tmmcalc.vibration.pendulum.task import PendulumTask
 
     if not isinstance(scene, PendulumTask):
         return solved(scene, "pendulum")
-    from tmmcalc.machine.vibration.pendulum.solve import solve_pendulum as _pendulum
+    from tmmcalc.vibration.pendulum.solve import solve_pendulum as _pendulum
 
     return _pendulum(scene)

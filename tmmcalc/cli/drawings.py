@@ -210,11 +210,11 @@ DRAWINGS = {
     "cam_elastic": Drawing("the follower's vibration over the turn, what the laws leave of it", _cam("cam_elastic")),
     "vibrator": Drawing(
         "modes, resonance curve, starts, paths of points",
-        _result("vibrator", "machine.pictures.vibration:draw_vibration", named=True),
+        _result("vibrator", "vibration.pictures.draw:draw_vibration", named=True),
     ),
     "pendulum": Drawing(
         "mode shapes, Campbell diagram, path of the end",
-        _result("pendulum", "machine.pictures.vibration:draw_vibration", named=True),
+        _result("pendulum", "vibration.pictures.draw:draw_vibration", named=True),
     ),
     "indexing": Drawing(
         f"scheme at {PHASE} of a step, pressure angles, tip of the lobe, efficiency, what lambda and the step decide",

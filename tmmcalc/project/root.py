@@ -34,15 +34,15 @@ if TYPE_CHECKING:
     from tmmcalc.machine.tables.flywheel import FlywheelTable
     from tmmcalc.machine.tables.motion import MotionTable
     from tmmcalc.machine.tables.motor import MotorTable
-    from tmmcalc.machine.tables.pendulum import PendulumTable
     from tmmcalc.machine.tables.reduction import ReductionTable
     from tmmcalc.machine.tables.rotor import RotorTable
     from tmmcalc.machine.tables.shafts import ShaftTable
     from tmmcalc.machine.tables.torque import TorqueTable
     from tmmcalc.machine.tables.transients import TransientTable
     from tmmcalc.machine.tables.transmission import TransmissionTable
-    from tmmcalc.machine.tables.vibrator import VibratorTable
     from tmmcalc.manipulators.tables.manipulator import ManipulatorTable
+    from tmmcalc.vibration.tables.pendulum import PendulumTable
+    from tmmcalc.vibration.tables.vibrator import VibratorTable
 else:
     BalanceTable = late("machine.tables.balance", "BalanceTable")
     CamTable = late("cams.tables.cam", "CamTable")
@@ -66,7 +66,7 @@ else:
     MotionTable = late("machine.tables.motion", "MotionTable")
     MotorTable = late("machine.tables.motor", "MotorTable")
     PairTable = late("gears.tables.pair", "PairTable")
-    PendulumTable = late("machine.tables.pendulum", "PendulumTable")
+    PendulumTable = late("vibration.tables.pendulum", "PendulumTable")
     ReductionTable = late("machine.tables.reduction", "ReductionTable")
     RotorTable = late("machine.tables.rotor", "RotorTable")
     ShaftTable = late("machine.tables.shafts", "ShaftTable")
@@ -77,7 +77,7 @@ else:
     TransientTable = late("machine.tables.transients", "TransientTable")
     TransmissionTable = late("machine.tables.transmission", "TransmissionTable")
     UnsteadyTable = late("linkage.tables.unsteady", "UnsteadyTable")
-    VibratorTable = late("machine.tables.vibrator", "VibratorTable")
+    VibratorTable = late("vibration.tables.vibrator", "VibratorTable")
 
 
 class Spec(Table):

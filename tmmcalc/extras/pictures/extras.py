@@ -12,11 +12,11 @@ from matplotlib.figure import Figure
 from tmmcalc.extras.contact import Contact
 from tmmcalc.extras.falling_ball import Ball
 from tmmcalc.extras.reliability import Reliability
-from tmmcalc.machine.pictures.vibration_axes import diagram, marked
 from tmmcalc.report.drawing import check_matplotlib, form_of
 from tmmcalc.report.drawing.page import blank, settle, write
 from tmmcalc.report.drawing.style import CURVES, MARK
 from tmmcalc.report.numbers import number
+from tmmcalc.vibration.pictures.axes import diagram, marked
 
 
 def draw_extra(stage: str, result: Any, file: Path) -> None:

@@ -1,0 +1,67 @@
+"""The stages of vibration through the pipeline: stored and loaded, resonance and critical speed told, no scipy."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from stages.test_laziness import imported, within
+
+import tmmcalc
+from tmmcalc import run
+from tmmcalc.core.conversion import to_record
+from tmmcalc.pipeline.plan import plan
+from tmmcalc.spec.templates import folder
+from tmmcalc.vibration.stages import pendulum, vibrator
+
+CONFIGS = Path(folder())
+SHORT = ("vibrator.start.duration='0.2 s'", "vibrator.drive.duration='0.05 s'")
+
+
+def spec(name: str, *overrides: str) -> tmmcalc.Spec:
+    return tmmcalc.load_spec(CONFIGS / f"{name}.toml", overrides)
+
+
+@pytest.mark.parametrize(
+    ("name", "stage", "overrides"), [("vibratory-device", vibrator, SHORT), ("pendulum-rotor", pendulum, ())]
+)
+def test_what_is_stored_is_what_was_found(name: str, stage, overrides: tuple[str, ...], tmp_path: Path) -> None:
+    scene = spec(name, *overrides)
+    key = stage.__name__.rpartition(".")[2]
+    first = run(scene, out=tmp_path).results[key]
+    second = run(scene, out=tmp_path).results[key]
+    again = stage.load(stage.dump(first))
+    for other in (second, again):
+        a, b = to_record(first), to_record(other)
+        assert a.scalars == b.scalars
+        assert a.arrays.keys() == b.arrays.keys()
+        assert all(np.array_equal(a.arrays[array], b.arrays[array]) for array in a.arrays)
+    assert stage.table(first).header == stage.table(second).header
+    assert (tmp_path / f"{key}.csv").exists() or stage.table(first).rows > 2000
+
+
+def test_each_stage_runs_alone() -> None:
+    assert list(plan(spec("vibratory-device")).running) == ["vibrator"]
+    assert list(plan(spec("pendulum-rotor")).running) == ["pendulum"]
+
+
+def test_at_resonance_and_near_a_critical_speed_it_is_told() -> None:
+    found = run(spec("vibratory-device", *SHORT)).results["vibrator"]
+    assert any("works at resonance" in note for note in found.notes)
+    found = run(spec("pendulum-rotor", "pendulum.spin='2880 rpm'")).results["pendulum"]
+    assert any("of the critical speed" in note for note in found.notes)
+
+
+def test_large_turns_are_told() -> None:
+    found = run(spec("pendulum-rotor", "pendulum.swing.tilt='20 deg'")).results["pendulum"]
+    assert any("equations of small slopes" in note for note in found.notes)
+    heavy = ("vibrator.unbalance.moment='1500 g*mm'", "vibrator.speed='2590 rpm'")
+    shaken = run(spec("vibratory-device", *SHORT, *heavy)).results["vibrator"]
+    assert any("equations of small turns" in note for note in shaken.notes)
+
+
+def test_frequencies_take_no_scipy() -> None:
+    """Only the start by a motor integrates."""
+    assert not within(imported("pendulum-rotor.toml"), "scipy", "matplotlib", "tmmcalc.linkage.forces", "tmmcalc.gears")
+    assert within(imported("vibratory-device.toml", None, SHORT), "scipy.integrate")

@@ -1,0 +1,1 @@
+"""The methods of the vibration stages, each studied beside a better reference."""

@@ -1,0 +1,109 @@
+"""The documents of the pendulum-rotor: whirl, critical speeds, torsion, Campbell diagram, motion in time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import degrees, pi
+
+import numpy as np
+
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.numbers import number
+from tmmcalc.vibration.facts.rows import some, whole
+from tmmcalc.vibration.pendulum.columns import campbell_columns, pendulum_columns
+from tmmcalc.vibration.pendulum.results import PendulumResult
+from tmmcalc.vibration.pendulum.swing import SwingCourse
+
+MORE = "--format csv prints shapes, diagram and motion in SI"
+
+
+def pendulum_summary(result: PendulumResult, title: str) -> Document:
+    """Frequencies, critical speeds, torsion, motion and what is to be said of them."""
+    return Document(title, tuple(_facts(result)), result.notes)
+
+
+def pendulum_document(
+    result: PendulumResult, title: str, *, patterns: Sequence[str] = (), everything: bool = False
+) -> Document:
+    """The summary with the modes as a table, diagram and motion; with ``everything`` all series in SI."""
+    facts = tuple(_facts(result))
+    if everything:
+        return Document(title, facts, result.notes, whole(pendulum_columns(result), patterns))
+    parts = []
+    if result.campbell is not None:
+        view = some(campbell_columns(result.campbell), patterns)
+        parts.append(Document("Campbell diagram", table=view, wide=not patterns, more=MORE))
+    if result.swing is not None:
+        parts.append(Document("motion of the lower end", table=_swing_view(result.swing, patterns), more=MORE))
+    return Document(title, facts, result.notes, _modes(result), parts=tuple(parts), more=MORE)
+
+
+def _modes(result: PendulumResult) -> View:
+    """One row a mode."""
+    rows = [
+        (modes.name, k + 1, float(w) / (2 * pi), float(w), float(w) * 30 / pi, modes.nodes[k])
+        for modes in result.modes
+        for k, w in enumerate(modes.frequency)
+    ]
+    headers = ["whirl", "mode", "f[Hz]", "omega[rad/s]", "n[rpm]", "nodes"]
+    return View(headers, [list(column) for column in zip(*rows, strict=True)])
+
+
+def _swing_view(swing: SwingCourse, patterns: Sequence[str]) -> View:
+    columns = {"t[s]": swing.t, "v[m]": swing.v, "w[m]": swing.w, "x_O[m]": swing.carrier_x, "y_O[m]": swing.carrier_y}
+    return some(columns, patterns)
+
+
+def _speeds(values: Values) -> str:
+    return f"{', '.join(number(w * 30 / pi, 6) for w in values.tolist())} rpm" if len(values) else "none"
+
+
+def _facts(result: PendulumResult) -> Iterator[Fact]:
+    spin = result.spin
+    if spin:
+        yield Fact("spin", f"{number(spin, 6)} rad/s ({number(spin * 30 / pi, 6)} rpm)", {"spin[rad/s]": spin})
+    values = {modes.name.replace(" ", "_"): modes.frequency.tolist() for modes in result.modes}
+    text = "\n".join(f"{modes.name}: {_hertz(modes.frequency)} Hz" for modes in result.modes)
+    text += f"\n{result.functions} functions, relative error about {result.error['frequencies']:.0e}"
+    yield Fact("natural frequencies", text, {"omega[rad/s]": values, "frequency_error": result.error["frequencies"]})
+    if result.rigid is not None:
+        forward, backward = result.rigid
+        text = f"{number(forward / (2 * pi), 6)} Hz"
+        text += f" forward, {number(backward / (2 * pi), 6)} Hz backward" if spin else ""
+        yield Fact("the same of a rigid rod", text, {"rigid_omega[rad/s]": [forward, backward]})
+    if len(result.backward_critical):
+        text = f"forward {_speeds(result.forward_critical)}\nbackward {_speeds(result.backward_critical)}"
+        critical = {"forward": result.forward_critical.tolist(), "backward": result.backward_critical.tolist()}
+        yield Fact("critical speeds", text, {"critical[rad/s]": critical})
+    if result.deflection is not None:
+        side = "on the heavy side" if result.deflection > 0 else "on the light side: it centres itself"
+        text = f"{number(1e3 * abs(result.deflection), 5)} mm at the lower end, {side}"
+        yield Fact("whirl of the unbalance", text, {"whirl[m]": result.deflection})
+    if len(result.torsion):
+        yield Fact("torsion", f"{_hertz(result.torsion)} Hz", {"torsion_omega[rad/s]": result.torsion.tolist()})
+    if result.swing is not None:
+        yield _swing(result.swing)
+
+
+def _hertz(omega: Values) -> str:
+    return ", ".join(number(f, 6) for f in (omega / (2 * pi)).tolist())
+
+
+def _swing(swing: SwingCourse) -> Fact:
+    distance = np.hypot(swing.v, swing.w)
+    at = int(np.argmax(distance))
+    slope = float(np.max(np.hypot(swing.slope_v, swing.slope_w)))
+    text = (
+        f"lower end up to {number(1e3 * float(distance[at]), 5)} mm from under the joint, at t = "
+        f"{number(float(swing.t[at]), 5)} s\nslope there up to {number(degrees(slope), 4)} deg\n"
+        f"energy and work differ by {swing.balance:.0e}; error of the path about {swing.error:.0e}"
+    )
+    values = {
+        "distance_max[m]": float(distance[at]),
+        "distance_max_at[s]": float(swing.t[at]),
+        "slope_max[rad]": slope,
+        "energy_balance": swing.balance,
+        "path_error": swing.error,
+    }
+    return Fact("motion in time", text, {"swing": values})

@@ -1,0 +1,1 @@
+"""The stages of the vibration room, one module each."""

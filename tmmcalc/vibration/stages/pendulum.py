@@ -1,0 +1,48 @@
+"""Stage ``pendulum``: whirl, critical speeds, torsion and motion in time of a pendulum-rotor."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.stage import Record, Table
+from tmmcalc.vibration.pendulum.results import PendulumResult
+from tmmcalc.vibration.pendulum.task import PendulumTask
+
+if TYPE_CHECKING:
+    from tmmcalc.project import Spec
+
+
+def inputs(spec: Spec) -> PendulumTask:
+    """The rod, the disc, the joint, and what is asked of them."""
+    from tmmcalc.vibration.tables.tasks.vibration import to_pendulum
+
+    return to_pendulum(spec)
+
+
+def solve(given: PendulumTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> PendulumResult:
+    """Everything that is asked of the pendulum."""
+    from tmmcalc.vibration.pendulum.solve import solve_pendulum
+
+    return solve_pendulum(given)
+
+
+def dump(result: PendulumResult) -> Record:
+    """Arrays by the names of the fields."""
+    return to_record(result, result.error)
+
+
+def load(record: Record) -> PendulumResult:
+    """Build the result from its record."""
+    result: PendulumResult = from_record(PendulumResult, record)
+    return result
+
+
+def table(result: PendulumResult) -> Table:
+    """One row a time, a speed of spin or a place along the rod; the first column tells of what."""
+    from tmmcalc.vibration.pendulum.columns import pendulum_columns
+    from tmmcalc.vibration.series import as_text
+
+    columns = pendulum_columns(result)
+    return Table(list(columns), [as_text(column) for column in columns.values()])

@@ -1,0 +1,1 @@
+"""From the tables of the vibration room to the plain values that its theory takes."""
