@@ -13,7 +13,7 @@ from tmmcalc.vibration.pendulum.task import Rod as PendulumRod
 from tmmcalc.vibration.vibrator.task import Damping, Exciter, Flats, Gripper, Ring, Rods, Unbalance, VibratorTask
 
 CASES = {
-    case["id"]: case for case in json.loads((Path(__file__).parents[2] / "cases" / "collection-2008.json").read_text())
+    case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases" / "collection-2008.json").read_text())
 }
 
 

@@ -20,7 +20,7 @@ from tmmcalc.vibration.vibrator.task import Damping, Exciter, Flats, Gripper, Ri
 
 from .scenes import case, device
 
-CONFIG = Path(__file__).parents[3] / "configs" / "vibratory-device.toml"
+CONFIG = Path(__file__).parents[2] / "configs" / "vibratory-device.toml"
 HALF = sqrt(0.5)
 
 
