@@ -15,7 +15,8 @@ from tmmcalc.accuracy.document import TOLERANCES, called, told
 from tmmcalc.accuracy.solve import solve_accuracy
 from tmmcalc.core.studies.measure import Clock
 from tmmcalc.core.studies.study import Accuracy, Ladder, Series, Study
-from tmmcalc.report.drawing import draw_accuracy
+from tmmcalc.accuracy.picture import accuracy_figure
+from tmmcalc.report.drawing import draw
 
 HOME = Path(__file__).parent
 ROOT = HOME.parent
@@ -51,7 +52,7 @@ def _scene(name: str, heading: str) -> str:
     result = solve_accuracy(spec, clock=Clock(repeats=9, budget=1.0), tell=_tell)
     picture = HOME / "accuracy" / f"{name}.svg"
     picture.parent.mkdir(exist_ok=True)
-    draw_accuracy(result, picture, heading)
+    draw(picture, lambda: accuracy_figure(result, heading))
     begun = [f"## {heading}\n", f"`configs/{name}.toml`\n", f"![error over run time](accuracy/{name}.svg)\n"]
     parts = [_study(study) for study in result.studies] + [_ladder(ladder) for ladder in result.ladders]
     settled = [f"{SETTLED} {', '.join(result.settled)}.\n"] if result.settled else []

@@ -6,10 +6,10 @@
 ``record`` runs the command line of the checkout TREE (by default this one) on the ready specs of this checkout, with
 the commands of ``outputs_commands.py``, and leaves FOLDER/outputs.sqlite: by command its exit code, standard output,
 standard error, the names of all files and the contents of those that are new or changed. Each command is a fork of a
-process that has the libraries loaded but nothing of tmmcalc, with a fixed environment and LIMIT seconds of computing;
-each scene has a temporary folder of its own, in which all names are relative. ``--sample`` is a representative tenth.
-``compare`` tells what differs: the first lines, or where only numbers do, how many and by how much at most. Differences
-in hashes alone are counted apart. The exit code is 0 if all is the same, otherwise 1.
+process that has the libraries loaded but nothing of tmmcalc, with a fixed environment, LIMIT seconds of computing and
+MEMORY bytes; each scene has a temporary folder of its own, in which all names are relative. ``--sample`` takes a
+representative tenth. ``compare`` tells what differs: the first lines, or where only numbers do, how many and by how
+much at most. Differences in hashes alone are counted apart. The exit code is 0 if all is the same, otherwise 1.
 
 What cannot be the same twice is not compared:
 
@@ -23,7 +23,6 @@ from __future__ import annotations
 
 import argparse
 import csv
-import difflib
 import gc
 import importlib
 import importlib.util
@@ -49,9 +48,11 @@ from pathlib import Path
 from typing import NoReturn
 
 from outputs_commands import Scene, of_stages, scenes
+from outputs_compare import Output, compare, text_of
 
 ROOT = Path(__file__).resolve().parents[1]
 LIMIT = 120  # seconds of computing that a command may take
+MEMORY, NO_MEMORY = 4 << 30, 99  # bytes that it may take, and the exit code if these do not do
 FIXED = {
     "COLUMNS": "80",
     "LC_ALL": "C.UTF-8",
@@ -73,7 +74,6 @@ WARM = [
     *("matplotlib.backends.backend_svg", "matplotlib.backends.backend_agg"),
 ]
 
-Output = dict[str, bytes]  # exit, stdout, stderr, files (their names), and the contents of files by their name
 MASKS = [(re.compile(r"(: [a-z ]+ in )\d+( ms \()"), r"\1*\2")]
 TIMES = [  # in the tables of accuracy
     (re.compile(r"^cheapest .*(\n +.*)*", re.M), "cheapest *"),
@@ -81,10 +81,7 @@ TIMES = [  # in the tables of accuracy
     (re.compile(r"(\d\.\d+e[+-]\d+|failed) +[\d.e+-]+\b"), r"\1 *"),
     (re.compile(r" {2,}|-{2,}"), " "),
 ]
-KINDS = ("the same", "other provenance", "other numbers", "other text")  # from the least to the greatest difference
-HASH = re.compile(r"\b[0-9a-f]{64}\b")
-NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
-BLANK = re.compile(r" +|-{2,}")
+ENDS = {-signal.SIGXCPU: "no time", -signal.SIGALRM: "no time", NO_MEMORY: "no memory"}
 
 
 def record(folder: Path, tree: Path, sample: bool, jobs: int) -> int:
@@ -163,7 +160,7 @@ def _followers(scene: Scene, plan: Output) -> list[str]:
         return []
     columns = json.loads(plan["stdout"])["columns"]
     running = [stage for stage, runs in zip(columns["stage"], columns["runs"], strict=True) if runs == "yes"]
-    return of_stages(Path(scene.specs[0]).name + ".toml", running)
+    return of_stages(scene.name, running)
 
 
 def _contents(folder: Path) -> Output:
@@ -180,7 +177,7 @@ def run(command: str, home: Path) -> Output:
     status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
     with suppress(ProcessLookupError):
         os.killpg(child, signal.SIGKILL)  # what it may have started
-    end = "no end" if status in (-signal.SIGXCPU, -signal.SIGALRM) else str(status)
+    end = ENDS.get(status, str(status))
     return {"exit": end.encode(), "stdout": out.read_bytes(), "stderr": err.read_bytes()}
 
 
@@ -190,6 +187,7 @@ def _main(args: list[str], home: Path, out: Path, err: Path) -> NoReturn:
     try:
         os.setsid()
         resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT + 1))
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
         signal.alarm(5 * LIMIT)  # one that only waits
         os.chdir(home)
         os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
@@ -202,6 +200,8 @@ def _main(args: list[str], home: Path, out: Path, err: Path) -> NoReturn:
         code = 0
     except SystemExit as end:
         code = end.code or 0
+    except MemoryError:
+        code = NO_MEMORY
     except BaseException:
         traceback.print_exc()
     finally:
@@ -212,7 +212,7 @@ def _main(args: list[str], home: Path, out: Path, err: Path) -> NoReturn:
 
 def _masked(data: bytes, command: str, home: Path, tree: Path) -> bytes:
     """Return an output without what cannot be the same twice."""
-    text = _text(data)
+    text = text_of(data)
     if text is None:
         return data
     text = text.replace(str(home.parent), "<folder>").replace(str(tree), "<tree>")
@@ -222,95 +222,6 @@ def _masked(data: bytes, command: str, home: Path, tree: Path) -> bytes:
     for pattern, replacement in MASKS + (TIMES if command.startswith("accuracy") else []):
         text = pattern.sub(replacement, text)
     return text.encode()
-
-
-def _text(data: bytes) -> str | None:
-    try:
-        return data.decode()
-    except UnicodeDecodeError:
-        return None
-
-
-def compare(old: Path, new: Path, lines: int) -> int:
-    """Print what differs between two recordings; return 0 if nothing does, otherwise 1."""
-    one, two = _outputs(old), _outputs(new)
-    kinds = Counter[str]()
-    for folder, own, other in ((old, one, two), (new, two, one)):
-        for command in own.keys() - other.keys():
-            print(f"only in {folder}: {command}")
-            kinds["only in one"] += 1
-    for command in (command for command in one if command in two):
-        worst, told = "the same", []
-        for name in dict.fromkeys([*one[command], *two[command]]):
-            kind, words = difference(name, one[command].get(name), two[command].get(name), lines)
-            worst = max(worst, kind, key=KINDS.index)
-            told += [f"    {name}: {words[0]}", *(f"        {line}" for line in words[1:])] if words else []
-        kinds[worst] += 1
-        if told:
-            print(command, *told, sep="\n")
-    print(", ".join(f"{kind}: {kinds[kind]}" for kind in (*KINDS, "only in one")))
-    return 0 if kinds.keys() <= {"the same"} else 1
-
-
-def _outputs(folder: Path) -> dict[str, Output]:
-    """All outputs by command, in the order in which they were recorded; decompressed where they are used."""
-    found: dict[str, Output] = {}
-    with sqlite3.connect(folder / "outputs.sqlite") as store:
-        for command, name, data in store.execute("select command, name, data from outputs order by rowid"):
-            found.setdefault(command, {})[name] = data
-    return found
-
-
-def difference(name: str, old: bytes | None, new: bytes | None, lines: int) -> tuple[str, list[str]]:
-    """Return the kind of the difference between two compressed outputs and some lines that tell it."""
-    if old == new:
-        return "the same", []
-    if old is None or new is None:
-        return "other text", ["is new" if old is None else "is no longer written"]
-    old, new = zlib.decompress(old), zlib.decompress(new)
-    if name.endswith(".npz"):
-        return _arrays(old, new, lines)
-    one, two = _text(old), _text(new)
-    if one is None or two is None:
-        return "other text", [f"{len(old)} and {len(new)} bytes differ"]
-    one, two = HASH.sub("<hash>", one), HASH.sub("<hash>", two)
-    if one == two:
-        return "other provenance", []
-    skeletons = [BLANK.sub(" ", NUMBER.sub("0", text)) for text in (one, two)]
-    if skeletons[0] == skeletons[1]:
-        pairs = [pair for pair in zip(NUMBER.findall(one), NUMBER.findall(two), strict=True) if pair[0] != pair[1]]
-        if not pairs:
-            return "other text", ["blanks differ"]
-        off = [abs(float(a) - float(b)) / (max(abs(float(a)), abs(float(b))) or 1.0) for a, b in pairs]
-        worst = off.index(max(off))
-        first, second = pairs[worst]
-        return "other numbers", [f"{len(pairs)} numbers differ, by {off[worst]:.1e} at most: {first} -> {second}"]
-    changes = difflib.unified_diff(one.splitlines(), two.splitlines(), "", "", n=0, lineterm="")
-    changed = [line[:160] for line in changes if not line.startswith(("---", "+++", "@@"))]
-    return "other text", [f"{len(changed)} lines differ", *changed[:lines]]
-
-
-def _arrays(old: bytes, new: bytes, lines: int) -> tuple[str, list[str]]:
-    """Compare two npz files: of every array the largest difference relative to its largest magnitude."""
-    import numpy as np
-
-    one, two = np.load(io.BytesIO(old)), np.load(io.BytesIO(new))
-    kind, told = "other provenance", [f"{name}: only in one" for name in sorted(set(one.files) ^ set(two.files))]
-    for name in (name for name in one.files if name in two.files):
-        a, b = one[name], two[name]
-        if a.shape != b.shape or a.dtype != b.dtype:
-            told.append(f"{name}: {a.dtype} {a.shape} -> {b.dtype} {b.shape}")
-        elif a.tobytes() != b.tobytes():
-            count = np.count_nonzero(a != b)
-            if a.dtype.kind in "US":
-                told.append(f"{name}: {count} of {a.size} texts differ")
-                continue
-            kind = "other numbers"
-            off = np.nanmax(np.abs(a.astype(complex) - b)) / (np.nanmax(np.abs(a)) or 1.0)
-            told.append(f"{name}: {count} of {a.size} numbers differ, by {off:.1e} of the largest at most")
-    if any("numbers differ" not in line for line in told):
-        kind = "other text"
-    return kind, [f"{len(told)} arrays differ", *told[:lines]] if told else []
 
 
 def main() -> int:

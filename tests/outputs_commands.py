@@ -69,7 +69,8 @@ MORE = {  # by stage: what else there is to ask of it
     "indexing": ("cam indexing {} --compare", "cam indexing {} --svg cam.svg --dxf cam.dxf --nc nc.csv"),
     "balance": ("plot {} balance -o balance.png",),
 }
-SECOND = ("synth-path", "synth-dwell-optimum", "synth-dwell-rocker", "positions-many")  # not all of it: too long
+LENGTHY = ("synth-path", "synth-dwell-optimum", "synth-dwell-rocker")  # in one format alone
+FEWER = {"extreme/positions-many": "--set mechanism.grid.positions=5000"}  # in place of a million
 SAMPLED = (
     *("shaper", "gears-pairs", "cam-translating", "cam-lantern", "manipulator", "rotor", "extra-bearing"),
     *("synth-slider-crank", "extreme/stall-peak", "extreme/dead-point", "extreme/self-locked"),
@@ -99,7 +100,7 @@ def scenes(configs: Path, sample: bool) -> list[Scene]:
 
 
 def _first(name: str) -> tuple[str, ...]:
-    spec = Path(name).name + ".toml"
+    spec = _spec(name)
     return (
         f"init {name}",
         f"check {spec}",
@@ -110,12 +111,16 @@ def _first(name: str) -> tuple[str, ...]:
     )
 
 
-def of_stages(spec: str, running: list[str]) -> list[str]:
+def _spec(name: str) -> str:
+    return f"{Path(name).name}.toml {FEWER.get(name, '')}".strip()
+
+
+def of_stages(name: str, running: list[str]) -> list[str]:
     """Return the commands of a ready spec whose stages are known, after ``run``."""
-    known = [stage for stage in running if stage in COMMANDS]
-    short = Path(spec).stem in SECOND
-    found = [f"{COMMANDS[stage]} {spec} -f {form}" for stage in known for form in FORMATS[: 1 if short else None]]
-    found += [text.format(spec) for stage in known for text in MORE.get(stage, ()) if not short]
+    spec, known = _spec(name), [stage for stage in running if stage in COMMANDS]
+    forms = FORMATS[:1] if name in LENGTHY else FORMATS
+    found = [f"{COMMANDS[stage]} {spec} -f {form}" for stage in known for form in forms]
+    found += [text.format(spec) for stage in known for text in MORE.get(stage, ()) if name not in LENGTHY]
     return found + [f"plot {spec} {stage} -o {stage}.svg" for stage in running if stage not in UNDRAWN]
 
 
@@ -273,12 +278,13 @@ SHORT = (
     ),
     Scene(
         "overrides",
-        ("shaper", "press", "class-four"),
+        ("shaper", "press", "class-four", "extreme/positions-many"),
         (
             "kinematics shaper.toml -q --set mechanism.grid.positions=6",
             f"kinematics shaper.toml --set '{LENGTH}=\"190 mm\"'",
             "kinematics shaper.toml --set @class.csv:02 --set mechanism.grid.positions=6",
             "kinematics shaper.toml --set @class.csv:03",
+            "kinematics positions-many.toml --no-store --positions 0,1,250000 --columns 'phi,S_*'",
             "kinematics shaper.toml --study",
             "kinematics shaper.toml --study --decimals 5 -f json",
             "kinematics shaper.toml --method differences --step '1 deg' --decimals 6 --compare",

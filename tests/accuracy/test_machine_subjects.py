@@ -8,11 +8,11 @@ import pytest
 
 from tmmcalc import load_spec
 from tmmcalc.accuracy.solve import solve_accuracy
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.plan import plan
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Study
 from tmmcalc.linkage.accuracy import kinematics as accuracy_of_kinematics
-from tmmcalc.pipeline.plan import plan
 from tmmcalc.project.loader import parse_spec
 
 from .scenes import CONFIGS, ONCE, errors_in, errors_of, series_of, studies_of

@@ -8,10 +8,10 @@ from types import ModuleType
 import pytest
 
 from tmmcalc import load_spec
-from tmmcalc.accuracy.subjects import SUBJECTS
+from tmmcalc.accuracy.solve import SUBJECTS
+from tmmcalc.core.plan import plan
 from tmmcalc.core.stage import resolve
-from tmmcalc.pipeline.plan import plan
-from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.rooms import STAGES
 
 from .scenes import CONFIGS
 

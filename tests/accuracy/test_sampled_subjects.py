@@ -10,14 +10,14 @@ import pytest
 
 from tmmcalc import load_spec
 from tmmcalc.accuracy.solve import solve_accuracy
-from tmmcalc.accuracy.subjects import Scene
+from tmmcalc.cams.accuracy.sides import beside
 from tmmcalc.core.plane import Real
-from tmmcalc.core.stage import resolve
-from tmmcalc.core.studies.sampled import COUNTS, beside, summit
+from tmmcalc.core.studies.sampled import COUNTS, summit
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.linkage.accuracy import forces
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.pipeline.runner import run
-from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.rooms import STAGES
 
 from .scenes import CONFIGS, ONCE, errors_in, errors_of, series_of, studies_of
 
@@ -53,7 +53,7 @@ def test_a_stage_that_misses_its_maximum_is_told() -> None:
     good = studies_of("engine-compressor", "forces")["largest reactions"]
     found: Forces = ran["forces"]
     moved = replace(found, pairs=[replace(p, force=replace(p.force, x=0.3 * found.theta[-1])) for p in found.pairs])
-    scene = Scene(resolve(STAGES["forces"].inputs)(spec), {**ran, "forces": moved}, ONCE)
+    scene = Scene(STAGES["forces"].inputs(spec), {**ran, "forces": moved}, ONCE)
     (study,) = (study for study in forces.studies(scene) if study.quantity == "largest reactions")
     assert study.reference.error < 1e-18
     assert errors_of(study, "table") == pytest.approx(errors_of(good, "table"), rel=1e-12)
@@ -153,7 +153,7 @@ def test_pressure_angle_beside_a_jump_of_the_speed() -> None:
 
 def test_sides_of_the_beginning_of_the_turn() -> None:
     """The end of the turn is the last piece's, its beginning the first one's, from wherever they are asked for."""
-    program = resolve(STAGES["cam_law"].inputs)(load_spec(CONFIGS / "cam-translating.toml")).program
+    program = STAGES["cam_law"].inputs(load_spec(CONFIGS / "cam-translating.toml")).program
     turn = float(program.edges[-1])
     for phi in (0.0, turn, -1e-12, turn + 1e-10):
         (before, last), (behind, first) = beside(program, np.array([phi]))

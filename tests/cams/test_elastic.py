@@ -136,8 +136,9 @@ def test_resonance_and_missing_data_are_refused() -> None:
 
 
 def test_result_round_trip_document_and_picture(tmp_path: Path) -> None:
-    from tmmcalc.cams.facts.cam_elastic import elastic_document
-    from tmmcalc.cams.pictures import draw_cam
+    from drawing import draw_cam
+
+    from tmmcalc.cams.facts.cam_elastic import document as elastic_document
     from tmmcalc.report.plaintext import lines
 
     task = replace(roller_task(), elastic=Elastic(4e6, 0.03))
@@ -168,8 +169,8 @@ def test_loss_of_contact_by_vibration() -> None:
 
 def test_a_groove_is_changed_from_wall_to_wall() -> None:
     """Two walls hold the roller: no contact is lost; where the load changes its sign the other wall presses."""
-    from tmmcalc.cams.facts.cam_elastic import elastic_document
-    from tmmcalc.cams.pictures.elastic import elastic_figure
+    from tmmcalc.cams.facts.cam_elastic import document as elastic_document
+    from tmmcalc.cams.pictures.cam_elastic import elastic_figure
     from tmmcalc.report.plaintext import lines
 
     given = roller_task(spring=Spring("none"))

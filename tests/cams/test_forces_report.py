@@ -6,8 +6,11 @@ from math import radians
 import pytest
 from typer.testing import CliRunner
 
-from tmmcalc.cams.facts.cam_forces import forces_document, forces_summary
-from tmmcalc.cams.facts.cam_strength import strength_document, strength_summary, turn_document
+from tmmcalc.cams.facts.cam_forces import document as forces_document
+from tmmcalc.cams.facts.cam_forces import summary as forces_summary
+from tmmcalc.cams.facts.cam_strength import document as strength_document
+from tmmcalc.cams.facts.cam_strength import summary as strength_summary
+from tmmcalc.cams.facts.cam_strength import turn_document
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.laws.catalogue import LAWS
@@ -131,7 +134,7 @@ def test_jamming_ends_with_its_code(tmp_path):
 @pytest.mark.parametrize(("task", "follower"), list(cams()), ids=["groove", "flat", "rocker"])
 def test_pictures(task, follower, tmp_path):
     pytest.importorskip("matplotlib")
-    from tmmcalc.cams.pictures import draw_cam
+    from drawing import draw_cam
 
     for name, result in (
         ("cam_forces", solve_forces(task, follower)),

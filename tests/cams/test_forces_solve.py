@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cams.turns import overshooting, task_of
-from tmmcalc.cams.facts.cam_forces import forces_document
+from tmmcalc.cams.facts.cam_forces import document as forces_document
 from tmmcalc.cams.follower import Follower, contact_path
 from tmmcalc.cams.forces.columns import force_columns
 from tmmcalc.cams.forces.results import CamForces

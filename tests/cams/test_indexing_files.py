@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from cams.indexing_scene import SCENES, task
-from tmmcalc.cams.facts.indexing import indexing_document, indexing_summary
+from tmmcalc.cams.facts.indexing import document as indexing_document
+from tmmcalc.cams.facts.indexing import summary as indexing_summary
 from tmmcalc.cams.files.indexing import nc_table, outlines
 from tmmcalc.cams.indexing import solve_indexing
 from tmmcalc.cams.indexing.columns import indexing_columns
@@ -167,8 +168,8 @@ def test_the_scheme_stands_where_the_law_has_it() -> None:
 
 def test_a_law_without_profile_has_no_picture(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
-    from tmmcalc.cams.pictures import draw_indexing
+    from drawing import drawn
 
     given = task(law=StepLaw("2.9", 1.625), ratio=None, roller=None)
     with pytest.raises(UsageError, match="no picture"):
-        draw_indexing(given, solve_indexing(given), tmp_path / "a.svg")
+        drawn("indexing", "cams", tmp_path / "a.svg", given, solve_indexing(given))

@@ -16,9 +16,10 @@ from tmmcalc.core.errors import UsageError
 
 pytest.importorskip("matplotlib")
 
-from tmmcalc.cams.pictures import draw_cam
-from tmmcalc.cams.pictures.law import law_figure
-from tmmcalc.cams.pictures.profile import profile_figure
+from drawing import draw_cam
+
+from tmmcalc.cams.pictures.cam_law import law_figure
+from tmmcalc.cams.pictures.cam_profile import profile_figure
 
 STEM, ROCKER = turn("cosine", "const", high=0), turn("sine", stroke=radians(20))
 SIZES = {"roller": 0.006, "centres": 0.1, "rocker": 0.09}

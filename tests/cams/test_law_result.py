@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from cams.turns import overshooting, task_of, turn
-from tmmcalc.cams.facts.cam_law import law_document, law_summary
+from tmmcalc.cams.facts.cam_law import document as law_document
+from tmmcalc.cams.facts.cam_law import summary as law_summary
 from tmmcalc.cams.lawresult import LawResult, law_columns, solve_law
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.constants import constants

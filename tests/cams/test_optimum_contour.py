@@ -177,8 +177,10 @@ def same(a: Any, b: Any) -> bool:
 
 @pytest.mark.parametrize("kind", ["translating", "flat"])
 def test_round_trip_documents_and_pictures(kind: str, tmp_path: Path) -> None:
-    from tmmcalc.cams.facts.cam_optimum import optimum_document, optimum_summary
-    from tmmcalc.cams.pictures import draw_cam
+    from drawing import draw_cam
+
+    from tmmcalc.cams.facts.cam_optimum import document as optimum_document
+    from tmmcalc.cams.facts.cam_optimum import summary as optimum_summary
     from tmmcalc.report.plaintext import lines
     from tmmcalc.report.render import _json
 

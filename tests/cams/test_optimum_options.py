@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from cams.optimum_scene import flat_task, roller_task
-from tmmcalc.cams.facts.cam_optimum import optimum_document, optimum_summary
+from tmmcalc.cams.facts.cam_optimum import document as optimum_document
+from tmmcalc.cams.facts.cam_optimum import summary as optimum_summary
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.optimum.game import with_law
 from tmmcalc.cams.optimum.results import CamOptimum
@@ -64,7 +65,7 @@ def test_report_and_picture_say_so(tmp_path) -> None:
     assert {fact.label for fact in game.facts} == {"as asked", "contact bronze (11 MPa)"}
     assert game.table.columns[0] == ["contact hard steel (600 MPa)", "contact steel (400 MPa)"]
     assert "gain[mm]" not in game.table.headers
-    from tmmcalc.cams.pictures import draw_cam
+    from drawing import draw_cam
 
     draw_cam("cam_optimum", task, result, tmp_path / "a.svg")
     assert (tmp_path / "a.svg").stat().st_size > 1000

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from cams.optimum_scene import CASES, flat_task, roller_task
-from tmmcalc.cams.facts.cam_optimum import optimum_document
+from tmmcalc.cams.facts.cam_optimum import document as optimum_document
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.optimum.game import MOST, with_law
 from tmmcalc.cams.optimum.least import least_height

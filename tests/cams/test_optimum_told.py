@@ -10,7 +10,8 @@ import pytest
 
 import tmmcalc
 from cams.optimum_scene import roller_task, turn
-from tmmcalc.cams.facts.cam_optimum import optimum_document, optimum_summary
+from tmmcalc.cams.facts.cam_optimum import document as optimum_document
+from tmmcalc.cams.facts.cam_optimum import summary as optimum_summary
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.forces.solve import solve_forces

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from cams.turns import task_of, turn
-from tmmcalc.cams.facts.cam_profile import profile_document
-from tmmcalc.cams.facts.cam_synthesis import synthesis_document
+from tmmcalc.cams.facts.cam_profile import document as profile_document
+from tmmcalc.cams.facts.cam_synthesis import document as synthesis_document
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pivot import highest, pivot_room
 from tmmcalc.cams.profile import solve_profile

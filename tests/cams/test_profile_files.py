@@ -10,7 +10,8 @@ import pytest
 
 from cams.test_law_result import same
 from cams.turns import task_of, turn
-from tmmcalc.cams.facts.cam_profile import profile_document, profile_summary
+from tmmcalc.cams.facts.cam_profile import document as profile_document
+from tmmcalc.cams.facts.cam_profile import summary as profile_summary
 from tmmcalc.cams.files.profile import nc_table, outlines
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.profile import Profile, solve_profile

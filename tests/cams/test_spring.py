@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cams.turns import overshooting, task_of
-from tmmcalc.cams.facts.cam_forces import forces_summary
+from tmmcalc.cams.facts.cam_forces import summary as forces_summary
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.notes import force_notes
 from tmmcalc.cams.forces.results import Reserve

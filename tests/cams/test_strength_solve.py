@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.cams.facts.cam_strength import strength_document
+from tmmcalc.cams.facts.cam_strength import document as strength_document
 from tmmcalc.cams.follower import Follower, contact_path, curvature
 from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.laws.catalogue import LAWS

@@ -14,8 +14,8 @@ pytest.importorskip("matplotlib")
 from matplotlib.colors import to_hex
 from matplotlib.text import Text
 
+from tmmcalc.cams.pictures.cam_synthesis import synthesis_figure
 from tmmcalc.cams.pictures.pivotzone import swept_of
-from tmmcalc.cams.pictures.synthesis import synthesis_figure
 from tmmcalc.cams.pictures.zone import LIMIT, PASSING
 
 PROGRAM = turn("sine", stroke=radians(30))

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tmmcalc.cli.commands import GEARS
+from tmmcalc.cli.commands import grouped
 
 from .conftest import CONFIGS, Cli
 
@@ -26,10 +26,10 @@ def write(text: str) -> str:
 def test_the_group_lists_its_commands(cli: Cli) -> None:
     code, out, err = cli("gears", "--help")
     assert (code, err) == (0, "")
-    assert all(f"\n  {name} " in out for name in GEARS)
+    assert all(f"\n  {name} " in out for name in grouped("gears"))
 
 
-@pytest.mark.parametrize("name", GEARS)
+@pytest.mark.parametrize("name", grouped("gears"))
 def test_help_has_an_example_and_stays_in_80_columns(cli: Cli, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     code, out, err = cli("gears", name, "--help")

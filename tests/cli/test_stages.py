@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tmmcalc.pipeline.plan import plan
+from tmmcalc.core.plan import plan
 from tmmcalc.project import load_spec, parse_spec
 
 from .conftest import CONFIGS, Cli

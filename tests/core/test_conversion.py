@@ -12,7 +12,7 @@ from tmmcalc import NoSolutionError, UsageError
 from tmmcalc.core.conversion import from_record, to_record
 from tmmcalc.core.records import record
 from tmmcalc.project import parse_spec
-from tmmcalc.spec.templates import folder
+from tmmcalc.project.templates import folder
 
 DIAGRAM = """
 [torque]

@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 import tmmcalc
 from tmmcalc.cli.app import app
 from tmmcalc.core.conversion import to_record
-from tmmcalc.spec import templates
+from tmmcalc.project import templates
 
 SPECS = {  # command -> stage, words that people read
     "contact": ("contact", "p_max/p0"),

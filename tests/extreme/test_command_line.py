@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from cli.conftest import Cli
 
-from tmmcalc.spec import templates
+from tmmcalc.project import templates
 from tmmcalc.stress.expected import expected
 
 from .scenes import FOLDER, LONG, MARKED, NAMES, files_not_finite, solved

@@ -9,7 +9,7 @@ import pytest
 from machines import TURN, positions, sine, steps
 
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
-from tmmcalc.machine.facts.motion import motion_summary
+from tmmcalc.machine.facts.motion import summary as motion_summary
 from tmmcalc.machine.motion import solve_motion
 from tmmcalc.machine.motors.characteristics import Straight
 from tmmcalc.machine.motors.model import Motor

@@ -14,7 +14,7 @@ from machine.motion import cycle_of, reference
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia
-from tmmcalc.machine.facts.motion import motion_summary
+from tmmcalc.machine.facts.motion import summary as motion_summary
 from tmmcalc.machine.motion import solve_motion
 from tmmcalc.machine.selfregulation import balance_speed, self_regulated
 from tmmcalc.project import parse_spec
@@ -165,7 +165,7 @@ def whole() -> Any:
 
 def test_the_flywheel_of_a_machine_without_drive_is_the_true_one(whole: Any) -> None:
     """The flywheel's table and the motion with it tell the same unevenness."""
-    from tmmcalc.machine.facts.flywheel import flywheel_document
+    from tmmcalc.machine.facts.flywheel import document as flywheel_document
 
     assert whole["motion"].regime.delta == pytest.approx(0.01, rel=1e-8)
     assert whole["flywheel"].required.delta == pytest.approx(whole["motion"].regime.delta, rel=1e-9)

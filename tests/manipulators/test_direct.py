@@ -21,7 +21,7 @@ from tmmcalc.manipulators.task import (
     PolyRoute,
     TableTask,
 )
-from tmmcalc.spec import templates
+from tmmcalc.project import templates
 
 from .scenes import derivative
 

@@ -7,9 +7,9 @@ from dataclasses import replace
 import pytest
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.pipeline.plan import plan
-from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.core.plan import plan
 from tmmcalc.project import parse_spec
+from tmmcalc.rooms import STAGES
 
 from . import toy
 

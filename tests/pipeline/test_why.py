@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from tmmcalc.core.stage import resolve
+from tmmcalc.core.plan import plan
 from tmmcalc.pipeline.hashing import content_hash, stage_hash
-from tmmcalc.pipeline.plan import plan
-from tmmcalc.pipeline.stages import STAGES
 from tmmcalc.pipeline.watch import watched
 from tmmcalc.pipeline.why import Why, explain, keyed
-from tmmcalc.project import Spec, load_spec, parse_spec
-from tmmcalc.spec import templates
+from tmmcalc.project import Spec, load_spec, parse_spec, templates
+from tmmcalc.rooms import STAGES
 
 from . import toy
 
@@ -31,10 +29,10 @@ def ready(name: str, *overrides: str) -> Spec:
 def test_a_watched_spec_gives_the_same_inputs_and_decisions(name: str) -> None:
     spec = ready(name)
     for stage in STAGES.values():
-        for reference in filter(None, (stage.wanted, stage.spares)):
-            assert watched(resolve(reference), spec)[0] == resolve(reference)(spec)
+        for decision in (stage.unwanted, stage.used):
+            assert watched(decision, spec)[0] == decision(spec)
     for name in plan(spec).running:
-        inputs = resolve(STAGES[name].inputs)
+        inputs = STAGES[name].inputs
         assert content_hash(watched(inputs, spec)[0]) == content_hash(inputs(spec))
 
 
@@ -117,9 +115,7 @@ def test_a_stage_depends_on_no_table_that_it_is_not_said_to_read(name: str, over
     table = override.partition(".")[0].partition("[")[0]
     for stage, why in reasons(before).items():
         if why.step.runs:
-            one, two = (
-                stage_hash(STAGES[stage], resolve(STAGES[stage].inputs)(spec), {}, {}) for spec in (before, after)
-            )
+            one, two = (stage_hash(STAGES[stage], STAGES[stage].inputs(spec), {}, {}) for spec in (before, after))
             assert (one == two) or any(read == table or read.startswith(f"{table}.") for read in why.tables), stage
 
 

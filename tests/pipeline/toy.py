@@ -5,8 +5,8 @@ Its stages note each call in `CALLS`, so a test can see what was imported from f
 
 from __future__ import annotations
 
+import pathlib
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -47,93 +47,98 @@ class Energy:
     by_position: np.ndarray
 
 
-def geometry_inputs(spec: Spec) -> Circle:
-    return Circle(spec.radius, spec.points)
+class Geometry:
+    @staticmethod
+    def inputs(spec: Spec) -> Circle:
+        return Circle(spec.radius, spec.points)
+
+    @staticmethod
+    def solve(inputs: Circle, upstream: dict[str, Any], settings: dict[str, Any]) -> Circle:
+        CALLS.append("geometry")
+        return inputs
+
+    @staticmethod
+    def dump(circle: Circle) -> Record:
+        points = {name: (z.real, z.imag) for name, z in circle.points.items()}
+        return Record({"radius": np.float64(circle.radius), "points": points}, counters={"points": len(points)})
+
+    @staticmethod
+    def load(record: Record) -> Circle:
+        points = {name: complex(*pair) for name, pair in record.scalars["points"].items()}
+        return Circle(record.scalars["radius"], points)
 
 
-def geometry_solve(inputs: Circle, upstream: dict[str, Any], settings: dict[str, Any]) -> Circle:
-    CALLS.append("geometry")
-    return inputs
+class Path:
+    @staticmethod
+    def inputs(spec: Spec) -> tuple[int, bool]:
+        return (spec.positions, spec.broken)
 
+    @staticmethod
+    def solve(inputs: tuple[int, bool], upstream: dict[str, Any], settings: dict[str, Any]) -> Path2D:
+        CALLS.append("path")
+        positions, broken = inputs
+        if broken:
+            raise AssemblyError("the links do not reach", where="path")
+        circle: Circle = upstream["geometry"]
+        phi = np.linspace(0, 2 * np.pi, positions)
+        turned = [z * circle.radius * np.exp(1j * phi) for z in circle.points.values()]
+        xy = np.stack([np.stack([z.real for z in turned]), np.stack([z.imag for z in turned])]).T
+        return Path2D(phi, xy, settings["method"])
 
-def geometry_dump(circle: Circle) -> Record:
-    points = {name: (z.real, z.imag) for name, z in circle.points.items()}
-    return Record({"radius": np.float64(circle.radius), "points": points}, counters={"points": len(points)})
+    @staticmethod
+    def dump(path: Path2D) -> Record:
+        return Record({"method": path.method}, {"phi": path.phi, "xy": path.xy}, {"position": 1e-16})
 
+    @staticmethod
+    def load(record: Record) -> Path2D:
+        return Path2D(record.arrays["phi"], record.arrays["xy"], record.scalars["method"])
 
-def geometry_load(record: Record) -> Circle:
-    points = {name: complex(*pair) for name, pair in record.scalars["points"].items()}
-    return Circle(record.scalars["radius"], points)
-
-
-def path_inputs(spec: Spec) -> tuple[int, bool]:
-    return (spec.positions, spec.broken)
-
-
-def path_solve(inputs: tuple[int, bool], upstream: dict[str, Any], settings: dict[str, Any]) -> Path2D:
-    CALLS.append("path")
-    positions, broken = inputs
-    if broken:
-        raise AssemblyError("the links do not reach", where="path")
-    circle: Circle = upstream["geometry"]
-    phi = np.linspace(0, 2 * np.pi, positions)
-    turned = [z * circle.radius * np.exp(1j * phi) for z in circle.points.values()]
-    xy = np.stack([np.stack([z.real for z in turned]), np.stack([z.imag for z in turned])]).T
-    return Path2D(phi, xy, settings["method"])
-
-
-def path_dump(path: Path2D) -> Record:
-    return Record({"method": path.method}, {"phi": path.phi, "xy": path.xy}, {"position": 1e-16})
-
-
-def path_load(record: Record) -> Path2D:
-    return Path2D(record.arrays["phi"], record.arrays["xy"], record.scalars["method"])
-
-
-def path_table(path: Path2D) -> Table:
-    columns = [np.degrees(path.phi), *path.xy.reshape(len(path.phi), -1).T]
-    names = [f"{axis}_{at // 2}[m]" for at, axis in enumerate("xy" * (len(columns) // 2))]
-    return Table(["phi[deg]", *names], columns)
+    @staticmethod
+    def table(path: Path2D) -> Table:
+        columns = [np.degrees(path.phi), *path.xy.reshape(len(path.phi), -1).T]
+        names = [f"{axis}_{at // 2}[m]" for at, axis in enumerate("xy" * (len(columns) // 2))]
+        return Table(["phi[deg]", *names], columns)
 
 
 def energy_wanted(spec: Spec) -> str | None:
     return None if spec.speed is not None else "no [motor]: speed is constant"
 
 
-def energy_inputs(spec: Spec) -> float:
-    assert spec.speed is not None
-    return spec.speed
+class OfEnergy:
+    @staticmethod
+    def inputs(spec: Spec) -> float:
+        assert spec.speed is not None
+        return spec.speed
+
+    @staticmethod
+    def solve(speed: float, upstream: dict[str, Any], settings: dict[str, Any]) -> Energy:
+        CALLS.append("energy")
+        square = (upstream["path"].xy * speed) ** 2
+        return Energy(float(square.sum(axis=0).sum()), square.sum(axis=(1, 2)))
+
+    @staticmethod
+    def dump(energy: Energy) -> Record:
+        return Record({"total": energy.total}, {"by_position": energy.by_position})
+
+    @staticmethod
+    def load(record: Record) -> Energy:
+        return Energy(record.scalars["total"], record.arrays["by_position"])
 
 
-def energy_solve(speed: float, upstream: dict[str, Any], settings: dict[str, Any]) -> Energy:
-    CALLS.append("energy")
-    square = (upstream["path"].xy * speed) ** 2
-    return Energy(float(square.sum(axis=0).sum()), square.sum(axis=(1, 2)))
-
-
-def energy_dump(energy: Energy) -> Record:
-    return Record({"total": energy.total}, {"by_position": energy.by_position})
-
-
-def energy_load(record: Record) -> Energy:
-    return Energy(record.scalars["total"], record.arrays["by_position"])
-
-
-def stage(name: str, **more: Any) -> Stage:
-    calls = {part: f"{__name__}:{name}_{part}" for part in ("inputs", "solve", "dump", "load")}
-    return Stage(name=name, title=f"the {name}", **{**calls, **more})
+def stage(name: str, home: str, **more: Any) -> Stage:
+    return Stage(name=name, title=f"the {name}", home=f"{__name__}:{home}", **more)
 
 
 STAGES: dict[str, Stage] = {
-    "geometry": stage("geometry"),
-    "path": stage("path", needs=("geometry",), settings={"method": "closed"}, table=f"{__name__}:path_table"),
-    "energy": stage("energy", needs=("path",), wanted=f"{__name__}:energy_wanted"),
-    "spare": Stage("spare", "never imported", *["no_such_module:f"] * 4, needs=("energy",)),
+    "geometry": stage("geometry", "Geometry"),
+    "path": stage("path", "Path", needs=("geometry",), settings={"method": "closed"}),
+    "energy": stage("energy", "OfEnergy", needs=("path",), wanted=f"{__name__}:energy_wanted"),
+    "spare": Stage("spare", "never imported", "no_such_module", needs=("energy",)),
 }
 TOY = {name: STAGES[name] for name in ("geometry", "path", "energy")}
 
 
-def go(spec: Spec = Spec(), out: Path | None = None, **more: Any) -> RunResult:
+def go(spec: Spec = Spec(), out: pathlib.Path | None = None, **more: Any) -> RunResult:
     """Run the toy pipeline, with `CALLS` cleared before."""
     CALLS.clear()
     return run(spec, out=out, stages=more.pop("stages", TOY), **more)

@@ -15,10 +15,9 @@ from tmmcalc.machine.tables.motion import MotionTable
 from tmmcalc.machine.tables.motor import MotorTable
 from tmmcalc.machine.tables.reduction import ReductionTable
 from tmmcalc.machine.tables.transmission import TransmissionTable
-from tmmcalc.project import Spec, load_spec, parse_spec
+from tmmcalc.project import Spec, load_spec, parse_spec, templates
 from tmmcalc.project import wording as wording_module
 from tmmcalc.project.loader import LARGEST_FILE
-from tmmcalc.spec import templates
 
 
 def test_every_ready_spec_loads() -> None:

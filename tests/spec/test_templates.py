@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.spec import templates
+from tmmcalc.project import templates
 
 
 def test_shaper_is_there() -> None:

@@ -21,7 +21,7 @@ from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.pipeline.outcome import RunResult
-from tmmcalc.spec import templates
+from tmmcalc.project import templates
 
 Array = NDArray[Any]
 TURN = 2 * math.pi

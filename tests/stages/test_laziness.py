@@ -10,7 +10,7 @@ from importlib import import_module
 import pytest
 
 import tmmcalc
-from tmmcalc.spec import templates
+from tmmcalc.project import templates
 
 CONFIGS = templates.folder()
 RUN = """
@@ -102,7 +102,7 @@ def test_balance_of_a_linkage_imports_no_engine_and_no_rotor() -> None:
     names = imported("press.toml", "balance")
     parts = ("enginetask", "rotortask", "engines", "rotors", "firing", "cylinders", "grades")
     assert within(names, "tmmcalc.machine.balance.task")
-    assert not within(names, *(f"tmmcalc.machine.balancing.{part}" for part in parts))
+    assert not within(names, *(f"tmmcalc.machine.balance.{part}" for part in parts))
 
 
 @pytest.mark.parametrize("file", ["rotor.toml", "in-line-engine.toml"])
@@ -115,7 +115,7 @@ def test_balance_without_a_linkage_imports_none(file: str) -> None:
 def test_a_scene_without_masses_imports_no_motion_and_no_balance() -> None:
     names = imported("extreme/massless.toml")
     machine = ("motion", "positional", "onemass", "regime", "recurrence", "flywheel", "transient", "balancing")
-    left_out = (*(f"machine.{name}" for name in machine), "linkage.balance")
+    left_out = (*(f"machine.{name}" for name in machine), "machine.balance")
     assert not within(names, *(f"tmmcalc.{name}" for name in left_out), "scipy")
 
 
@@ -133,17 +133,17 @@ def test_an_ordinary_project_runs_without_scipy(file: str) -> None:
 NOT_COMPUTED = [  # what is left out, the functions that compute it, spec, overrides, last stage
     ("friction", ["linkage.forces.friction:solve"], "press", NO_FRICTION, "forces"),
     ("friction", ["linkage.forces.friction:solve"], "press", NO_FRICTION, "reduction"),
-    ("reduced inertia", ["linkage.reduction.causes:reduced_inertia"], "extreme/massless", (), "reduction"),
-    ("rods in two masses", ["linkage.reduction.reduce:lumped"], "extreme/massless", (), "reduction"),
+    ("reduced inertia", ["machine.reduction.causes:reduced_inertia"], "extreme/massless", (), "reduction"),
+    ("rods in two masses", ["machine.reduction.reduce:lumped"], "extreme/massless", (), "reduction"),
     ("loads of inertia", ["linkage.forces.kinetostatics:inertia"], "extreme/massless", (), "forces"),
     ("the motor's regime", ["machine.steady:driven"], "press", (), "motion"),
     ("a resistance", ["machine.resisted:resisted"], "press", (), "motion"),
     ("the textbook's recurrence", ["machine.recurrence:on_nodes"], "press", (), "motion"),
     ("the motor's choice", ["machine.power:chosen_motor"], "shaper", (), "power"),
     ("the motor's choice", ["machine.power:chosen_motor", "machine.power:duty_of"], "press", (), "power"),
-    ("an engine", ["machine.balancing.enginetask:solve_engine"], "press", (), "balance"),
-    ("a rotor", ["machine.balancing.rotortask:solve_rotor"], "press", (), "balance"),
-    ("a linkage", ["linkage.balance.task:solve_balance"], "rotor", (), "balance"),
+    ("an engine", ["machine.balance.enginetask:solve_engine"], "press", (), "balance"),
+    ("a rotor", ["machine.balance.rotortask:solve_rotor"], "press", (), "balance"),
+    ("a linkage", ["machine.balance.task:solve_balance"], "rotor", (), "balance"),
 ]  # fmt: skip
 
 

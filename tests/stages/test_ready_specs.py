@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.pipeline.plan import plan
-from tmmcalc.spec import templates
+from tmmcalc.core.plan import plan
+from tmmcalc.project import templates
 
 from .independent import TURN, braked_angle, project, turned
 

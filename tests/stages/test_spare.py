@@ -10,20 +10,32 @@ import os
 import subprocess
 import sys
 from collections.abc import Mapping
+from importlib import import_module
 from pathlib import Path
 from typing import Any, get_args
 
 import pytest
 
-from tmmcalc.pipeline import omitted
-from tmmcalc.pipeline.plan import plan
-from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.core.plan import plan
+from tmmcalc.gears.wanted import NO_KEPT
+from tmmcalc.linkage.stages.forces import GEAR, INERTIA
+from tmmcalc.linkage.stages.kinematics import EXTRA, LOOPS
+from tmmcalc.linkage.stages.synthesis import CLOSED, NO_SEARCH, NO_SIFT
+from tmmcalc.linkage.wanted import FRICTION, NO_CSV, SLIDES, SPRINGS
+from tmmcalc.machine.stages.balance import NO_ENGINE, NO_LINKAGE, NO_ROTOR
+from tmmcalc.machine.stages.motion import NO_WHEEL
+from tmmcalc.machine.stages.power import GIVEN_MOTOR, NO_MOTOR
+from tmmcalc.machine.stages.reduction import DIAGRAM, REDUCED, RODS
+from tmmcalc.machine.stages.transient import NO_SHAFTS, NO_STEADY, POSITIONAL
+from tmmcalc.machine.wanted import NO_REGIME
+from tmmcalc.manipulators.stages.manipulator import NO_OBSTACLES
 from tmmcalc.pipeline.store import CSV_ROWS
 from tmmcalc.pipeline.why import explain, packages
-from tmmcalc.project import Spec, load_spec
-from tmmcalc.project.checks import _OF_TABLE as CHECKS
-from tmmcalc.spec import templates
+from tmmcalc.project import Spec, load_spec, templates
+from tmmcalc.project.root import ENTRIES
+from tmmcalc.rooms import STAGES
 from tmmcalc.spec.late import LateTable
+from tmmcalc.vibration.stages.vibrator import NO_CURVE, NO_DRIVE, NO_EXCITATION, NO_START
 
 CONFIGS = templates.folder()
 TESTS = Path(__file__).parents[1]
@@ -65,47 +77,47 @@ SHORTER = {  # the same scenes, with less to integrate
 
 # Sentences of what a stage leaves out, and the functions that are called if it does not; "path:" are all of a module.
 CALLED = {
-    ("kinematics", omitted.LOOPS): ("linkage/loops/",),
-    ("forces", omitted.FRICTION): ("linkage/forces/friction.py:", "linkage/forces/locking.py:"),
-    ("reduction", omitted.FRICTION): ("linkage/forces/friction.py:", "linkage/forces/locking.py:"),
-    ("forces", omitted.INERTIA): ("linkage/loads/sources.py:inertia",),
-    ("reduction", omitted.REDUCED): ("linkage/reduction/inertia.py:reduced_inertia",),
-    ("forces", omitted.SPRINGS): ("linkage/loads/sources.py:springs",),
-    ("reduction", omitted.SPRINGS): ("linkage/loads/sources.py:springs",),
-    ("forces", omitted.GEAR): ("linkage/forces/drive.py:mesh_force",),
-    ("reduction", omitted.RODS): ("linkage/reduction/inertia.py:lumped",),
-    ("reduction", omitted.DIAGRAM): ("linkage/reduction/reduce.py:solve_reduction",),
-    ("power", omitted.NO_MOTOR): ("machine/power.py:duty_of", "machine/power.py:chosen_motor"),
-    ("power", omitted.GIVEN_MOTOR): ("machine/power.py:chosen_motor",),
-    ("flywheel", omitted.NO_REGIME): ("machine/flywheel/required.py:",),
-    ("motion", omitted.NO_REGIME): ("machine/steady.py:driven",),
-    ("motion", omitted.NO_WHEEL): ("stages/shaft.py:shaft_ratio",),
-    ("transient", omitted.NO_SHAFTS): ("machine/transient/task.py:_rigid_moments",),
-    ("transient", omitted.NO_STEADY): ("machine/transient/task.py:_steady",),
-    ("balance", omitted.NO_LINKAGE): ("linkage/balance/",),
-    ("balance", omitted.NO_ENGINE): ("machine/balancing/engines.py:", "machine/balancing/enginetask.py:"),
-    ("balance", omitted.NO_ROTOR): ("machine/balancing/rotors.py:", "machine/balancing/rotortask.py:"),
-    ("train", omitted.NO_KEPT): ("gears/kept.py:kept_sets",),
-    ("criteria", omitted.NO_KEPT): ("gears/kept.py:kept_trains",),
-    ("synthesis", omitted.NO_SIFT): ("stages/sifted.py:",),
-    ("synthesis", omitted.CLOSED): ("stages/sifted.py:",),
-    ("synthesis", omitted.NO_SEARCH): ("linkage/synthesis/dwell/optimum.py:",),
-    ("manipulator", omitted.NO_OBSTACLES): ("manipulators/contacts.py:_path_contacts",),
-    ("vibrator", omitted.NO_EXCITATION): ("vibration/vibrator/forced.py:steady",),
-    ("vibrator", omitted.NO_CURVE): ("vibration/vibrator/forced.py:peaks",),
-    ("vibrator", omitted.NO_START): ("vibration/vibrator/runup.py:run_up",),
-    ("vibrator", omitted.NO_DRIVE): ("vibration/vibrator/rotor.py:driven",),
+    ("kinematics", LOOPS): ("linkage/loops/",),
+    ("forces", FRICTION): ("linkage/forces/friction.py:", "linkage/forces/locking.py:"),
+    ("reduction", FRICTION): ("linkage/forces/friction.py:", "linkage/forces/locking.py:"),
+    ("forces", INERTIA): ("linkage/loads/sources.py:inertia",),
+    ("reduction", REDUCED): ("machine/reduction/inertia.py:reduced_inertia",),
+    ("forces", SPRINGS): ("linkage/loads/sources.py:springs",),
+    ("reduction", SPRINGS): ("linkage/loads/sources.py:springs",),
+    ("forces", GEAR): ("linkage/forces/drive.py:mesh_force",),
+    ("reduction", RODS): ("machine/reduction/inertia.py:lumped",),
+    ("reduction", DIAGRAM): ("machine/reduction/reduce.py:solve_reduction",),
+    ("power", NO_MOTOR): ("machine/power.py:duty_of", "machine/power.py:chosen_motor"),
+    ("power", GIVEN_MOTOR): ("machine/power.py:chosen_motor",),
+    ("flywheel", NO_REGIME): ("machine/flywheel/required.py:",),
+    ("motion", NO_REGIME): ("machine/steady.py:driven",),
+    ("motion", NO_WHEEL): ("machine/stages/shaft.py:shaft_ratio",),
+    ("transient", NO_SHAFTS): ("machine/transient/task.py:_rigid_moments",),
+    ("transient", NO_STEADY): ("machine/transient/task.py:_steady",),
+    ("balance", NO_LINKAGE): ("machine/balance/task.py:",),
+    ("balance", NO_ENGINE): ("machine/balance/engines.py:", "machine/balance/enginetask.py:"),
+    ("balance", NO_ROTOR): ("machine/balance/rotors.py:", "machine/balance/rotortask.py:"),
+    ("train", NO_KEPT): ("gears/kept.py:kept_sets",),
+    ("criteria", NO_KEPT): ("gears/kept.py:kept_trains",),
+    ("synthesis", NO_SIFT): ("linkage/stages/sifted.py:",),
+    ("synthesis", CLOSED): ("linkage/stages/sifted.py:",),
+    ("synthesis", NO_SEARCH): ("linkage/synthesis/dwell/optimum.py:",),
+    ("manipulator", NO_OBSTACLES): ("manipulators/contacts.py:_path_contacts",),
+    ("vibrator", NO_EXCITATION): ("vibration/vibrator/forced.py:steady",),
+    ("vibrator", NO_CURVE): ("vibration/vibrator/forced.py:peaks",),
+    ("vibrator", NO_START): ("vibration/vibrator/runup.py:run_up",),
+    ("vibrator", NO_DRIVE): ("vibration/vibrator/rotor.py:driven",),
 }
 WIDER = {  # where one of these is said, or the scene is of another kind, the sentence itself says nothing more
-    omitted.GIVEN_MOTOR: omitted.NO_MOTOR,
-    omitted.CLOSED: omitted.NO_SIFT,
-    omitted.NO_SIFT: omitted.CLOSED,
+    GIVEN_MOTOR: NO_MOTOR,
+    CLOSED: NO_SIFT,
+    NO_SIFT: CLOSED,
 }
 ONCE = (  # however many stages read them
     "linkage/kinematics.py:solve_kinematics",
     "linkage/rounding.py:estimate",
     "linkage/forces/forces.py:solve_forces",
-    "linkage/reduction/reduce.py:solve_reduction",
+    "machine/reduction/reduce.py:solve_reduction",
     "linkage/forces/forces.py:_amplified",
     "machine/power.py:solve_power",
     "machine/motion.py:solve_motion",
@@ -151,7 +163,7 @@ def imports(spec: Spec, running: tuple[str, ...], seen: Mapping[str, Any]) -> li
     """Modules of stages that do not run, of tables that the spec has not, and of what stands outside the rooms."""
     modules = {name.removeprefix("tmmcalc.") for name in seen["modules"]}
     judged = "feasibility" in running  # designs are judged by the stages of their own specs
-    stages = {f"stages.{name}" for name in STAGES} - {f"stages.{name}" for name in running}
+    stages = {stage.home.removeprefix("tmmcalc.") for name, stage in STAGES.items() if name not in running}
     return [
         *(() if judged else sorted(modules & stages)),
         *(() if judged else sorted(modules & tables(spec))),
@@ -163,16 +175,19 @@ def tables(spec: Spec) -> set[str]:
     """Modules of the tables, and of their checks, that this spec has no use for."""
     given = spec.model_fields_set
     models = {name: late(field.annotation, *field.metadata) for name, field in Spec.model_fields.items()}
-    checks = {name: {f"spec.checks.{each}" for each in modules} for name, modules in CHECKS.items()}
-    shared = {"spec.checks.loads", "spec.checks.windows", "spec.checks.curves"} if spec.cam else set()
-    shared |= {"spec.checks.train"} if spec.pair else set()
+    checks = {
+        name: {f"{entry.home[8:]}.tables.checks.{each}" for each in entry.checks} for name, entry in ENTRIES.items()
+    }
+    of_loads = {f"linkage.tables.checks.{name}" for name in ("loads", "windows", "curves")}
+    shared = of_loads if spec.cam or spec.torque else set()
+    shared |= {"gears.tables.checks.train"} if spec.pair else set()
     needed = shared.union(*(each.get(name, set()) for each in (models, checks) for name in given))
     return set().union(*models.values(), *checks.values()) - needed
 
 
 def late(*annotations: Any) -> set[str]:
     """Modules of the late tables within annotations."""
-    own = {f"spec.{each.module}" for each in annotations if isinstance(each, LateTable)}
+    own = {each.module.removeprefix("tmmcalc.") for each in annotations if isinstance(each, LateTable)}
     return own.union(*(late(*get_args(each)) for each in annotations if get_args(each)))
 
 
@@ -191,7 +206,7 @@ def sentences(spec: Spec, seen: Mapping[str, Any]) -> list[str]:
 
 def concerns(spec: Spec, sentence: str) -> bool:
     """Whether a sentence on a synthesis concerns its kind."""
-    return sentence != omitted.NO_SEARCH or (spec.synthesis is not None and spec.synthesis.dwell is not None)
+    return sentence != NO_SEARCH or (spec.synthesis is not None and spec.synthesis.dwell is not None)
 
 
 def seen_in(seen: Mapping[str, Any]) -> Any:
@@ -277,5 +292,12 @@ def test_no_ready_spec_does_what_it_does_not_need() -> None:
 
 
 def test_every_sentence_is_held_against_what_happens() -> None:
-    told = {value for name, value in vars(omitted).items() if name.isupper() and isinstance(value, str)}
-    assert told - {sentence for _, sentence in CALLED} == {omitted.EXTRA, omitted.NO_CSV}  # see test_selection
+    homes = [import_module(stage.home) for stage in STAGES.values()]
+    homes += [import_module(f"tmmcalc.{room}.wanted") for room in ("linkage", "gears", "machine")]
+    told = {
+        value
+        for home in homes
+        for name, value in vars(home).items()
+        if name.isupper() and isinstance(value, str) and ": " in value and value not in (SLIDES, POSITIONAL)
+    }
+    assert told - {sentence for _, sentence in CALLED} == {EXTRA, NO_CSV}  # see test_selection

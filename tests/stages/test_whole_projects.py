@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import json
 import math
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import tmmcalc
+from tmmcalc.core.plan import plan
 from tmmcalc.core.stage import resolve
-from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.runner import run
-from tmmcalc.pipeline.stages import STAGES
-from tmmcalc.spec import templates
+from tmmcalc.project import templates
+from tmmcalc.rooms import STAGES
 
 CONFIGS = Path(templates.folder())
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases" / "dynamics.json").read_text())}
@@ -187,7 +188,11 @@ def test_the_time_constant_by_the_formula() -> None:
 
 def test_every_stage_resolves() -> None:
     for stage in STAGES.values():
-        for reference in (stage.inputs, stage.solve, stage.dump, stage.load, stage.table, stage.wanted):
+        home = import_module(stage.home)
+        assert callable(home.inputs)
+        assert callable(home.solve)
+        assert callable(resolve(f"{stage.facts}:summary"))
+        for reference in (stage.wanted, stage.reads, stage.studies, stage.picture.figure if stage.picture else ""):
             if reference:
                 assert callable(resolve(reference))
 

@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from tmmcalc.accuracy.subjects import SUBJECTS, Scene
 from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.plan import plan
 from tmmcalc.core.stage import resolve
 from tmmcalc.core.studies.measure import Clock
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Accuracy, Ladder, Study
-from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.runner import run
-from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.rooms import STAGES
+
+SUBJECTS = {name: stage.studies for name, stage in STAGES.items() if stage.studies}  # stages with a choice of methods
 
 if TYPE_CHECKING:
     from tmmcalc.project import Spec
@@ -43,7 +45,7 @@ def solve_accuracy(
     ladders: list[Ladder] = []
     failures = dict(ran.failures)
     for name in (name for name in asked if name in ran.outcomes):
-        scene = Scene(resolve(STAGES[name].inputs)(spec), ran.results, clock)
+        scene = Scene(STAGES[name].inputs(spec), ran.results, clock)
         if tell is not None:
             tell(f"{name}: methods are run")
         try:

@@ -11,7 +11,7 @@ from tmmcalc.batch.local import available, cores, processes
 from tmmcalc.batch.stacked import SOLVER, together
 from tmmcalc.batch.task import Task
 from tmmcalc.core.errors import TmmError, UsageError
-from tmmcalc.pipeline.plan import plan
+from tmmcalc.core.plan import plan
 
 # Stages that may take longer than a process costs to start: motions in time, searches, contours.
 HEAVY = frozenset(

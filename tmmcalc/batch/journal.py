@@ -21,8 +21,8 @@ from typing import Any, BinaryIO
 from zlib import crc32
 
 from tmmcalc.batch.task import Row
+from tmmcalc.core.atomic import blamed_on
 from tmmcalc.core.errors import UsageError
-from tmmcalc.pipeline.atomic import blamed_on
 from tmmcalc.pipeline.lock import locked_at_once
 
 _HEAD = "tmmcalc sweep"

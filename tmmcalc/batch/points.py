@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 from tmmcalc.batch.quantities import told
 from tmmcalc.batch.task import Row, Task, verdict
 from tmmcalc.core.errors import TmmError, UsageError
-from tmmcalc.pipeline.plan import plan
+from tmmcalc.core.plan import plan
 from tmmcalc.pipeline.runner import run
-from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.rooms import STAGES
 
 if TYPE_CHECKING:
     from tmmcalc.core.stage import Stage

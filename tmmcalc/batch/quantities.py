@@ -14,8 +14,9 @@ from fnmatch import fnmatchcase
 from typing import Any
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.told import facts
 from tmmcalc.feasibility.judge import OF, Constraint
-from tmmcalc.feasibility.stages.feasibility import columns, facts
+from tmmcalc.feasibility.stages.feasibility import columns
 
 Told = Iterator[tuple[str, float]]
 
@@ -89,7 +90,7 @@ def _asks_facts(stage: str, patterns: Sequence[str]) -> bool:
     """Whether a fact of this stage may be meant: making its summary takes as long as many a stage."""
     if not patterns:
         return True
-    from tmmcalc.pipeline.stages import STAGES
+    from tmmcalc.rooms import STAGES
 
     named = [p.partition(".")[0] for p in patterns if not OF_COLUMN.fullmatch(p)]
     return any(fnmatchcase(stage, name) or name not in STAGES for name in named)

@@ -11,9 +11,9 @@ from tmmcalc.batch.quantities import stages_of
 from tmmcalc.batch.table import read_points
 from tmmcalc.batch.task import Task
 from tmmcalc.core.errors import TmmError, UsageError
-from tmmcalc.pipeline.plan import known_stage
-from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.core.plan import known_stage
 from tmmcalc.project.loader import Variants, read_text
+from tmmcalc.rooms import STAGES
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.override import split
 from tmmcalc.spec.variants import MOST, Axis, axis, is_range

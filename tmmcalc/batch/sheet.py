@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from tmmcalc._version import __version__
 from tmmcalc.batch.quantities import rank
 from tmmcalc.batch.task import OK, Row, Task
+from tmmcalc.core.atomic import replace_file
 from tmmcalc.core.records import record
-from tmmcalc.pipeline.atomic import replace_file
 from tmmcalc.pipeline.manifest import seal
-from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.rooms import STAGES
 
 _HEAD = "# Written by tmmcalc sweep. If the CSV is changed by hand it is made again.\n\n"
 _LAST = ("status", "reason")

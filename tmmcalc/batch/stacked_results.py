@@ -18,8 +18,8 @@ from tmmcalc.batch.stacked_machine import MACHINE, given_of, motions_of_each
 from tmmcalc.batch.task import OK, Row, Task, verdict
 from tmmcalc.core.errors import TmmError
 from tmmcalc.core.numerics.alike import Rows
-from tmmcalc.core.stage import resolve
 from tmmcalc.machine.tables.tasks.machine import speed_key
+from tmmcalc.pipeline.runner import upstream_of
 
 if TYPE_CHECKING:
     from tmmcalc.batch.stacked_machine import Machine
@@ -140,9 +140,9 @@ class Results:
         if name in MACHINE and variant.machine is not None:
             given: Any = given_of(name, variant.machine, self._key)
         else:
-            given = resolve(stage.inputs)(self._inputs.spec(point))
+            given = stage.inputs(self._inputs.spec(point))
         upstream = {each: variant.results[each] for each in stage.upstream(variant.results)}
-        variant.results[name] = resolve(stage.solve)(given, upstream, stage.settings)
+        variant.results[name] = stage.solve(given, upstream_of(upstream), stage.settings)
 
 
 def _of(found: dict[int, _Variant], some: Indices, stage: str) -> list[Any]:

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 def _subjects(incomplete: str) -> list[str]:
     """Stages with a choice of methods that begin so, for the completion of the shell."""
-    from tmmcalc.accuracy.subjects import SUBJECTS
+    from tmmcalc.accuracy.solve import SUBJECTS
 
     return [name for name in SUBJECTS if name.startswith(incomplete)]
 
@@ -99,9 +99,10 @@ def command(
     deliver(_document(result, heading, form, tolerance), form, out)
     drawn = plot if result.studies or result.ladders else None
     if drawn is not None:
-        from tmmcalc.report.drawing import draw_accuracy
+        from tmmcalc.accuracy.picture import accuracy_figure
+        from tmmcalc.report.drawing import draw
 
-        draw_accuracy(result, drawn, heading, tolerance)
+        draw(drawn, lambda: accuracy_figure(result, heading, tolerance))
     elif plot is not None:
         say("no stage of this scene has a choice of methods: there is nothing to draw", "yellow")
     for file in (out, drawn):

@@ -4,7 +4,6 @@ from tmmcalc.cli.stage import stage_command
 
 command = stage_command(
     "balance",
-    "tmmcalc.machine.facts.balance:balance_document",
     """Balance: shaking force and moment of the linkage, of an engine, of a rotor; counterweights and what they leave.
 
     Example: tmmcalc balance my.toml --columns 'phi,R,D_*'

@@ -79,7 +79,7 @@ def contents_of(
 
 def write_files(contents: Mapping[Path, bytes], quiet: bool) -> None:
     """Write the files, each in one step; one that has these bytes already is left alone."""
-    from tmmcalc.pipeline.atomic import replace_file
+    from tmmcalc.core.atomic import replace_file
 
     for file, data in contents.items():
         replace_file(file, data)

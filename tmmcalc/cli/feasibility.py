@@ -15,6 +15,8 @@ from tmmcalc.cli.work import Job, check_picture, show, title
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from tmmcalc.feasibility.maps import RegionMap
 
 
@@ -53,7 +55,7 @@ def command(
         )
     scene = job.spec()
     run = job.run(scene, "feasibility")
-    from tmmcalc.feasibility.facts.feasibility import feasibility_document
+    from tmmcalc.feasibility.facts.feasibility import document as feasibility_document
 
     job.finish(feasibility_document(run.results["feasibility"], title(scene, job.file, "feasibility")), run, form)
 
@@ -65,9 +67,9 @@ def _map(job: Job, form: Format, over: list[str], picture: Path | None) -> None:
         check_picture(picture, "--picture")
     result = _solved(job, over)
     if picture is not None:
-        from tmmcalc.feasibility.pictures.regions import draw_region
+        from tmmcalc.report.drawing import draw
 
-        draw_region(result, picture)
+        draw(picture, lambda: _figure(result))
         if not job.quiet:
             note_written(picture)
     from tmmcalc.feasibility.facts.regions import region_document
@@ -75,6 +77,12 @@ def _map(job: Job, form: Format, over: list[str], picture: Path | None) -> None:
     printed = region_document(result, f"{job.file.stem}: region", everything=form is not Format.table)
     show(printed, form)
     job.check_warnings(printed)
+
+
+def _figure(result: RegionMap) -> Figure:
+    from tmmcalc.feasibility.pictures.regions import region_figure
+
+    return region_figure(result)
 
 
 def _check_flags(job: Job) -> None:

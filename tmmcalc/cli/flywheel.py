@@ -4,7 +4,6 @@ from tmmcalc.cli.stage import summary_command
 
 command = summary_command(
     "flywheel",
-    "tmmcalc.machine.facts.flywheel:flywheel_document",
     """Flywheel: the one that keeps the allowed unevenness, by all methods side by side, its shaft and its rim.
 
     Example: tmmcalc flywheel my.toml

@@ -8,9 +8,9 @@ import typer
 
 from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
-from tmmcalc.cli.positions import rows_of
 from tmmcalc.cli.work import Job, table_file, title
 from tmmcalc.core.errors import UsageError
+from tmmcalc.report.rows import rows_of
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.forces.results import Forces
@@ -53,7 +53,7 @@ def command(
     if iterations is not None:
         document = _iterations(scene, run.results["kinematics"], result, heading, iterations, stop)
     else:
-        from tmmcalc.linkage.facts.forces import forces_document
+        from tmmcalc.linkage.facts.forces import document as forces_document
 
         document = forces_document(
             result,

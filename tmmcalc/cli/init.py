@@ -17,7 +17,7 @@ WIDTH = 80
 
 def _ready(incomplete: str) -> list[str]:
     """Ready specs that begin so, for the completion of the shell."""
-    from tmmcalc.spec import templates
+    from tmmcalc.project import templates
 
     return [name for name in templates.names() if name.startswith(incomplete)]
 
@@ -40,7 +40,7 @@ def command(
 
     Example: tmmcalc init four-bar -o my.toml
     """
-    from tmmcalc.spec import templates
+    from tmmcalc.project import templates
 
     if listing:
         put(_listing({name: templates.description(name) for name in templates.names()}))
@@ -71,7 +71,7 @@ def _listing(described: dict[str, str]) -> str:
 def _write(out: Path, text: str, tables: list[Path], force: bool, quiet: bool) -> None:
     """Write the spec, the schema that its first line names, and the tables that it names."""
     from tmmcalc.cli.work import check_place
-    from tmmcalc.pipeline.atomic import replace_file
+    from tmmcalc.core.atomic import replace_file
     from tmmcalc.project.schema import schema_text
 
     check_place(out, "init")

@@ -10,9 +10,9 @@ import typer
 
 from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
-from tmmcalc.cli.positions import rows_of
 from tmmcalc.cli.work import Job, title
 from tmmcalc.core.errors import UsageError
+from tmmcalc.report.rows import rows_of
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.results import Kinematics
@@ -87,7 +87,7 @@ def command(
     elif study or compare:
         document = _methods_document(scene, result, heading, method, decimals, study)
     else:
-        from tmmcalc.linkage.facts.kinematics import kinematics_document
+        from tmmcalc.linkage.facts.kinematics import document as kinematics_document
 
         document = kinematics_document(
             result,

@@ -42,6 +42,15 @@ def late_group(
     return app
 
 
+def late_group_of(name: str) -> typer.Typer:
+    """The application of the commands of a room under a word of their own, as its manifest describes it."""
+    from tmmcalc.cli.commands import grouped, room_of
+
+    group = room_of(name).group
+    assert group is not None
+    return late_group({"Commands": grouped(name)}, group.example, group.text, add_completion=False)
+
+
 class LateGroup(TyperGroup):
     """A group whose commands are loaded late.
 

@@ -6,7 +6,6 @@ from tmmcalc.cli.stage import stage_command
 
 command = stage_command(
     "manipulator",
-    "tmmcalc.manipulators.facts.manipulator:manipulator_document",
     """Manipulator: the joints that lead the gripper along its path, or the gripper that the joints lead.
 
     Singular places, passed limits and obstacles are told with their times. A row 4- is the limit before a jump there.

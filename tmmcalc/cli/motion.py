@@ -4,7 +4,6 @@ from tmmcalc.cli.stage import stage_command
 
 command = stage_command(
     "motion",
-    "tmmcalc.machine.facts.motion:motion_document",
     """Motion: the steady motion of the machine under its motor, or under a constant driving moment.
 
     Example: tmmcalc motion my.toml --columns 'phi,omega*' --positions 0:24:4

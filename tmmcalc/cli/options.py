@@ -22,7 +22,7 @@ class Format(StrEnum):
 
 def stages(incomplete: str) -> list[str]:
     """Stages that begin so, for the completion of the shell."""
-    from tmmcalc.pipeline.stages import STAGES
+    from tmmcalc.rooms import STAGES
 
     return [name for name in STAGES if name.startswith(incomplete)]
 

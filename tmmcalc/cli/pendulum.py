@@ -18,7 +18,7 @@ def command(job: Job, form: Form = Format.table, columns: Columns = None) -> Non
     patterns = patterns_of(columns)
     scene = job.spec()
     run = job.run(scene, "pendulum")
-    from tmmcalc.vibration.facts.pendulum import pendulum_document
+    from tmmcalc.vibration.facts.pendulum import document as pendulum_document
 
     heading = title(scene, job.file, "pendulum-rotor")
     everything = form is not Format.table

@@ -36,8 +36,8 @@ def command(
 
     Example: tmmcalc plan my.toml kinematics --why
     """
-    from tmmcalc.pipeline.plan import plan
-    from tmmcalc.pipeline.plan_document import plan_document
+    from tmmcalc.core.plan import plan
+    from tmmcalc.pipeline.documents import plan_document
 
     scene = Job(spec, overrides=overrides or ()).spec()
     found = plan(scene, target, skip=skip or ())

@@ -2,23 +2,60 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmmcalc.cli.drawings import DRAWINGS, drawing_of
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Quiet, Set, SpecFile
-from tmmcalc.cli.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
 from tmmcalc.cli.work import Job, check_place
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.stage import Picture, resolve
+from tmmcalc.pipeline.runner import upstream_of
+from tmmcalc.project import parse_spec
+from tmmcalc.report.drawing import draw
+from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
+from tmmcalc.rooms import STAGES
+
+if TYPE_CHECKING:
+    from tmmcalc.project import Spec
 
 WIDTH = 78  # of the list of pictures, which the help indents by two
 
 
+PICTURES = {name: stage.picture for name, stage in STAGES.items() if stage.picture is not None}
+
+
 def _drawn(incomplete: str) -> list[str]:
     """Stages with a picture that begin so, for the completion of the shell."""
-    return [name for name in DRAWINGS if name.startswith(incomplete)]
+    return [name for name in PICTURES if name.startswith(incomplete)]
+
+
+def picture_of(stage: str, flags: Mapping[str, str | None]) -> Picture:
+    """The picture of a stage; raises `UsageError` for a stage without one, and for flags that are not its own."""
+    if stage not in PICTURES:
+        raise UsageError(f"there is no picture of {stage!r}", where="plot", remedy=f"pictures: {', '.join(PICTURES)}")
+    picture = PICTURES[stage]
+    strange = [flag for flag, value in flags.items() if value is not None and flag not in picture.flags]
+    if strange:
+        own = f"its own flags: {', '.join(picture.flags)}" if picture.flags else "it has no flags of its own"
+        raise UsageError(
+            f"{' and '.join(strange)} cannot be used with the picture of {stage}", where="plot", remedy=own
+        )
+    return picture
+
+
+def ordered(stage: str, spec: Spec, results: Mapping[str, Any], flags: Mapping[str, str | None], file: Path) -> None:
+    """Draw the picture of a stage to a file."""
+    picture = picture_of(stage, flags)
+
+    def solved(name: str) -> Any:
+        return STAGES[name].solve(STAGES[name].inputs(spec), upstream_of(results), {})
+
+    order = Order(spec, results, flags, solved, parse_spec)
+    draw(file, lambda: resolve(picture.figure)(order))
 
 
 def command(
@@ -69,12 +106,12 @@ def command(
 ) -> None:
     """Draw the result of a stage; it is computed afresh, no stage files are read or written."""
     flags = {POSITIONS: positions, POLYGONS: polygons, CHOOSE: None if choose is None else str(choose), PHASE: phase}
-    drawing = drawing_of(stage, flags)
+    picture_of(stage, flags)
     file = out or Path(f"{spec.stem}.svg")
     check_place(file, "plot")
     job = Job(spec, store=False, quiet=True, overrides=overrides or ())
     scene = job.spec()
-    drawing.draw(Order(scene, job.run(scene, stage).results, file, flags))
+    ordered(stage, scene, job.run(scene, stage).results, flags, file)
     if not quiet:
         note_written(file)
 
@@ -83,10 +120,10 @@ def _list() -> str:
     """What the picture of every stage shows, a paragraph that the help leaves as it is."""
     from textwrap import wrap
 
-    longest = max(map(len, DRAWINGS)) + 2
+    longest = max(map(len, PICTURES)) + 2
     lines = []
-    for name, drawing in DRAWINGS.items():
-        lines += wrap(f"{name:<{longest}}{drawing.shows}", WIDTH, subsequent_indent=" " * longest)
+    for name, picture in PICTURES.items():
+        lines += wrap(f"{name:<{longest}}{picture.shows}", WIDTH, subsequent_indent=" " * longest)
     return "\n".join(["\b", *lines])
 
 

@@ -4,7 +4,6 @@ from tmmcalc.cli.stage import summary_command
 
 command = summary_command(
     "power",
-    "tmmcalc.machine.facts.power:power_document",
     """Power: work per cycle by cause, efficiency, mean and peak power, and the motor, given or chosen.
 
     Example: tmmcalc power my.toml

@@ -4,7 +4,6 @@ from tmmcalc.cli.stage import stage_command
 
 command = stage_command(
     "reduction",
-    "tmmcalc.machine.facts.reduction:reduction_document",
     """Reduction: reduced moment of every load, weights, springs and friction, reduced inertia, work per cycle.
 
     Example: tmmcalc reduce my.toml --columns 'phi,M_red*,J_red'

@@ -32,7 +32,7 @@ def command(
         put(schema_text())
         return
     from tmmcalc.cli.work import check_place
-    from tmmcalc.pipeline.atomic import replace_file
+    from tmmcalc.core.atomic import replace_file
 
     check_place(out, "schema")
     replace_file(out, schema_text().encode())

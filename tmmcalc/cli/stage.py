@@ -6,15 +6,15 @@ from collections.abc import Callable
 
 from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
-from tmmcalc.cli.positions import rows_of
 from tmmcalc.cli.work import Job, table_file, title
+from tmmcalc.report.rows import rows_of
 
 
-def stage_command(stage: str, document: str, text: str, heading: str = "") -> Callable[..., None]:
-    """The command that runs a stage and prints ``document``, a ``"module:function"``; ``text`` is its help.
+def stage_command(stage: str, text: str, heading: str = "") -> Callable[..., None]:
+    """The command that runs a stage and prints its document; ``text`` is its help.
 
-    The function is called as ``document(result, title, patterns=, rows=, everything=, where=)``; the title says
-    ``heading``, by default the stage.
+    The document is chosen by ``patterns``, ``rows``, ``everything``, ``where``; its title says ``heading``, by default
+    the stage.
     """
 
     @with_flags
@@ -28,9 +28,7 @@ def stage_command(stage: str, document: str, text: str, heading: str = "") -> Ca
         scene = job.spec()
         run = job.run(scene, stage)
         result = run.results[stage]
-        from tmmcalc.core.stage import resolve
-
-        printed = resolve(document)(
+        printed = run.outcomes[stage].stage.document(
             result,
             title(scene, job.file, heading or stage),
             patterns=patterns,
@@ -44,12 +42,10 @@ def stage_command(stage: str, document: str, text: str, heading: str = "") -> Ca
     return command
 
 
-def summary_command(
-    stage: str, document: str, text: str, heading: str = "", *, forms: bool = False
-) -> Callable[..., None]:
-    """The command of a stage without positions; the function is called as ``document(result, title)``.
+def summary_command(stage: str, text: str, heading: str = "", *, forms: bool = False) -> Callable[..., None]:
+    """The command of a stage without positions.
 
-    With ``forms`` it is told as ``everything=`` whether a format for programs is asked for.
+    With ``forms`` its document is told as ``everything`` whether a format for programs is asked for.
     """
 
     @with_flags
@@ -59,10 +55,10 @@ def summary_command(
     ) -> None:
         scene = job.spec()
         run = job.run(scene, stage)
-        from tmmcalc.core.stage import resolve
-
         more = {"everything": form is not Format.table} if forms else {}
-        printed = resolve(document)(run.results[stage], title(scene, job.file, heading or stage), **more)
+        printed = run.outcomes[stage].stage.document(
+            run.results[stage], title(scene, job.file, heading or stage), **more
+        )
         job.finish(printed, run, form)
 
     command.__doc__ = text

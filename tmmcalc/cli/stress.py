@@ -97,9 +97,10 @@ def command(
     heading = f"{spec.stem if spec else 'extreme scenes'}: stress"
     deliver(_document(result, heading, form), form, out)
     if plot is not None:
-        from tmmcalc.report.drawing import draw_stress
+        from tmmcalc.report.drawing import draw
+        from tmmcalc.stress.picture import stress_figure
 
-        draw_stress(result, plot, heading)
+        draw(plot, lambda: stress_figure(result, heading))
     for file in (out, plot):
         if file is not None and not quiet:
             note_written(file)

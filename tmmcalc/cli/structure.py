@@ -29,7 +29,8 @@ def command(
     scene = job.spec()
     run = job.run(scene, "structure")
     result = run.results["structure"]
-    from tmmcalc.linkage.facts.structure import assemblies_document, structure_document
+    from tmmcalc.linkage.facts.structure import assemblies_document
+    from tmmcalc.linkage.facts.structure import summary as structure_document
 
     if assemblies:
         from tmmcalc.linkage.listing import list_assemblies

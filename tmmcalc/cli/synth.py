@@ -55,7 +55,7 @@ def command(
         raise UsageError(
             f"there is no solution {choose}", where="--choose", value=choose, limit=count, remedy=f"write 1 to {count}"
         )
-    from tmmcalc.linkage.facts.synthesis import synthesis_document
+    from tmmcalc.linkage.facts.synthesis import document as synthesis_document
 
     heading = title(scene, job.file, "synthesis")
     everything = form is not Format.table
@@ -65,7 +65,7 @@ def command(
 
         document = replace(document, parts=(candidates_document(judged, "constraints", choose),))
     if ready is not None:
-        from tmmcalc.pipeline.atomic import replace_file
+        from tmmcalc.core.atomic import replace_file
 
         replace_file(ready, result.designs[choose - 1].spec.encode())
     job.finish(document, run, form)

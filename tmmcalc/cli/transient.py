@@ -20,7 +20,7 @@ def command(
     patterns = patterns_of(columns)
     scene = job.spec()
     run = job.run(scene, "transient")
-    from tmmcalc.machine.facts.transient import transient_document
+    from tmmcalc.machine.facts.transient import document as transient_document
 
     printed = transient_document(
         run.results["transient"],

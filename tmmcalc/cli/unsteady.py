@@ -6,7 +6,6 @@ from tmmcalc.cli.stage import stage_command
 
 command = stage_command(
     "unsteady",
-    "tmmcalc.linkage.facts.unsteady:unsteady_document",
     """Unsteady motion: the input goes from rest to rest by the time-optimal law; all links over the time.
 
     A row 4- is the limit before a jump of the acceleration at row 4.

@@ -19,7 +19,7 @@ def command(job: Job, form: Form = Format.table, columns: Columns = None) -> Non
     patterns = patterns_of(columns)
     scene = job.spec()
     run = job.run(scene, "vibrator")
-    from tmmcalc.vibration.facts.vibrator import vibrator_document
+    from tmmcalc.vibration.facts.vibrator import document as vibrator_document
 
     heading = title(scene, job.file, "vibratory device")
     everything = form is not Format.table

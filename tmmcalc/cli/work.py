@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
@@ -13,8 +12,6 @@ from tmmcalc.cli.messages import say, show_damage, show_error, show_event, whoev
 from tmmcalc.cli.options import Format
 from tmmcalc.core.errors import LimitError, TmmError, UsageError
 from tmmcalc.core.records import record
-
-TURNS = 100  # that an angle of a drawing may have
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import Event, RunResult
@@ -175,19 +172,6 @@ def check_tolerance(error: float) -> None:
         raise UsageError(f"{error:g} is no relative error", where="--tolerance", remedy="write e.g. --tolerance 1e-6")
 
 
-def within_turns(angle: float, flag: str) -> float:
-    """The angle [rad] itself; raises `UsageError` if it is more than TURNS turns."""
-    if abs(angle) <= TURNS * 2 * math.pi:
-        return angle
-    raise UsageError(
-        f"{math.degrees(angle):.6g} deg is more than {TURNS} turns",
-        where=flag,
-        value=angle,
-        limit=TURNS * 2 * math.pi,
-        remedy=f"write e.g. {flag} '5 deg'",
-    )
-
-
 def table_file(run: RunResult, stage: str) -> str:
     """Where the whole table of a stage stands; empty if it was not written."""
     return next((str(file) for file in run.files if file.name == f"{stage}.csv"), "")
@@ -205,7 +189,7 @@ def deliver(document: Document, form: Format, out: Path | None) -> None:
         return
     from io import StringIO
 
-    from tmmcalc.pipeline.atomic import replace_file
+    from tmmcalc.core.atomic import replace_file
     from tmmcalc.report.render import render
 
     text = StringIO()

@@ -13,16 +13,6 @@ Told = TypeVar("Told")
 Limits = tuple[float | None, float | None]
 
 
-def named(header: str) -> tuple[str, str]:
-    """Name and unit of a header.
-
-    >>> named("vS_D[m/s]"), named("efficiency")
-    (('vS_D', 'm/s'), ('efficiency', ''))
-    """
-    name, _, unit = header.partition("[")
-    return name, unit.removesuffix("]")
-
-
 def of_name(constraint: Constraint, told: Mapping[str, Told]) -> Told:
     """What is told under the name of a constraint; raises `UsageError` with the names that there are."""
     name = constraint.value or constraint.column or ""

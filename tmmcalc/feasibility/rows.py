@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.records import record
+from tmmcalc.core.told import named
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask
-from tmmcalc.feasibility.quantities import limits, named, of_name
+from tmmcalc.feasibility.quantities import limits, of_name
 from tmmcalc.feasibility.rule import failing, may_hold
 
 

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import Any
-
 from tmmcalc.core.errors import AccuracyError
 from tmmcalc.pipeline.outcome import Outcome
+from tmmcalc.report.errors import estimates
 
 
 def check_accuracy(outcome: Outcome, tolerance: float) -> None:
@@ -22,12 +20,3 @@ def check_accuracy(outcome: Outcome, tolerance: float) -> None:
         limit=tolerance,
         remedy="ask for less, take another method, or keep clear of the places that the warnings name",
     )
-
-
-def estimates(error: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
-    """Quantities and their estimated relative errors; what else stands there says how they were found."""
-    for name, value in error.items():
-        if isinstance(value, Mapping):
-            yield from ((f"{name}.{inner}", size) for inner, size in estimates(value))
-        elif isinstance(value, float):
-            yield name, value

@@ -12,8 +12,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
+from tmmcalc.core.atomic import replace_file
 from tmmcalc.core.errors import UsageError
-from tmmcalc.pipeline.atomic import replace_file
 
 _UNSPEAKABLE = "\n\r;|%"  # make has no quoting for these in a rule
 

@@ -7,9 +7,9 @@ from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
+from tmmcalc.core.plan import Plan
 from tmmcalc.core.records import record
-from tmmcalc.core.stage import Record, Stage, Table, resolve
-from tmmcalc.pipeline.plan import Plan
+from tmmcalc.core.stage import Record, Stage, Table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -42,15 +42,12 @@ class Outcome:
     @cached_property
     def result(self) -> Any:
         """The result, always by way of the record: computed or read from files, it is the same."""
-        return resolve(self.stage.load)(self.record)
+        return self.stage.load(self.record)
 
     @cached_property
     def table(self) -> Table | None:
         """The table for people, None if the stage has none."""
-        if not self.stage.table:
-            return None
-        table: Table | None = resolve(self.stage.table)(self.result)
-        return table
+        return self.stage.table(self.result)
 
 
 class Results(Mapping[str, Any]):

@@ -12,12 +12,12 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
-from tmmcalc.core.stage import Stage, matches, of_scene, resolve
+from tmmcalc.core.plan import Plan, known_stage, plan
+from tmmcalc.core.stage import Stage, Upstream, matches, of_scene
 from tmmcalc.pipeline.accuracy import check_accuracy
 from tmmcalc.pipeline.outcome import Event, Outcome, RunResult
 from tmmcalc.pipeline.plain import plain_record
-from tmmcalc.pipeline.plan import Plan, known_stage, plan
-from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.rooms import STAGES
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -121,7 +121,7 @@ class _Run:
     def do(self, stage: Stage, keep_going: bool) -> None:
         """Load or compute a stage, store it, and tell what was done."""
         began = perf_counter()
-        inputs = resolve(stage.inputs)(self.spec)
+        inputs = stage.inputs(self.spec)
         try:
             outcome, event = self._outcome(stage, inputs)
             if self.tolerance is not None:
@@ -144,10 +144,27 @@ class _Run:
         return self.archive.outcome(stage, provenance, forced, lambda: self._computed(stage, inputs), self.tell)
 
     def _computed(self, stage: Stage, inputs: object) -> Outcome:
-        upstream = {name: self.outcomes[name].result for name in stage.upstream(self.outcomes)}
-        result = resolve(stage.solve)(inputs, upstream, self.options[stage.name])
-        record = plain_record(resolve(stage.dump)(result))
+        upstream = upstream_of({name: self.outcomes[name].result for name in stage.upstream(self.outcomes)})
+        result = stage.solve(inputs, upstream, self.options[stage.name])
+        record = plain_record(stage.dump(result))
         return Outcome(stage, lambda: record)
+
+
+def upstream_of(results: Mapping[str, Any]) -> Upstream:
+    """Results by stage as a stage is given them."""
+    return Upstream(results, _another)
+
+
+def _another(text: str, stages: Sequence[str]) -> dict[str, Any]:
+    """Results of stages of the spec of a text, nothing stored."""
+    from tmmcalc.project import parse_spec
+
+    spec = parse_spec(text)
+    found: dict[str, Any] = {}
+    for name in stages:
+        if name not in found:
+            found |= run(spec, target=name).results
+    return {name: found[name] for name in stages}
 
 
 def _archive(out: Path | None, csv: bool | None, columns: Sequence[str]) -> Archive | None:

@@ -12,16 +12,15 @@ from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
+from tmmcalc.core.atomic import blamed_on, remove_leftovers, replace_file, sync_folder
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
-from tmmcalc.core.stage import Record, Table
+from tmmcalc.core.stage import CSV_ROWS, Record, Table
 from tmmcalc.pipeline import content, manifest
-from tmmcalc.pipeline.atomic import blamed_on, remove_leftovers, replace_file, sync_folder
 from tmmcalc.pipeline.lock import locked
 from tmmcalc.pipeline.manifest import Manifest, Provenance, Seal
 from tmmcalc.pipeline.plain import plain_table
 
-CSV_ROWS = 2000  # at more rows a CSV costs a hundred times the computation
 _KINDS = ("toml", "npz", "csv")
 
 

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from tmmcalc.core.errors import TmmError
+from tmmcalc.core.plan import Plan, Step
 from tmmcalc.core.records import record
-from tmmcalc.core.stage import Stage, of_scene, resolve
-from tmmcalc.pipeline.plan import Plan, Step
-from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.core.stage import Stage, of_scene
 from tmmcalc.pipeline.watch import Seen, watched
+from tmmcalc.rooms import STAGES
 
 
 @record
@@ -45,35 +45,35 @@ def packages(reasons: tuple[Why, ...]) -> tuple[str, ...]:
 
 def _why(spec: object, step: Step, declared: Stage, own: Mapping[str, Stage], running: set[str]) -> Why:
     stage = own[step.stage]
-    reason, seen = watched(resolve(stage.wanted), spec) if stage.wanted else (None, ())
-    _, spared = watched(resolve(declared.spares), spec) if declared.spares and step.runs else (None, ())
+    reason, seen = watched(stage.unwanted, spec)
+    _, read = watched(declared.used, spec) if step.runs else (None, ())
     barred = step.asked and not step.runs
     absent = tuple(_missed(spec, stage, reason, seen)) if barred and reason else ()
     return Why(
         step=step,
-        decided=tuple(dict.fromkeys(key.key for key in (*seen, *spared))),
+        decided=tuple(dict.fromkeys(key.key for key in (*seen, *read))),
         brings=absent,
         change=seen[-1].key if barred and reason and not absent and seen else None,
         after=None if not barred or reason else next((n for n in stage.needs if n not in running), None),
         tables=_tables(spec, stage) if step.runs else (),
         reads=tuple(name for name in stage.upstream(running) if name in running),
         readers=tuple(name for name in own if name in running and step.stage in own[name].upstream(running)),
-        omits=(*_spared(declared, stage, running), *_told(stage.omits, spec)) if step.runs else (),
-        packages=_told(stage.packages, spec) if step.runs else (),
+        omits=(*_spared(declared, stage, running), *stage.omits(spec)) if step.runs else (),
+        packages=stage.packages(spec) if step.runs else (),
     )
 
 
 def _missed(spec: object, stage: Stage, reason: str, seen: tuple[Seen, ...]) -> Iterator[str]:
     """The absent keys that matter: supposed to be given, each changes what the decision says."""
     for key in seen:
-        if not key.there and watched(resolve(stage.wanted), spec, key.key)[0] != reason:
+        if not key.there and watched(stage.unwanted, spec, key.key)[0] != reason:
             yield key.key
 
 
 def _tables(spec: object, stage: Stage) -> tuple[str, ...]:
     """Tables of the spec that the inputs of a stage come from; none if they are not fit to be read."""
     try:
-        _, seen = watched(resolve(stage.inputs), spec)
+        _, seen = watched(stage.inputs, spec)
     except TmmError:
         return ()
     return tuple(dict.fromkeys(_table(key) for key in seen if key.there))
@@ -89,13 +89,6 @@ def _spared(declared: Stage, stage: Stage, running: set[str]) -> tuple[str, ...]
     """The results that the scene has, and other scenes would read for this stage."""
     spared = (name for name in declared.uses if name in running and name not in stage.uses)
     return tuple(f"the result of {name} is not read: the spec gives it" for name in spared)
-
-
-def _told(reference: str, spec: object) -> tuple[str, ...]:
-    if not reference:
-        return ()
-    told: tuple[str, ...] = resolve(reference)(spec)
-    return told
 
 
 def keyed(key: str, spec: object) -> str:

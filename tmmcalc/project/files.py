@@ -16,12 +16,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path as FilePath
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cams.tables.law_columns import NO_HEADER
 from tmmcalc.project.filecolumns import FORCE, LAW, LOAD, TORQUE, FileError, Form, are_numbers, cells, columns_of
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.outline import Raw, subtable, tables, word
+from tmmcalc.spec.outline import Raw, Rows, subtable, tables, word
 from tmmcalc.spec.phrases import Path, show
 from tmmcalc.spec.units import UnitError
 
@@ -31,14 +31,6 @@ if TYPE_CHECKING:
 LARGEST_FILE = 10_000_000  # bytes
 _MOST_FAULTS = 10  # of one file; the rest is counted
 LAW_KEYS = ("law", "rise_law", "return_law")  # of [cam]
-
-
-class Rows(NamedTuple):
-    """What was read: the file as the spec names it, the line of each row, and one of the unit of x."""
-
-    file: str
-    lines: list[int]
-    unit: str  # such as "1 deg"; empty for plain numbers
 
 
 def read_files(data: Raw, folder: FilePath) -> tuple[list[Finding], dict[Path, Rows]]:

@@ -16,7 +16,7 @@ from tmmcalc.spec.phrases import Path, show_path
 from tmmcalc.spec.syntax import read_toml, too_deep
 
 if TYPE_CHECKING:
-    from tmmcalc.project.files import Rows
+    from tmmcalc.spec.outline import Rows
 
 LARGEST_FILE = 10_000_000  # bytes; a spec of a hundred links has some ten thousand
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class LateTable:
-    """An annotation that stands for the table class ``name`` in the module ``tmmcalc.<module>``."""
+    """An annotation that stands for the table class ``name`` of ``module``."""
 
     def __init__(self, module: str, name: str) -> None:
         self.module = module
@@ -28,7 +28,7 @@ class LateTable:
     @cached_property
     def table(self) -> type[Table]:
         """The table class."""
-        found: type[Table] = getattr(import_module(f"tmmcalc.{self.module}"), self.name)
+        found: type[Table] = getattr(import_module(self.module), self.name)
         return found
 
     def read(self, value: object) -> Table:

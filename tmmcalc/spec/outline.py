@@ -9,17 +9,22 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeGuard
+from typing import Any, NamedTuple, TypeGuard
 
 from tmmcalc.core.records import record
 from tmmcalc.spec.identifiers import NAME
 from tmmcalc.spec.phrases import Path
 
-if TYPE_CHECKING:
-    from tmmcalc.project.files import Rows
-
 FRAME = 0
 Raw = dict[str, Any]
+
+
+class Rows(NamedTuple):
+    """What was read: the file as the spec names it, the line of each row, and one of the unit of x."""
+
+    file: str
+    lines: list[int]
+    unit: str  # such as "1 deg"; empty for plain numbers
 
 
 @record

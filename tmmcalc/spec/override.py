@@ -119,7 +119,7 @@ def _find(here: list[Any], where: _Where, path: Path, assignment: str) -> int:
 
 def _named(path: Path, here: list[Any], names: list[Any]) -> list[Any]:
     """The names with those that elements without one get; as they are where something else stands in the list."""
-    from tmmcalc.project.names import NUMBERED, load_names  # late: few overrides go by a name
+    from tmmcalc.spec.names import NUMBERED, load_names  # late: few overrides go by a name
 
     if not all(isinstance(item, dict) for item in here) or not all(isinstance(name, str | None) for name in names):
         return names

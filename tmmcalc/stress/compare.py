@@ -15,7 +15,7 @@ import numpy as np
 
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import Table
-from tmmcalc.feasibility.stages.feasibility import facts
+from tmmcalc.core.told import facts
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.stress.stages import between, in_millimetres
 from tmmcalc.stress.units import Factors

@@ -8,13 +8,13 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, TypeVar
 
 from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.plan import known_stage
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import resolve
-from tmmcalc.pipeline.accuracy import estimates
 from tmmcalc.pipeline.outcome import RunResult
-from tmmcalc.pipeline.plan import known_stage
 from tmmcalc.pipeline.runner import run
-from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.report.errors import estimates
+from tmmcalc.rooms import STAGES
 from tmmcalc.stress.compare import Alignment, Difference, difference, not_finite
 from tmmcalc.stress.ladders import LADDERS
 from tmmcalc.stress.results import DISPUTED, ERROR, FAULT, OK, WARNING, Ladder, Met, Rung, Stress
@@ -201,9 +201,8 @@ def _difference(result: RunResult, beside: Beside, name: str) -> Difference:
 
 
 def _warnings(result: RunResult, name: str) -> list[str]:
-    from tmmcalc.pipeline.summary import SUMMARIES
 
-    document = resolve(SUMMARIES[name])(result.results[name], name)
+    document = STAGES[name].summary(result.results[name], name)
     notes = [note for part in (document, *document.parts) for note in part.notes]
     return [note for note in notes if note.startswith("warning")]
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.core.records import record
-from tmmcalc.feasibility.stages.feasibility import facts
+from tmmcalc.core.told import facts
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.runner import run
 from tmmcalc.stress.compare import Alignment

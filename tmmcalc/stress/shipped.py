@@ -8,8 +8,8 @@ from dataclasses import replace
 from tmmcalc.core.errors import TmmError
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.runner import run
+from tmmcalc.project import templates
 from tmmcalc.project.loader import Variants
-from tmmcalc.spec import templates
 from tmmcalc.stress.expected import Expected, disagreements, expected
 from tmmcalc.stress.results import ERROR, FAULT, Ladder, Met, Rung, Stress
 from tmmcalc.stress.run import caught, climbed_rung

@@ -7,13 +7,13 @@ import pytest
 
 pytest.importorskip("matplotlib")
 
+from drawing import draw_cam
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
 
 from cams.turns import task_of, turn
-from tmmcalc.cams.pictures import draw_cam
-from tmmcalc.cams.pictures.pressure import pressure_figure
-from tmmcalc.cams.pictures.synthesis import synthesis_figure
+from tmmcalc.cams.pictures.cam_pressure import pressure_figure
+from tmmcalc.cams.pictures.cam_synthesis import synthesis_figure
 from tmmcalc.cams.pictures.zone import LIMIT, ZONE
 from tmmcalc.cams.pressure import solve_pressure
 from tmmcalc.cams.synthesis.solve import solve_synthesis

@@ -11,10 +11,10 @@ import tmmcalc
 from tmmcalc import run
 from tmmcalc.cams.speed import Speed
 from tmmcalc.cams.task import CamTask
-from tmmcalc.pipeline.plan import plan
-from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.core.plan import plan
 from tmmcalc.project import parse_spec
-from tmmcalc.spec.templates import folder
+from tmmcalc.project.templates import folder
+from tmmcalc.rooms import STAGES
 
 CONFIGS = Path(folder())
 CAM = """
@@ -110,15 +110,22 @@ def test_the_optimum_takes_the_speed_of_the_machine() -> None:
 def test_a_picture_shows_the_speed_that_the_stage_had(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, stage: str, turns: bool
 ) -> None:
-    from tmmcalc.cams import pictures as cams
-    from tmmcalc.cli.drawings import drawing_of
-    from tmmcalc.cli.order import Order
+    from importlib import import_module
+
+    from drawing import draw_stage
+
+    from tmmcalc.report.drawing.page import blank
 
     drawn: list[CamTask] = []
-    monkeypatch.setattr(cams, "draw_cam", lambda stage, task, result, file: drawn.append(task))
+
+    def figure(task: CamTask, result: object) -> object:
+        drawn.append(task)
+        return blank(1)[0]
+
+    monkeypatch.setattr(import_module(f"tmmcalc.cams.pictures.{stage}"), f"{stage.removeprefix('cam_')}_figure", figure)
     text = (CONFIGS / "press.toml").read_text() + CAM.format(begin=40.0, mass=2.0) + OPTIMUM
     spec = parse_spec(text)
-    drawing_of(stage, {}).draw(Order(spec, run(spec, target=stage).results, tmp_path / "a.svg", {}))
+    draw_stage(stage, spec, run(spec, target=stage).results, tmp_path / "a.svg")
     assert [task.turning is not None for task in drawn] == [turns]
 
 

@@ -45,10 +45,9 @@ from tmmcalc.cams.task import (
 )
 from tmmcalc.core.errors import UsageError
 from tmmcalc.pipeline.hashing import content_hash
-from tmmcalc.project import load_spec, parse_spec
+from tmmcalc.project import load_spec, parse_spec, templates
 from tmmcalc.project.files import named_files
 from tmmcalc.project.schema import json_schema
-from tmmcalc.spec import templates
 from tmmcalc.spec.units import parse
 
 DOCS = CONFIGS.parent / "docs" / "spec.md"

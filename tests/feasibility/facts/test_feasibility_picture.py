@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from drawing import drawn
 
 pytest.importorskip("matplotlib")
 
@@ -14,7 +15,7 @@ from matplotlib.patches import Rectangle
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.feasibility.judge import Constraint, Feasibility, FeasibilityTask, judge
-from tmmcalc.feasibility.pictures.feasibility import FAILS, HOLDS, IDLE, draw_feasibility, feasibility_figure
+from tmmcalc.feasibility.pictures.feasibility import FAILS, HOLDS, IDLE, feasibility_figure
 
 VALUES = {"a": (1.2, "m", 1.0, None), "b": (3.0, "N", None, 2.0), "c": (50.0, "W", None, 10.0)}
 TASK = FeasibilityTask(
@@ -61,6 +62,6 @@ def test_words_do_not_run_into_one_another(rows: int) -> None:
 
 def test_a_file_of_another_kind(tmp_path: Path) -> None:
     with pytest.raises(UsageError):
-        draw_feasibility(found(), tmp_path / "x.gif")
-    draw_feasibility(found(), tmp_path / "x.svg")
+        drawn("feasibility", "feasibility", tmp_path / "x.gif", found())
+    drawn("feasibility", "feasibility", tmp_path / "x.svg", found())
     assert (tmp_path / "x.svg").read_bytes().startswith(b"<?xml")

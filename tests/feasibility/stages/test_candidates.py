@@ -9,9 +9,11 @@ import pytest
 
 import tmmcalc
 from tmmcalc.core.errors import NoSolutionError, SingularityError, UsageError
-from tmmcalc.feasibility.stages.feasibility import dump, load, solve
+from tmmcalc.feasibility.stages.feasibility import solve
 from tmmcalc.pipeline import runner
-from tmmcalc.spec import templates
+from tmmcalc.pipeline.runner import upstream_of
+from tmmcalc.project import templates
+from tmmcalc.rooms import STAGES
 
 TEXT = (templates.folder() / "feasibility.toml").read_text()
 
@@ -39,7 +41,7 @@ def test_every_design_is_judged_by_its_own_simulation() -> None:
     assert result.feasible
     assert result.verdicts == result.candidates[0].verdicts
     assert result.candidates[1].failing == ("calm", "short")
-    assert load(dump(result)) == result
+    assert STAGES["feasibility"].load(STAGES["feasibility"].dump(result)) == result
 
 
 def test_designs_that_are_all_feasible_keep_their_order() -> None:
@@ -76,15 +78,15 @@ def test_a_design_that_cannot_be_judged_is_last(monkeypatch: pytest.MonkeyPatch)
 
     monkeypatch.setattr(runner, "run", refusing)
     upstream = {"synthesis": run.results["synthesis"]}
-    result = solve(inputs(scene), upstream, {})
+    result = solve(inputs(scene), upstream_of(upstream), {})
     assert [each.number for each in result.candidates] == [1, 2]
     assert result.candidates[1].refused == "kinematics: dead point"
     assert result.candidates[1].function is None
-    assert load(dump(result)) == result
+    assert STAGES["feasibility"].load(STAGES["feasibility"].dump(result)) == result
 
     def never(spec: Any, **options: Any) -> Any:
         raise SingularityError("dead point", where="kinematics", remedy="x")
 
     monkeypatch.setattr(runner, "run", never)
     with pytest.raises(NoSolutionError, match="no design can be judged; the first: kinematics: dead point"):
-        solve(inputs(scene), upstream, {})
+        solve(inputs(scene), upstream_of(upstream), {})

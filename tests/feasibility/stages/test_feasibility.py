@@ -9,8 +9,8 @@ import pytest
 
 import tmmcalc
 from tmmcalc.feasibility.judge import Feasibility
-from tmmcalc.feasibility.stages.feasibility import dump, load
-from tmmcalc.spec import templates
+from tmmcalc.project import templates
+from tmmcalc.rooms import STAGES
 
 SHAPER = (templates.folder() / "shaper.toml").read_text()
 CONSTRAINTS = """
@@ -60,7 +60,7 @@ def test_quantities_and_their_limits(tmp_path: Path) -> None:
     assert stroke.margin == pytest.approx(min(low, high), rel=1e-15)
     a, b = low + high - np.hypot(low, high), -swift.margin  # both limits of one constraint are joined smoothly
     assert result.function == pytest.approx(a + b - np.hypot(a, b), rel=1e-12)
-    assert load(dump(result)) == result
+    assert STAGES["feasibility"].load(STAGES["feasibility"].dump(result)) == result
 
 
 def test_what_fails_is_named(tmp_path: Path) -> None:

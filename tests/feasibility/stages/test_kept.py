@@ -11,7 +11,7 @@ import tmmcalc
 from tmmcalc.gears.advice import removals
 from tmmcalc.gears.columns import set_columns
 from tmmcalc.gears.selection.columns import chosen_columns
-from tmmcalc.spec import templates
+from tmmcalc.project import templates
 
 GEARS = (templates.folder() / "gears-coaxial.toml").read_text()
 SLIM = '\n[[constraints]]\nname = "slim"\nstage = "train"\ncolumn = "D"\nat_most = "400 mm"\n'

@@ -12,7 +12,8 @@ from faults import HOSTILE, check_lines
 import tmmcalc
 from tmmcalc.feasibility.judge import OF, FeasibilityTask
 from tmmcalc.feasibility.logic import FORMS
-from tmmcalc.feasibility.tables.constraints import ConstraintTable, FeasibilityTable
+from tmmcalc.feasibility.tables.constraints import ConstraintTable
+from tmmcalc.feasibility.tables.feasibility import FeasibilityTable
 from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
 
 DOCS = Path(__file__).parents[3] / "docs" / "spec.md"

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from drawing import drawn
 
 pytest.importorskip("matplotlib")
 
@@ -29,12 +30,11 @@ from tmmcalc.gears.meshing.contours import Blocking, ContourLine, PairContour
 from tmmcalc.gears.meshing.results import Pairs
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
-from tmmcalc.gears.pictures.contour import blocking_figure
+from tmmcalc.gears.pictures.blocking import blocking_figure
 from tmmcalc.gears.pictures.contourkey import SIZE
 from tmmcalc.gears.pictures.contourlines import least_shifts, number_of, strokes
 from tmmcalc.gears.pictures.contourlook import BELT, BORDER, FILL, STRICT, together
 from tmmcalc.gears.pictures.contourpaths import paths_of, smooth
-from tmmcalc.report.drawing import draw_blocking
 from tmmcalc.report.drawing.style import INK, MARK
 
 PAIRS: dict[str, dict[str, Any]] = {
@@ -374,7 +374,7 @@ class TestFigure:
     def test_equal_results_give_equal_bytes(self, tmp_path: Path) -> None:
         files = [tmp_path / name for name in ("one.svg", "two.svg")]
         for file in files:
-            draw_blocking(Blocking((pair_of("5/200"),), ()), file)
+            drawn("blocking", "gears", file, Blocking((pair_of("5/200"),), ()))
         first, second = (file.read_bytes() for file in files)
         assert first == second
         assert first.startswith(b"<?xml")

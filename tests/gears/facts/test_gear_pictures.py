@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -17,8 +17,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 
 from tmmcalc.api import run
-from tmmcalc.cli.drawings import drawing_of
-from tmmcalc.cli.order import Order
+from tmmcalc.cli.plot import ordered, picture_of
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.layouts import LAYOUTS, layout_of
 from tmmcalc.gears.model import ToothSets
@@ -30,6 +29,12 @@ from tmmcalc.gears.pictures.train import train_figure
 from tmmcalc.gears.train import Trains
 from tmmcalc.project import load_spec
 from tmmcalc.report.drawing.page import blank, settle
+
+
+class Ordered(NamedTuple):
+    spec: Any
+    results: Any
+
 
 RACK = math.radians(20)
 RAISED = math.acos(math.cos(RACK) * 132 / 138)  # closes Z1 + 2 Z2 + Z3 = 132 against Z3 + Z4 = 138
@@ -187,26 +192,26 @@ class TestPlaces:
 
 
 @pytest.fixture(scope="module")
-def order(tmp_path_factory: pytest.TempPathFactory) -> Order:
+def order(tmp_path_factory: pytest.TempPathFactory) -> Ordered:
     folder = tmp_path_factory.mktemp("gears")
     file = folder / "gears.toml"
     file.write_text(SPEC)
     spec = load_spec(file)
-    return Order(spec, run(spec, target="criteria").results, folder / "picture.svg", {})
+    return Ordered(spec, run(spec, target="criteria").results)
 
 
 @pytest.fixture(scope="module")
-def of_train(order: Order) -> Figure:
+def of_train(order: Ordered) -> Figure:
     return train_figure(order.results["train"], 2)
 
 
 @pytest.fixture(scope="module")
-def of_criteria(order: Order) -> Figure:
+def of_criteria(order: Ordered) -> Figure:
     return criteria_figure(order.results["criteria"], order.results["train"])
 
 
 class TestTrain:
-    def test_every_candidate_is_in_the_bars(self, order: Order, of_train: Figure) -> None:
+    def test_every_candidate_is_in_the_bars(self, order: Ordered, of_train: Figure) -> None:
         panels = [axes for axes in of_train.axes if axes.get_xlabel() == "combinations of wheels"]
         variants = order.results["train"].variants
         assert len(panels) == len(variants)
@@ -216,7 +221,7 @@ class TestTrain:
             assert left == variant.synthesis.count
             assert axes.get_xscale() == "log"
 
-    def test_every_set_is_a_point(self, order: Order, of_train: Figure) -> None:
+    def test_every_set_is_a_point(self, order: Ordered, of_train: Figure) -> None:
         panels = [axes for axes in of_train.axes if axes.get_xlabel() == "$z_1 + z_2$"]
         for axes, variant in zip(panels, order.results["train"].variants, strict=True):
             points = np.concatenate([np.asarray(line.get_xydata()) for line in axes.lines[:2]])
@@ -246,7 +251,7 @@ class TestTrain:
         for found, printed in zip((tops[:6], tops[6:]), table, strict=True):
             assert all(abs(top - value) < 0.011 for top, value in zip(found, printed, strict=True))
 
-    def test_a_set_that_there_is_not(self, order: Order) -> None:
+    def test_a_set_that_there_is_not(self, order: Ordered) -> None:
         most = max(len(variant.sets) for variant in order.results["train"].variants)
         for choose in (0, most + 1):
             with pytest.raises(UsageError, match=f"no tooth set {choose}"):
@@ -254,7 +259,7 @@ class TestTrain:
 
 
 class TestCriteria:
-    def test_front_and_winner(self, order: Order, of_criteria: Figure) -> None:
+    def test_front_and_winner(self, order: Ordered, of_criteria: Figure) -> None:
         result = order.results["criteria"]
         axes = axes_of(of_criteria, "mass of moving wheels $M$, kg")
         edge, rings, star = (np.asarray(line.get_xydata()) for line in axes.lines[:3])
@@ -279,7 +284,7 @@ class TestCriteria:
         assert len(named) == 2
         assert sum(bool(axes.lines) and axes.axison for axes in of_criteria.axes) == 1 + 6
 
-    def test_the_train_that_is_drawn(self, order: Order) -> None:
+    def test_the_train_that_is_drawn(self, order: Ordered) -> None:
         result = order.results["criteria"]
         for choose in (None, 1):
             figure = criteria_figure(result, order.results["train"], choose)
@@ -290,7 +295,7 @@ class TestCriteria:
             assert teeth == sets.teeth[result.pool.row[place]].tolist()
             assert table[0, 4].get_text().get_text() == "b, mm"
 
-    def test_a_row_that_there_is_not(self, order: Order) -> None:
+    def test_a_row_that_there_is_not(self, order: Ordered) -> None:
         result = order.results["criteria"]
         for choose in (0, len(result.pool) + 1):
             with pytest.raises(UsageError, match=f"no row {choose}"):
@@ -298,17 +303,16 @@ class TestCriteria:
 
 
 @pytest.mark.parametrize("stage", ["train", "criteria"])
-def test_equal_results_give_equal_bytes(order: Order, stage: str, tmp_path: Path) -> None:
+def test_equal_results_give_equal_bytes(order: Ordered, stage: str, tmp_path: Path) -> None:
     pictures = []
     results = dict(order.results) | {"train": Trains(order.results["train"].variants[:1])}
     for name in ("one.svg", "two.svg"):
-        asked = order._replace(file=tmp_path / name, flags={"--choose": "1"}, results=results)
-        drawing_of(stage, asked.flags).draw(asked)
-        pictures.append(asked.file.read_bytes())
+        ordered(stage, order.spec, results, {"--choose": "1"}, tmp_path / name)
+        pictures.append((tmp_path / name).read_bytes())
     assert pictures[0] == pictures[1]
     assert pictures[0].startswith(b"<?xml")
 
 
 def test_choose_belongs_to_gears() -> None:
     with pytest.raises(UsageError, match="--choose cannot be used with the picture of kinematics"):
-        drawing_of("kinematics", {"--choose": "1"})
+        picture_of("kinematics", {"--choose": "1"})

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from drawing import drawn
 
 pytest.importorskip("matplotlib")
 
@@ -25,13 +26,12 @@ from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import Kind, PairTask
 from tmmcalc.gears.pictures.generation import generation_of
-from tmmcalc.gears.pictures.pairsheet import pair_figure
+from tmmcalc.gears.pictures.pair import pair_figure
 from tmmcalc.gears.pictures.pairtable import parameters
 from tmmcalc.gears.pictures.placedpair import PlacedPair, placed_pair
+from tmmcalc.gears.pictures.profile import profile_figure
 from tmmcalc.gears.pictures.sketch import spread
 from tmmcalc.gears.pictures.slidingcurves import course, singles
-from tmmcalc.gears.pictures.toothpicture import profile_figure
-from tmmcalc.report.drawing import draw_pair, draw_profile
 
 M = 0.005
 TASKS: dict[str, tuple[tuple[int, int], tuple[float, float], Kind, float]] = {
@@ -411,11 +411,11 @@ def test_texts_in_a_column_are_moved_apart_and_kept_in_order() -> None:
     assert max(heights) <= 5.2 + 1e-5
 
 
-@pytest.mark.parametrize("draw", [draw_pair, draw_profile])
-def test_equal_results_give_equal_bytes(draw: Callable[..., None], tmp_path: Path) -> None:
+@pytest.mark.parametrize("stage", ["pair", "profile"])
+def test_equal_results_give_equal_bytes(stage: str, tmp_path: Path) -> None:
     pictures = []
     for name in ("one.svg", "two.svg"):
-        draw(Pairs((solved("helical"),), "", ()), tmp_path / name)
+        drawn(stage, "gears", tmp_path / name, Pairs((solved("helical"),), "", ()))
         pictures.append((tmp_path / name).read_bytes())
     assert pictures[0] == pictures[1]
     assert pictures[0].startswith(b"<?xml")

@@ -15,9 +15,13 @@ import numpy as np
 import pytest
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.gears.facts.blocking import blocking_document, blocking_summary, chosen_contours
+from tmmcalc.gears.facts.blocking import chosen_contours
+from tmmcalc.gears.facts.blocking import document as blocking_document
+from tmmcalc.gears.facts.blocking import summary as blocking_summary
 from tmmcalc.gears.facts.measure import measure_document
-from tmmcalc.gears.facts.pair import chosen_pairs, pair_document, pair_summary
+from tmmcalc.gears.facts.pair import chosen_pairs
+from tmmcalc.gears.facts.pair import document as pair_document
+from tmmcalc.gears.facts.pair import summary as pair_summary
 from tmmcalc.gears.meshing.blocking import solve_blocking
 from tmmcalc.gears.meshing.contours import Area, Blocking, ContourPoint
 from tmmcalc.gears.meshing.remeasure import remeasured

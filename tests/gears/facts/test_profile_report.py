@@ -15,7 +15,8 @@ import pytest
 
 from gears.involute.profile.envelope import CASES
 from tmmcalc.core.errors import UsageError
-from tmmcalc.gears.facts.profile import profile_document, profile_summary
+from tmmcalc.gears.facts.profile import document as profile_document
+from tmmcalc.gears.facts.profile import summary as profile_summary
 from tmmcalc.gears.files import layer_of, outline_csv, outlines
 from tmmcalc.gears.involute.internal.ring import Cutter
 from tmmcalc.gears.involute.profile.mesh import Placing

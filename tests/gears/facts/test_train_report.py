@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 import tmmcalc
-from tmmcalc.gears.facts.train import train_document, train_summary
+from tmmcalc.gears.facts.train import document as train_document
+from tmmcalc.gears.facts.train import summary as train_summary
 from tmmcalc.pipeline.runner import run
 from tmmcalc.report.document import Document
 

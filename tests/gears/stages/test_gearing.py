@@ -11,11 +11,11 @@ import pytest
 
 import tmmcalc
 from tmmcalc.core.errors import UsageError
-from tmmcalc.gears.facts.gearing import gearing_document
+from tmmcalc.gears.facts.gearing import document as gearing_document
 from tmmcalc.gears.facts.planetary import planetary_document
 from tmmcalc.gears.gearing import Gearing
 from tmmcalc.pipeline.runner import run
-from tmmcalc.spec import templates
+from tmmcalc.project import templates
 
 RPM = math.pi / 30
 

@@ -12,14 +12,14 @@ import numpy as np
 import pytest
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.pipeline import omitted
+from tmmcalc.core.plan import plan
+from tmmcalc.linkage.stages.kinematics import EXTRA
+from tmmcalc.linkage.wanted import NO_CSV
 from tmmcalc.pipeline.outcome import RunResult
-from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.runner import run
 from tmmcalc.pipeline.store import CSV_ROWS
 from tmmcalc.pipeline.why import explain
-from tmmcalc.project import Spec, load_spec
-from tmmcalc.spec import templates
+from tmmcalc.project import Spec, load_spec, templates
 
 CONFIGS = templates.folder()
 LONG = 6_000
@@ -85,7 +85,7 @@ def test_long_tables_are_not_written_and_the_plan_says_so(tmp_path: Path) -> Non
         for why in explain(spec, plan(spec)):
             table = result.table(why.step.stage) if why.step.runs else None
             if table is not None:
-                assert (omitted.NO_CSV in why.omits) is missing, why.step.stage
+                assert (NO_CSV in why.omits) is missing, why.step.stage
                 assert (out / f"{why.step.stage}.csv").exists() is not missing
 
 
@@ -96,7 +96,7 @@ def test_long_tables_are_not_written_and_the_plan_says_so(tmp_path: Path) -> Non
 def test_equal_steps_alone(more: tuple[str, ...], equal: bool) -> None:
     spec = shaper(24, *more)
     (why,) = (why for why in explain(spec, plan(spec)) if why.step.stage == "kinematics")
-    assert (omitted.EXTRA in why.omits) is equal
+    assert (EXTRA in why.omits) is equal
     assert (len(run(spec, target="kinematics").results["kinematics"].labels) == 25) is equal
 
 

@@ -12,9 +12,9 @@ from machines import spec_text
 import tmmcalc
 from gears.stages.trains import AI, AIBAR, CASES, LOADED, STEEL, UNFOLDED, at, permissible, sized
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.plan import plan
 from tmmcalc.gears import sizing
 from tmmcalc.gears.strength.explain import coefficients
-from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.runner import run
 
 TRAIN = f"[train]\n{AIBAR}\n[strength]\n{STEEL}"

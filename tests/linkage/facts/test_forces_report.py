@@ -13,10 +13,11 @@ from loaded import DEG, press
 
 from linkage.scenes import crank_slider, driven_rod, full_turn, with_input
 from tmmcalc.core.errors import UsageError
-from tmmcalc.linkage.facts.forces import forces_document, forces_summary
+from tmmcalc.linkage.facts.forces import document as forces_document
+from tmmcalc.linkage.facts.forces import summary as forces_summary
 from tmmcalc.linkage.facts.iteration import iteration_document
-from tmmcalc.linkage.facts.kinematics import kinematics_summary
-from tmmcalc.linkage.facts.structure import structure_document
+from tmmcalc.linkage.facts.kinematics import summary as kinematics_summary
+from tmmcalc.linkage.facts.structure import summary as structure_document
 from tmmcalc.linkage.forces.columns import columns
 from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.iteration import textbook_iteration

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from drawing import draw_forces, draw_kinematics, drawn
 from loaded import READY, anything, press, ready, statics
 
 from tmmcalc.core.errors import UsageError
@@ -22,7 +23,6 @@ from tmmcalc.linkage.polygons import polygons
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.vectors import VectorPolygons
 from tmmcalc.machine.reduction.reduce import solve_reduction
-from tmmcalc.report.drawing import draw_forces, draw_kinematics, draw_reduction
 
 ROOT = Path(__file__).parents[3]
 CASES = {case["id"]: case for case in json.loads((ROOT / "tests/cases/kinematics.json").read_text())}
@@ -135,8 +135,8 @@ def test_equal_inputs_give_equal_bytes(shaper, suffix: str, magic: bytes, tmp_pa
 def test_bytes_do_not_depend_on_the_process_or_its_settings(shaper, tmp_path: Path) -> None:
     script = (
         "import sys, pathlib, matplotlib; matplotlib.rcParams['font.size'] = 20\n"
-        "sys.path[:0] = [str(pathlib.Path(sys.argv[1]).parent), str(pathlib.Path(sys.argv[1]).parents[1])]\n"
-        "from test_pictures import solved, draw_kinematics\n"
+        "sys.path.insert(0, str(pathlib.Path(sys.argv[1]).parents[2]))\n"
+        "from linkage.facts.test_pictures import solved, draw_kinematics\n"
         "draw_kinematics(*solved('shaper'), pathlib.Path(sys.argv[2]))\n"
         "assert 'matplotlib.pyplot' not in sys.modules\n"
         "assert matplotlib.rcParams['font.size'] == 20\n"
@@ -248,13 +248,13 @@ def test_a_crank_alone_is_drawn(tmp_path: Path) -> None:
     kinematics = solve_kinematics(mechanism)
     result = solve_forces(mechanism, loading, kinematics)
     draw_forces(mechanism, loading, kinematics, result, tmp_path / "a.svg", polygons=2)
-    draw_reduction(solve_reduction(mechanism, loading, kinematics), tmp_path / "b.svg")
+    drawn("reduction", "machine", tmp_path / "b.svg", solve_reduction(mechanism, loading, kinematics))
     assert (tmp_path / "a.svg").stat().st_size > 10_000
     assert (tmp_path / "b.svg").stat().st_size > 10_000
 
 
 def test_the_reduction_is_drawn(pressed, tmp_path: Path) -> None:
-    draw_reduction(solve_reduction(*pressed[:3]), tmp_path / "a.pdf")
+    drawn("reduction", "machine", tmp_path / "a.pdf", solve_reduction(*pressed[:3]))
     assert (tmp_path / "a.pdf").read_bytes().startswith(b"%PDF")
 
 
@@ -268,7 +268,7 @@ def test_other_formats_of_forces_and_reduction_are_refused(pressed, tmp_path: Pa
     with pytest.raises(UsageError, match="suffix"):
         draw_forces(*pressed, tmp_path / "a.jpg")
     with pytest.raises(UsageError, match="suffix"):
-        draw_reduction(solve_reduction(*pressed[:3]), tmp_path / "a.doc")
+        drawn("reduction", "machine", tmp_path / "a.doc", solve_reduction(*pressed[:3]))
 
 
 @pytest.mark.parametrize("name", ["press", "slotter", "engine-compressor"])

@@ -14,14 +14,14 @@ from typer.testing import CliRunner
 import tmmcalc
 from tmmcalc.cli.app import app
 from tmmcalc.linkage.facts.plan import plan_document
-from tmmcalc.linkage.facts.synthesis import synthesis_document, synthesis_summary
+from tmmcalc.linkage.facts.synthesis import document as synthesis_document
+from tmmcalc.linkage.facts.synthesis import summary as synthesis_summary
 from tmmcalc.linkage.pictures.synthesis import synthesis_figure
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.pipeline.runner import run
-from tmmcalc.project import load_spec, parse_spec
+from tmmcalc.project import load_spec, parse_spec, templates
 from tmmcalc.report.document import Document
-from tmmcalc.spec import templates
 
 CONFIGS = Path(templates.folder())
 

@@ -17,8 +17,7 @@ from tmmcalc.linkage.synthesis.task import RotatingTask, SliderCrankTask
 from tmmcalc.linkage.tables.synthesis import KINDS as NAMED
 from tmmcalc.linkage.tables.synthesis import LinkSynthesisTable
 from tmmcalc.linkage.tables.tasks.synthesis import TASKS, to_synthesis
-from tmmcalc.project import parse_spec
-from tmmcalc.spec import templates
+from tmmcalc.project import parse_spec, templates
 
 CONFIGS = templates.folder()
 HEAD = "[synthesis.{}]\n"

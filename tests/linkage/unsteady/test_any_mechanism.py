@@ -15,7 +15,7 @@ from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.linkage.trace import trace
 from tmmcalc.linkage.unsteady.solve import solve_unsteady
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
-from tmmcalc.spec import templates
+from tmmcalc.project import templates
 
 CONFIGS = templates.folder()
 TURN = 2 * math.pi

@@ -16,7 +16,7 @@ from tmmcalc.core.timelaw import motion
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.linkage.unsteady.solve import solve_unsteady
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
-from tmmcalc.spec import templates
+from tmmcalc.project import templates
 
 from .cranes import Crane
 

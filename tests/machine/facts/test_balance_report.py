@@ -26,7 +26,8 @@ from tmmcalc.machine.balance.rotortask import solve_rotor
 from tmmcalc.machine.balance.schemes import RotatingWeight
 from tmmcalc.machine.balance.shaking import inertia_loads
 from tmmcalc.machine.balance.task import BalanceTask, Balancing, solve_balance
-from tmmcalc.machine.facts.balance import balance_document, balance_summary
+from tmmcalc.machine.facts.balance import document as balance_document
+from tmmcalc.machine.facts.balance import summary as balance_summary
 from tmmcalc.machine.model import EngineTask, RotorTask
 from tmmcalc.machine.stages.balance import Balances
 from tmmcalc.report.document import Document
@@ -466,13 +467,13 @@ class TestPicture:
         assert len(self.figure(engine(vee(6, math.pi / 3, 0.1, GEAR))).axes) == 4
 
     def test_sheets_and_what_is_refused(self, tmp_path: Path) -> None:
-        from tmmcalc.report.drawing import draw_balance
+        from drawing import drawn
 
         result = Balances(press().linkage, engine(in_line(4, 0.09, GEAR)).engine, None)
-        draw_balance(result, tmp_path / "a.svg")
+        drawn("balance", "machine", tmp_path / "a.svg", result)
         assert (tmp_path / "a.svg").read_bytes().startswith(b"<?xml")
         with pytest.raises(UsageError, match="no picture of a rotor"):
-            draw_balance(rotor(), tmp_path / "c.svg")
+            drawn("balance", "machine", tmp_path / "c.svg", rotor())
         with pytest.raises(UsageError, match="suffix"):
-            draw_balance(result, tmp_path / "c.gif")
+            drawn("balance", "machine", tmp_path / "c.gif", result)
         assert sorted(file.name for file in tmp_path.iterdir()) == ["a.svg"]

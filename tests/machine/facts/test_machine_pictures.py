@@ -4,19 +4,22 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from machines import MOTOR, TURN, positions, sine, spec_text, steps
 
+from tmmcalc.cli.plot import picture_of
+
 pytest.importorskip("matplotlib")
 
+from drawing import draw_stage
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from tmmcalc.api import run
-from tmmcalc.cli.drawings import drawing_of
-from tmmcalc.cli.order import Order
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.panels import panels
 from tmmcalc.machine.cycle import Cycle
@@ -210,28 +213,28 @@ class TestMotion:
 
 
 @pytest.fixture(scope="module", params=[MOTOR, ""], ids=["motor", "positional"])
-def order(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Order:
+def solved(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[Any, Any, Path]:
     folder = tmp_path_factory.mktemp("machine")
     file = folder / "machine.toml"
     file.write_text(spec_text(request.param))
     spec = load_spec(file)
-    return Order(spec, run(spec).results, folder / "picture.svg", {})
+    return spec, run(spec).results, folder / "picture.svg"
 
 
 @pytest.mark.parametrize("stage", ["flywheel", "motion"])
-def test_equal_results_give_equal_bytes(order: Order, stage: str) -> None:
-    drawing = drawing_of(stage, {})
-    drawing.draw(order)
-    first = order.file.read_bytes()
+def test_equal_results_give_equal_bytes(solved: tuple[Any, Any, Path], stage: str) -> None:
+    *_, file = solved
+    draw_stage(stage, *solved)
+    first = file.read_bytes()
     assert first.startswith(b"<?xml")
-    order.file.unlink()
-    drawing.draw(order)
-    assert order.file.read_bytes() == first
+    file.unlink()
+    draw_stage(stage, *solved)
+    assert file.read_bytes() == first
 
 
 def test_power_has_no_picture() -> None:
     with pytest.raises(UsageError, match="flywheel, motion") as fault:
-        drawing_of("power", {})
+        picture_of("power", {})
     assert "there is no picture of 'power'" in str(fault.value)
 
 

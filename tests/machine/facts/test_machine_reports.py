@@ -21,9 +21,12 @@ from machine.motion import shaper
 from tmmcalc.api import run
 from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
-from tmmcalc.machine.facts.flywheel import flywheel_document, flywheel_summary
-from tmmcalc.machine.facts.motion import motion_document, motion_summary
-from tmmcalc.machine.facts.power import power_document, power_summary
+from tmmcalc.machine.facts.flywheel import document as flywheel_document
+from tmmcalc.machine.facts.flywheel import summary as flywheel_summary
+from tmmcalc.machine.facts.motion import document as motion_document
+from tmmcalc.machine.facts.motion import summary as motion_summary
+from tmmcalc.machine.facts.power import document as power_document
+from tmmcalc.machine.facts.power import summary as power_summary
 from tmmcalc.machine.flywheel.task import Flywheel, Machine, solve_flywheel
 from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.motion import Motion, solve_motion

@@ -12,13 +12,14 @@ import pytest
 from linkage.scenes import crank_slider, driven_rod, full_turn, with_input
 from loaded import DEG, press
 
-from tmmcalc.linkage.facts.forces import forces_summary
-from tmmcalc.linkage.facts.kinematics import kinematics_summary
+from tmmcalc.linkage.facts.forces import summary as forces_summary
+from tmmcalc.linkage.facts.kinematics import summary as kinematics_summary
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.loading import Body, Constant, Load, Loading, Spring, Viscous
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Grade
-from tmmcalc.machine.facts.reduction import reduction_document, reduction_summary
+from tmmcalc.machine.facts.reduction import document as reduction_document
+from tmmcalc.machine.facts.reduction import summary as reduction_summary
 from tmmcalc.machine.reduction.reduce import solve_reduction
 from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.report.document import Document

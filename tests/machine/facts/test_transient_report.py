@@ -18,7 +18,9 @@ from machine.transient.scenes import constant, cycle
 from tmmcalc.api import run
 from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.driver import ConstantInertia
-from tmmcalc.machine.facts.transient import mean_of, transient_document, transient_summary
+from tmmcalc.machine.facts.transient import document as transient_document
+from tmmcalc.machine.facts.transient import mean_of
+from tmmcalc.machine.facts.transient import summary as transient_summary
 from tmmcalc.machine.model import DriveShaft, TransientTask
 from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Shaft
@@ -328,11 +330,11 @@ class TestPicture:
         assert names == ["crank", "rotor"]
 
     def test_every_motion_has_a_sheet(self, tmp_path: Path) -> None:
-        from tmmcalc.report.drawing import draw_transient
+        from drawing import drawn
 
         result = moved(START, STOP, Scenario("nothing", 1.0, motor=()))
         assert len(self.panels(result)) == 6
-        draw_transient(result, tmp_path / "a.svg")
+        drawn("transient", "machine", tmp_path / "a.svg", result)
         assert (tmp_path / "a.svg").read_bytes().startswith(b"<?xml")
         with pytest.raises(UsageError, match="suffix"):
-            draw_transient(result, tmp_path / "a.jpg")
+            drawn("transient", "machine", tmp_path / "a.jpg", result)

@@ -12,12 +12,12 @@ from linkage.scenes import crank_slider, full_turn, with_grid, with_input
 
 from tmmcalc import solve_kinematics
 from tmmcalc.linkage.loading import Constant, Load, Loading, Pair, Window
-from tmmcalc.machine.facts.reduction import reduction_document
+from tmmcalc.machine.facts.reduction import document as reduction_document
 from tmmcalc.machine.reduction.columns import cells, columns
 from tmmcalc.machine.reduction.efficiency import efficiency
 from tmmcalc.machine.reduction.reduce import solve_reduction
 from tmmcalc.machine.reduction.results import Reduction
-from tmmcalc.machine.stages.reduction import table
+from tmmcalc.rooms import STAGES
 
 R, L, F, Q = 0.1, 0.25, 0.2, 500.0
 OUT, BACK = (np.pi, 2 * np.pi), (0.0, np.pi)  # along the motion: the slider moves along +x, along -x
@@ -99,7 +99,8 @@ def test_power_and_blanks_in_the_tables() -> None:
     eta, known = efficiency(result)
     own = cells(result, named["eta"])
     assert [cell == "" for cell in own] == (~known).tolist()
-    stored = table(result)
+    stored = STAGES["reduction"].table(result)
+    assert stored is not None
     at = stored.header.index("eta[-]")
     assert stored.columns[at].tolist() == ["" if not k else repr(float(e)) for e, k in zip(eta, known, strict=True)]
     view = reduction_document(result, "t", patterns=["phi", "eta"], rows=[18, 3]).table

@@ -9,10 +9,10 @@ from machines import MOTOR, spec_text
 from stages.test_laziness import imported, within
 
 import tmmcalc
-from tmmcalc.machine.facts.motion import motion_summary
-from tmmcalc.machine.facts.power import power_summary
+from tmmcalc.core.plan import plan
+from tmmcalc.machine.facts.motion import summary as motion_summary
+from tmmcalc.machine.facts.power import summary as power_summary
 from tmmcalc.pipeline.outcome import RunResult
-from tmmcalc.pipeline.plan import plan
 from tmmcalc.pipeline.runner import run
 
 TRAIN = f"""

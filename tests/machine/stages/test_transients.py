@@ -15,7 +15,7 @@ from machine.transient.scenes import constant, cycle, kloss, upsetter
 from tmmcalc.api import run
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.machine.driver import ConstantInertia
-from tmmcalc.machine.facts.transient import transient_summary
+from tmmcalc.machine.facts.transient import summary as transient_summary
 from tmmcalc.machine.model import DriveShaft, TransientTask
 from tmmcalc.machine.motors.gearing import reduced
 from tmmcalc.machine.stages import transient

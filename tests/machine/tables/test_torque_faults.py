@@ -8,7 +8,7 @@ from project.scenes import ENGINE, ROTOR, TORQUE
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.project import parse_spec
-from tmmcalc.project.subject import SUBJECTS
+from tmmcalc.project.checks import SUBJECTS
 
 HEAD = '[torque]\nspeed = "180 rpm"\n'
 FORMULA = HEAD + 'formula = "500*sin(theta)"\n'

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from machine.transient.scenes import case
+from tmmcalc.core.numerics.steps import MERSON, merson_step, rk4_step
 from tmmcalc.machine.transient.stability import growth, stable_step
-from tmmcalc.machine.transient.steps import MERSON, merson_step, rk4_step
 
 
 def f(x: float, y: Any) -> list[float]:

@@ -11,8 +11,8 @@ from stages.test_laziness import imported, within
 import tmmcalc
 from tmmcalc import run
 from tmmcalc.core.conversion import to_record
-from tmmcalc.pipeline.plan import plan
-from tmmcalc.spec.templates import folder
+from tmmcalc.core.plan import plan
+from tmmcalc.project.templates import folder
 from tmmcalc.vibration.stages import pendulum, vibrator
 
 CONFIGS = Path(folder())

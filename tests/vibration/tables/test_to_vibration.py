@@ -8,19 +8,6 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from machine.tables.vibrationscenes import (
-    DEVICE,
-    EXCITER,
-    FLATS,
-    GRIPPER,
-    HEAD,
-    MOTOR,
-    PLAIN,
-    RING,
-    ROD,
-    RODS,
-    UNBALANCE,
-)
 from project.scenes import CONFIGS
 from project.test_schema import accepts
 
@@ -33,6 +20,19 @@ from tmmcalc.vibration.tables import pendulum as pendulum_tables
 from tmmcalc.vibration.tables import vibrator as vibrator_tables
 from tmmcalc.vibration.tables.tasks.vibration import to_pendulum, to_vibrator
 from tmmcalc.vibration.vibrator.task import Damping, VibratorTask
+from vibration.tables.vibrationscenes import (
+    DEVICE,
+    EXCITER,
+    FLATS,
+    GRIPPER,
+    HEAD,
+    MOTOR,
+    PLAIN,
+    RING,
+    ROD,
+    RODS,
+    UNBALANCE,
+)
 
 DEGREE = math.pi / 180
 RPM = math.pi / 30

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import pytest
 from faults import Faults, check_fault
-from machine.tables.vibrationscenes import (
+
+from tmmcalc.core.errors import SpecError
+from tmmcalc.project import parse_spec
+from vibration.tables.vibrationscenes import (
     DEVICE,
     EXCITER,
     FLATS,
@@ -17,9 +20,6 @@ from machine.tables.vibrationscenes import (
     RODS,
     UNBALANCE,
 )
-
-from tmmcalc.core.errors import SpecError
-from tmmcalc.project import parse_spec
 
 CURVE = '[vibrator.curve]\nfrom = "600 rpm"\nto = "3000 rpm"\n'
 START = '[vibrator.start]\nacceleration = "300 rad/s^2"\nduration = "1.5 s"\n'

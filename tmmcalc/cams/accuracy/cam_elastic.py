@@ -17,7 +17,7 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.accuracy.subjects import Scene
+from tmmcalc.cams.accuracy.sides import beside
 from tmmcalc.cams.elastic import ElasticResult
 from tmmcalc.cams.forces.turn import loads_of
 from tmmcalc.cams.laws.law import Values
@@ -30,7 +30,7 @@ from tmmcalc.cams.wide import wide
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.studies.measure import Way, relative, series
-from tmmcalc.core.studies.sampled import beside
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Study
 
 POSITIONS = (90, 180, 360, 720, 1440, 2880, 5760)  # of a turn

@@ -11,7 +11,7 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
+from tmmcalc.cams.accuracy.sides import beside
 from tmmcalc.cams.forces.course import course_of
 from tmmcalc.cams.forces.results import CamForces
 from tmmcalc.cams.forces.solve import solve_forces
@@ -23,7 +23,8 @@ from tmmcalc.cams.program import TURN, Positions, of_step
 from tmmcalc.cams.stages.parts import at_speed
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.studies.measure import Way, relative, series
-from tmmcalc.core.studies.sampled import COUNTS, beside, of_positions, summit
+from tmmcalc.core.studies.sampled import COUNTS, of_positions, summit
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Study
 
 

@@ -12,13 +12,13 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.cams.laws.law import Indices, Law, Values
 from tmmcalc.cams.laws.own import of_points
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.wide import wide
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.studies.measure import Clock, Way, relative, series
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Series, Study
 
 PARTS = np.array([0.4, 0.5, 0.6])  # of a piece: where derivatives are compared

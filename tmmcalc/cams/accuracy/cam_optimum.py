@@ -13,7 +13,6 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene as Studied
 from tmmcalc.cams.optimum import flat
 from tmmcalc.cams.optimum.least import least_height
 from tmmcalc.cams.optimum.margins import SLACK, margins
@@ -24,6 +23,7 @@ from tmmcalc.cams.stages.parts import at_speed
 from tmmcalc.cams.task import CamTask, Optimum
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.studies.measure import Way, relative, series
+from tmmcalc.core.studies.scene import Scene as Studied
 from tmmcalc.core.studies.study import Reference, Study
 
 STEPS = (4e-3, 2e-3, 1e-3, 5e-4)  # [m] of S0, r2 and H2

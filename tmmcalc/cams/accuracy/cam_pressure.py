@@ -10,7 +10,7 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
+from tmmcalc.cams.accuracy.sides import beside
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure import Pressure, pressure, reached
@@ -19,7 +19,8 @@ from tmmcalc.cams.task import CamTask
 from tmmcalc.cams.wide import wide
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.studies.measure import Way, relative, series
-from tmmcalc.core.studies.sampled import COUNTS, beside, of_positions, summit
+from tmmcalc.core.studies.sampled import COUNTS, of_positions, summit
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Study
 
 EXTENDED = float(np.finfo(np.longdouble).eps)

@@ -12,7 +12,6 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.cams.follower import Complex, Follower
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.profile.offsets import Frame, Rim, frame
@@ -21,6 +20,7 @@ from tmmcalc.cams.program import TURN, Program
 from tmmcalc.cams.wide import wide
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.studies.measure import Clock, Way, relative, series
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Series, Study
 
 COUNTS = (36, 72, 180, 360, 720, 1800, 3600, 12_000, 36_000)  # positions of the turn

@@ -15,8 +15,8 @@ from math import hypot, tan
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.cams.accuracy.cam_rocker import MANY, RASTER, rocker
+from tmmcalc.cams.accuracy.sides import beside
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure import limited_phases
 from tmmcalc.cams.program import TURN
@@ -27,7 +27,8 @@ from tmmcalc.cams.task import CamTask
 from tmmcalc.cams.wide import wide
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.studies.measure import Clock, Way, relative, series
-from tmmcalc.core.studies.sampled import beside, of_positions, summit
+from tmmcalc.core.studies.sampled import of_positions, summit
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Study
 
 POSITIONS = (6, 12, 24, 48, 96, 192, 384, 768)  # of a phase

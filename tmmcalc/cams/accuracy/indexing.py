@@ -11,7 +11,6 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.cams.indexing.flanks import Drive, Flank
 from tmmcalc.cams.indexing.handover import tip
 from tmmcalc.cams.indexing.results import Indexing
@@ -21,6 +20,7 @@ from tmmcalc.cams.wide import wide
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.studies.measure import Way, relative, series
 from tmmcalc.core.studies.sampled import of_positions
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Study
 
 ROWS = (7, 13, 29, 61, 127, 251, 509, 1021)  # of the second half of the step; none of them within another

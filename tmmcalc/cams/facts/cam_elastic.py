@@ -15,12 +15,12 @@ from tmmcalc.report.numbers import angle, number
 from tmmcalc.report.sizes import plain
 
 
-def elastic_summary(result: ElasticResult, title: str) -> Document:
+def summary(result: ElasticResult, title: str) -> Document:
     """Frequency, vibration and warnings."""
     return Document(title, tuple(_facts(result)), result.notes)
 
 
-def elastic_document(result: ElasticResult, title: str, *, everything: bool = False) -> Document:
+def document(result: ElasticResult, title: str, *, everything: bool = False) -> Document:
     """The same with the laws compared; with ``everything`` the course along the turn, in SI."""
     table = plain(elastic_columns(result)) if everything else _laws_view(result)
     return Document(title, tuple(_facts(result)), result.notes, table)

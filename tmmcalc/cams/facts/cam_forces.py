@@ -23,12 +23,12 @@ METHODS = {
 }
 
 
-def forces_summary(result: CamForces, title: str) -> Document:
+def summary(result: CamForces, title: str) -> Document:
     """Facts and warnings without the table."""
     return Document(title, tuple(_facts(result)), result.notes)
 
 
-def forces_document(
+def document(
     result: CamForces,
     title: str,
     *,

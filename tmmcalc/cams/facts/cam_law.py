@@ -16,12 +16,12 @@ from tmmcalc.report.numbers import angle, number
 TIMED = ("velocity", "acceleration", "jerk")
 
 
-def law_summary(result: LawResult, title: str) -> Document:
+def summary(result: LawResult, title: str) -> Document:
     """Phases, extremes and shocks, without the table."""
     return Document(title, tuple(_facts(result, constants=False)), result.remarks)
 
 
-def law_document(
+def document(
     result: LawResult,
     title: str,
     *,

@@ -19,12 +19,12 @@ EXAMINED = {"turn": "the whole turn, dwells included", "rise": "the rise alone, 
 FEW = 12  # step points that are listed
 
 
-def optimum_summary(result: CamOptimum, title: str) -> Document:
+def summary(result: CamOptimum, title: str) -> Document:
     """The lowest mechanism with its constraints as a table."""
     return Document(title, tuple(_lowest_facts(result)), result.notes, _checks_view(result))
 
 
-def optimum_document(result: CamOptimum, title: str, *, everything: bool = False) -> Document:
+def document(result: CamOptimum, title: str, *, everything: bool = False) -> Document:
     """All of it; ``everything`` is for programs: corners and borders of the contours as values, in SI."""
     facts = [*_lowest_facts(result), *_searched_facts(result), *_relaxed_facts(result), *game_facts(result)]
     if everything:

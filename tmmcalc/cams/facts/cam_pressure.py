@@ -21,12 +21,12 @@ STILL, NEAR = 1e-12, 1e-6
 VERDICTS = {"ok": "within the limits", "pressure_angle_exceeded": "a limit is exceeded"}
 
 
-def pressure_summary(result: Pressure, title: str) -> Document:
+def summary(result: Pressure, title: str) -> Document:
     """Facts and warnings without the table."""
     return Document(title, _facts(result), result.notes)
 
 
-def pressure_document(result: Pressure, title: str, *, everything: bool = False) -> Document:
+def document(result: Pressure, title: str, *, everything: bool = False) -> Document:
     """Facts, warnings, and theta with the transmission angle; people get rows of the moving phases, some forty."""
     columns, notes = pressure_columns(result), result.notes
     if not everything:

@@ -18,13 +18,13 @@ from tmmcalc.report.sizes import quantity
 STRAIGHT = 1e-9  # of 1/R0: a curvature of a straight piece
 
 
-def profile_summary(result: Profile, title: str) -> Document:
+def summary(result: Profile, title: str) -> Document:
     """Facts and warnings without the table."""
     warnings = tuple(remark for remark in result.remarks if remark.startswith("warning"))
     return Document(title, tuple(_facts(result)), warnings)
 
 
-def profile_document(
+def document(
     result: Profile,
     title: str,
     *,

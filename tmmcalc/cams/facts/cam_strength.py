@@ -23,12 +23,12 @@ VERDICTS = {
 }
 
 
-def strength_summary(result: CamStrength, title: str) -> Document:
+def summary(result: CamStrength, title: str) -> Document:
     """Verdict, the least margin and warnings, and the margins as a table."""
     return Document(title, (_verdict_fact(result),), result.notes, _margins_view(result))
 
 
-def strength_document(result: CamStrength, title: str, *, everything: bool = False) -> Document:
+def document(result: CamStrength, title: str, *, everything: bool = False) -> Document:
     """All margins with their formulas and what they are made of; ``everything`` is for programs, in SI."""
     facts = (_verdict_fact(result), *_made_facts(result))
     if everything:

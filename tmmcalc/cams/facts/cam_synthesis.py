@@ -29,14 +29,14 @@ TITLES = {
 }
 
 
-def synthesis_summary(result: Synthesis, title: str) -> Document:
+def summary(result: Synthesis, title: str) -> Document:
     """Sizes, angles and warnings."""
     facts = (_kind_fact(result), *(_size_fact(size) for size in result.sizes))
     warnings = tuple(note for note in result.notes if note.startswith("warning"))
     return Document(title, facts, warnings)
 
 
-def synthesis_document(result: Synthesis, title: str, *, everything: bool = False) -> Document:
+def document(result: Synthesis, title: str, *, everything: bool = False) -> Document:
     """All of it; the table compares the designs, with ``everything`` it is the corners of the admissible region."""
     facts = tuple(_facts(result))
     if everything:

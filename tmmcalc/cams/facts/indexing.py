@@ -20,13 +20,13 @@ STRAIGHT = 1e-6  # of LARGEST: a radius of a straight piece
 HIDDEN = ("source_A", "xw_A", "yw_A", "xw_B", "yw_B", "beta2", "eta_cut")  # columns that people have to ask for
 
 
-def indexing_summary(result: Indexing, title: str) -> Document:
+def summary(result: Indexing, title: str) -> Document:
     """Facts and warnings without the table."""
     warnings = tuple(note for note in result.notes if note.startswith("warning"))
     return Document(title, tuple(_facts(result)), warnings)
 
 
-def indexing_document(
+def document(
     result: Indexing,
     title: str,
     *,

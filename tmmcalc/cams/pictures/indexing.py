@@ -10,13 +10,21 @@ from tmmcalc.cams.indexing.task import IndexingTask
 from tmmcalc.cams.pictures.indexingscheme import content_of, draw_scheme, parts_of
 from tmmcalc.cams.pictures.indexingstep import draw_step, name_step
 from tmmcalc.cams.pictures.indexingstudy import draw_study, name_study
-from tmmcalc.cams.pictures.key import write_key
 from tmmcalc.core.errors import UsageError
 from tmmcalc.report.drawing.board import Board
+from tmmcalc.report.drawing.key import write_key
+from tmmcalc.report.drawing.order import PHASE, Order
 from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.numbers import number
 
 MARGIN = 8.0  # [mm]
+
+
+def figure(order: Order) -> Figure:
+    """The figure of the stage, its scheme where the cams have turned by a phase."""
+    from tmmcalc.cams.tables.tasks.indexing import to_indexing
+
+    return indexing_figure(to_indexing(order.spec), order.results["indexing"], order.angle(PHASE))
 
 
 def indexing_figure(task: IndexingTask, result: Indexing, phase: float = 0.0) -> Figure:

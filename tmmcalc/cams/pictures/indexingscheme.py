@@ -13,9 +13,9 @@ from tmmcalc.cams.indexing.outline import outline
 from tmmcalc.cams.indexing.results import Cam, Indexing
 from tmmcalc.cams.indexing.solve import drive_of
 from tmmcalc.cams.indexing.task import IndexingTask
-from tmmcalc.cams.pictures.key import Part, Sample
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.board import Board
+from tmmcalc.report.drawing.key import Part, Sample
 from tmmcalc.report.drawing.labels import signed
 from tmmcalc.report.drawing.style import INK, MARK
 from tmmcalc.report.numbers import angle, number

@@ -8,14 +8,12 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.cams.elastic import ElasticResult
 from tmmcalc.cams.stages.parts import at_speed, cam_of
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record, Table
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.cams.room import CamTables
 
 
-def inputs(spec: Spec) -> CamTask:
+def inputs(spec: CamTables) -> CamTask:
     """The motion, the mass, the elastic train."""
     return cam_of(spec, "asked", "loads", "elastic")
 
@@ -27,20 +25,8 @@ def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, An
     return solve_elastic(at_speed(given, upstream.get("motion")), upstream["cam_synthesis"].follower)
 
 
-def dump(result: ElasticResult) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, result.error)
-
-
-def load(record: Record) -> ElasticResult:
-    """Build the result from its record."""
-    result: ElasticResult = from_record(ElasticResult, record)
-    return result
-
-
-def table(result: ElasticResult) -> Table:
+def columns(result: ElasticResult) -> Mapping[str, Any]:
     """One row a point of the panels."""
     from tmmcalc.cams.elastic import elastic_columns
 
-    columns = elastic_columns(result)
-    return Table(list(columns), list(columns.values()))
+    return elastic_columns(result)

@@ -8,14 +8,12 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.cams.forces.results import CamForces
 from tmmcalc.cams.stages.parts import at_speed, cam_of
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record, Table
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.cams.room import CamTables
 
 
-def inputs(spec: Spec) -> CamTask:
+def inputs(spec: CamTables) -> CamTask:
     """The motion, masses, forces, spring, friction, guide."""
     return cam_of(spec, "asked", "limits", "loads", "guide")
 
@@ -27,20 +25,8 @@ def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, An
     return solve_forces(at_speed(given, upstream.get("motion")), upstream["cam_synthesis"].follower)
 
 
-def dump(result: CamForces) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, result.error)
-
-
-def load(record: Record) -> CamForces:
-    """Build the result from its record."""
-    result: CamForces = from_record(CamForces, record)
-    return result
-
-
-def table(result: CamForces) -> Table:
+def columns(result: CamForces) -> Mapping[str, Any]:
     """One row a position."""
     from tmmcalc.cams.forces.columns import force_columns
 
-    columns = force_columns(result)
-    return Table(list(columns), list(columns.values()))
+    return force_columns(result)

@@ -8,14 +8,12 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.cams.lawresult import LawResult
 from tmmcalc.cams.stages.parts import cam_of
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record, Table
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.cams.room import CamTables
 
 
-def inputs(spec: Spec) -> CamTask:
+def inputs(spec: CamTables) -> CamTask:
     """Phases, laws, the rows of the table, the speed."""
     return cam_of(spec)
 
@@ -27,20 +25,15 @@ def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, An
     return solve_law(given)
 
 
-def dump(result: LawResult) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, result.error)
-
-
-def load(record: Record) -> LawResult:
-    """Build the result from its record."""
-    result: LawResult = from_record(LawResult, record)
-    return result
-
-
-def table(result: LawResult) -> Table:
+def columns(result: LawResult) -> Mapping[str, Any]:
     """One row a position."""
     from tmmcalc.cams.lawresult import law_columns
 
-    columns = law_columns(result)
-    return Table(list(columns), list(columns.values()))
+    return law_columns(result)
+
+
+def packages(spec: CamTables) -> tuple[str, ...]:
+    """A law by points is a spline."""
+    cam = spec.cam
+    laws = () if cam is None else (cam.law, cam.rise_law, cam.return_law)
+    return ("scipy.interpolate",) if any(getattr(law, "points", None) is not None for law in laws) else ()

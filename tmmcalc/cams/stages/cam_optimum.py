@@ -8,14 +8,12 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.cams.optimum.results import CamOptimum
 from tmmcalc.cams.stages.parts import at_speed, cam_of
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.cams.room import CamTables
 
 
-def inputs(spec: Spec) -> CamTask:
+def inputs(spec: CamTables) -> CamTask:
     """The loads, the requirements, the search."""
     return cam_of(spec, "asked", "limits", "loads", "guide", "requirements", "optimum")
 
@@ -25,14 +23,3 @@ def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, An
     from tmmcalc.cams.optimum.solve import solve_optimum
 
     return solve_optimum(at_speed(given, upstream.get("motion")), upstream["cam_synthesis"].follower)
-
-
-def dump(result: CamOptimum) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, result.error)
-
-
-def load(record: Record) -> CamOptimum:
-    """Build the result from its record."""
-    result: CamOptimum = from_record(CamOptimum, record)
-    return result

@@ -8,14 +8,12 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.cams.pressure import Pressure
 from tmmcalc.cams.stages.parts import cam_of
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record, Table
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.cams.room import CamTables
 
 
-def inputs(spec: Spec) -> CamTask:
+def inputs(spec: CamTables) -> CamTask:
     """The motion and the limits."""
     return cam_of(spec, "limits")
 
@@ -27,20 +25,8 @@ def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, An
     return solve_pressure(given, upstream["cam_synthesis"].follower)
 
 
-def dump(result: Pressure) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, result.error)
-
-
-def load(record: Record) -> Pressure:
-    """Build the result from its record."""
-    result: Pressure = from_record(Pressure, record)
-    return result
-
-
-def table(result: Pressure) -> Table:
+def columns(result: Pressure) -> Mapping[str, Any]:
     """One row a position."""
     from tmmcalc.cams.pressure import pressure_columns
 
-    columns = pressure_columns(result)
-    return Table(list(columns), list(columns.values()))
+    return pressure_columns(result)

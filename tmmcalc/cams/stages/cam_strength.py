@@ -8,14 +8,12 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.cams.stages.parts import at_speed, cam_of
 from tmmcalc.cams.strength.results import CamStrength
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record, Table
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.cams.room import CamTables
 
 
-def inputs(spec: Spec) -> CamTask:
+def inputs(spec: CamTables) -> CamTask:
     """The loads, and what shaft, stem, roller and contact have to bear."""
     return cam_of(spec, "asked", "limits", "loads", "guide", "requirements")
 
@@ -28,20 +26,8 @@ def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, An
     return solve_strength(task, upstream["cam_synthesis"].follower, upstream["cam_forces"])
 
 
-def dump(result: CamStrength) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, result.error)
-
-
-def load(record: Record) -> CamStrength:
-    """Build the result from its record."""
-    result: CamStrength = from_record(CamStrength, record)
-    return result
-
-
-def table(result: CamStrength) -> Table:
+def columns(result: CamStrength) -> Mapping[str, Any]:
     """Slip, stresses and moments, one row a position."""
     from tmmcalc.cams.strength.columns import strength_columns
 
-    columns = strength_columns(result)
-    return Table(list(columns), list(columns.values()))
+    return strength_columns(result)

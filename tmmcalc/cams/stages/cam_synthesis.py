@@ -8,14 +8,12 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.cams.stages.parts import cam_of
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.cams.room import CamTables
 
 
-def inputs(spec: Spec) -> CamTask:
+def inputs(spec: CamTables) -> CamTask:
     """The motion, sizes that are given, limits of pressure angle and radii."""
     return cam_of(spec, "asked", "limits")
 
@@ -25,14 +23,3 @@ def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, An
     from tmmcalc.cams.synthesis.solve import solve_synthesis
 
     return solve_synthesis(given)
-
-
-def dump(result: Synthesis) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, result.error)
-
-
-def load(record: Record) -> Synthesis:
-    """Build the result from its record."""
-    result: Synthesis = from_record(Synthesis, record)
-    return result

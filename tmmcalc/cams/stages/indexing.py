@@ -7,14 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cams.indexing.results import Indexing
 from tmmcalc.cams.indexing.task import IndexingTask
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record, Table
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.cams.room import CamTables
 
 
-def inputs(spec: Spec) -> IndexingTask:
+def inputs(spec: CamTables) -> IndexingTask:
     """Everything but the tolerance of exported curves."""
     from dataclasses import replace
 
@@ -30,20 +28,8 @@ def solve(given: IndexingTask, upstream: Mapping[str, Any], settings: Mapping[st
     return solve_indexing(given)
 
 
-def dump(result: Indexing) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, result.error)
-
-
-def load(record: Record) -> Indexing:
-    """Build the result from its record."""
-    result: Indexing = from_record(Indexing, record)
-    return result
-
-
-def table(result: Indexing) -> Table:
+def columns(result: Indexing) -> Mapping[str, Any]:
     """One row a part of the step."""
     from tmmcalc.cams.indexing.columns import indexing_columns
 
-    columns = indexing_columns(result)
-    return Table(list(columns), list(columns.values()))
+    return indexing_columns(result)

@@ -10,13 +10,13 @@ from tmmcalc.cams.speed import TURN, Speed
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Guide, Loads, Requirements
 
 if TYPE_CHECKING:
+    from tmmcalc.cams.room import CamTables
     from tmmcalc.machine.motion import Motion
-    from tmmcalc.project import Spec
 
 NO_LIMITS = AngleLimits(rise=0.0, back=None)
 
 
-def cam_of(spec: Spec, *parts: str) -> CamTask:
+def cam_of(spec: CamTables, *parts: str) -> CamTask:
     """The cam of a spec with its motion and speed, and of its other parts those that are named."""
     from tmmcalc.cams.tables.tasks.cam import to_cam
 

@@ -1,13 +1,7 @@
-"""``tmmcalc cam``: the group of commands for cams."""
+"""``tmmcalc cam``: a group of commands."""
 
 from __future__ import annotations
 
-from tmmcalc.cli.commands import CAM
-from tmmcalc.cli.late import late_group
+from tmmcalc.cli.late import late_group_of
 
-group = late_group(
-    {"Commands": CAM},
-    "tmmcalc cam synth my.toml",
-    "Cams: laws of motion, sizes, profiles, forces, strength, the lowest mechanism.",
-    add_completion=False,
-)
+group = late_group_of("cam")

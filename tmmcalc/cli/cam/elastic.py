@@ -4,7 +4,6 @@ from tmmcalc.cli.stage import summary_command
 
 command = summary_command(
     "cam_elastic",
-    "tmmcalc.cams.facts.cam_elastic:elastic_document",
     """Vibration of the follower as one mass on an elastic train: residual after the phases, steady over the turn.
 
     The table compares laws by what they leave; --format csv prints the motion of the mass over the turn.

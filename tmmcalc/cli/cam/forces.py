@@ -4,7 +4,6 @@ from tmmcalc.cli.stage import stage_command
 
 command = stage_command(
     "cam_forces",
-    "tmmcalc.cams.facts.cam_forces:forces_document",
     """Forces on the follower: spring, reactions with friction, jamming, loss of contact, torque and work of the cam.
 
     N1 and N2 are the edges of the guide, T is P_c S' on the camshaft, M_drive what it has to give with friction.

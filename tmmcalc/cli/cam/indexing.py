@@ -49,14 +49,14 @@ def command(
     if tolerance is not None:
         job = replace(job, overrides=[*job.overrides, f'indexing.tolerance="{tolerance}"'])
     scene = job.spec()
-    from tmmcalc.cams.facts.indexing import indexing_document
+    from tmmcalc.cams.facts.indexing import document as indexing_document
     from tmmcalc.cams.tables.tasks.indexing import to_indexing
 
     heading = title(scene, job.file, "indexing drive")
     if compare:
         _compare(to_indexing(scene), heading, patterns, form)
         return
-    from tmmcalc.cli.positions import rows_of
+    from tmmcalc.report.rows import rows_of
 
     run = job.run(scene, "indexing")
     result = run.results["indexing"]

@@ -4,7 +4,6 @@ from tmmcalc.cli.stage import stage_command
 
 command = stage_command(
     "cam_law",
-    "tmmcalc.cams.facts.cam_law:law_document",
     """Motion of the follower over the turn: displacement and derivatives, constants of the laws, extremes, shocks.
 
     The table is in mm; --format csv, json or toml prints metres. A row 6- is the limit before a jump at position 6.

@@ -4,7 +4,6 @@ from tmmcalc.cli.stage import summary_command
 
 command = summary_command(
     "cam_optimum",
-    "tmmcalc.cams.facts.cam_optimum:optimum_document",
     """The lowest mechanism within all constraints: least height H2, start distance, roller, active constraints.
 
     Also the blocking contour with its corners, what relaxing a limit buys, and the laws, springs, materials and

@@ -48,9 +48,9 @@ def command(
     job = replace(job, overrides=[*job.overrides, *more])
     scene = job.spec()
     run = job.run(scene, "cam_profile")
-    from tmmcalc.cams.facts.cam_profile import profile_document
+    from tmmcalc.cams.facts.cam_profile import document as profile_document
     from tmmcalc.cams.tables.tasks.cam import to_cam
-    from tmmcalc.cli.positions import rows_of
+    from tmmcalc.report.rows import rows_of
 
     result, heading = run.results["cam_profile"], title(scene, job.file, "profile of the cam")
     document = profile_document(

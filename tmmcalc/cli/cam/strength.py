@@ -31,8 +31,9 @@ def command(
     patterns = patterns_of(columns)
     scene = job.spec()
     run = job.run(scene, "cam_strength")
-    from tmmcalc.cams.facts.cam_strength import strength_document, turn_document
-    from tmmcalc.cli.positions import rows_of
+    from tmmcalc.cams.facts.cam_strength import document as strength_document
+    from tmmcalc.cams.facts.cam_strength import turn_document
+    from tmmcalc.report.rows import rows_of
 
     result, heading = run.results["cam_strength"], title(scene, job.file, "requirements of the cam")
     everything = form is not Format.table

@@ -20,8 +20,8 @@ def command(
     """
     scene = job.spec()
     run = job.run(scene, "cam_pressure")
-    from tmmcalc.cams.facts.cam_pressure import pressure_document
-    from tmmcalc.cams.facts.cam_synthesis import synthesis_document
+    from tmmcalc.cams.facts.cam_pressure import document as pressure_document
+    from tmmcalc.cams.facts.cam_synthesis import document as synthesis_document
     from tmmcalc.report.document import Document
 
     everything, heading = form is not Format.table, title(scene, job.file, "synthesis of the cam")

@@ -1,13 +1,7 @@
-"""``tmmcalc extra``: the group of small calculators of neighbouring fields."""
+"""``tmmcalc extra``: a group of commands."""
 
 from __future__ import annotations
 
-from tmmcalc.cli.commands import EXTRA
-from tmmcalc.cli.late import late_group
+from tmmcalc.cli.late import late_group_of
 
-group = late_group(
-    {"Commands": EXTRA},
-    "tmmcalc extra contact my.toml",
-    "Small calculators: elastic contact, reliability, tie-down of loads, a falling ball, rolling bearings.",
-    add_completion=False,
-)
+group = late_group_of("extra")

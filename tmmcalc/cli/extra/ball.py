@@ -4,7 +4,6 @@ from tmmcalc.cli.stage import stage_command
 
 command = stage_command(
     "falling_ball",
-    "tmmcalc.extras.facts.extras:ball_document",
     """Fall of a ball whose radius decreases: speed and way over the time, its maximum, its stop.
 
     Example: tmmcalc extra ball my.toml --columns 't,v,S'

@@ -4,7 +4,6 @@ from tmmcalc.cli.stage import stage_command
 
 command = stage_command(
     "contact",
-    "tmmcalc.extras.facts.extras:contact_document",
     """Elastic contact by boundary integral equations: pressure, approach, area; Hertz's solution as a check.
 
     The table shows the nodes on the axis of x; --format csv, json or toml prints all in SI.

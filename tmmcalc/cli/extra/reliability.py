@@ -4,7 +4,6 @@ from tmmcalc.cli.stage import stage_command
 
 command = stage_command(
     "reliability",
-    "tmmcalc.extras.facts.extras:reliability_document",
     """Reliability of a product whose strength falls while shock loads strike it: estimates, mean life, lives.
 
     Times and loads are in the units of the spec.

@@ -4,7 +4,6 @@ from tmmcalc.cli.stage import summary_command
 
 command = summary_command(
     "tie_down",
-    "tmmcalc.extras.facts.extras:tie_down_document",
     """Forces in the ties of a load that its inertia moves: R, the opposite ties, the best elevation.
 
     Example: tmmcalc extra tie-down my.toml --set tie_down.elevation="'25 deg'"

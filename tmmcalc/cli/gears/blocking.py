@@ -30,7 +30,8 @@ def command(
     scene = job.spec()
     check_pair(scene, pair)
     run = job.run(scene, "blocking")
-    from tmmcalc.gears.facts.blocking import blocking_document, chosen_contours
+    from tmmcalc.gears.facts.blocking import chosen_contours
+    from tmmcalc.gears.facts.blocking import document as blocking_document
 
     result, heading = chosen_contours(run.results["blocking"], pair), title(scene, job.file, "blocking contours")
     job.finish(blocking_document(result, heading, everything=form is not Format.table), run, form)

@@ -27,7 +27,7 @@ def command(
     """
     scene = job.spec()
     run = job.run(scene, "criteria")
-    from tmmcalc.gears.facts.criteria import criteria_document
+    from tmmcalc.gears.facts.criteria import document as criteria_document
 
     everything = form is not Format.table
     result, heading = run.results["criteria"], title(scene, job.file, "comparison of gears")

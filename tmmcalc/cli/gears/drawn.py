@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cli.exporting import Files, check_files, contents_of
-from tmmcalc.cli.work import within_turns
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
+from tmmcalc.report.drawing.order import within_turns
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -43,7 +43,8 @@ def command(
     scene = job.spec()
     check_pair(scene, pair)
     run = job.run(scene, "pair")
-    from tmmcalc.gears.facts.pair import chosen_pairs, pair_document
+    from tmmcalc.gears.facts.pair import chosen_pairs
+    from tmmcalc.gears.facts.pair import document as pair_document
 
     result, heading = chosen_pairs(run.results["pair"], pair), title(scene, job.file, "pairs of gears")
     job.finish(pair_document(result, heading, everything=form is not Format.table, step=width), run, form)

@@ -52,7 +52,7 @@ def _printed(
     run: RunResult, scene: Spec, heading: str, choose: int, power: bool, internal: bool, form: Format
 ) -> Document:
     if scene.gearing is not None:
-        from tmmcalc.gears.facts.gearing import gearing_document
+        from tmmcalc.gears.facts.gearing import document as gearing_document
 
         return gearing_document(run.results["gearing"], heading)
     from tmmcalc.gears.facts.planetary import planetary_document

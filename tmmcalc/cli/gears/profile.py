@@ -190,7 +190,8 @@ def _document(
     asked: bool,
 ) -> Any:
     """Facts and tables of the chosen wheels that have a profile."""
-    from tmmcalc.gears.facts.profile import label_of, profile_document
+    from tmmcalc.gears.facts.profile import document as profile_document
+    from tmmcalc.gears.facts.profile import label_of
     from tmmcalc.gears.meshing.booktables import book_tables
 
     result = run.results["profile"]

@@ -31,7 +31,8 @@ def command(
     """
     scene = job.spec()
     run = job.run(scene, "strength")
-    from tmmcalc.gears.facts.strength import strength_document, train_document
+    from tmmcalc.gears.facts.strength import document as strength_document
+    from tmmcalc.gears.facts.strength import train_document
 
     result, heading = run.results["strength"], title(scene, job.file, "strength of gears")
     everything = form is not Format.table

@@ -25,7 +25,7 @@ def command(
     """
     scene = job.spec()
     run = job.run(scene, "train")
-    from tmmcalc.gears.facts.train import train_document
+    from tmmcalc.gears.facts.train import document as train_document
 
     everything = form is not Format.table
     printed = train_document(run.results["train"], title(scene, job.file, "gears"), rows=rows, everything=everything)

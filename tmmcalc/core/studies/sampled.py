@@ -7,19 +7,14 @@ method that misses it is told by the nodes, and the nodes by it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.numerics.fourier import TURN
 from tmmcalc.core.plane import Real
 from tmmcalc.core.studies.measure import Clock, Way, series
 from tmmcalc.core.studies.study import Series
-
-if TYPE_CHECKING:
-    from tmmcalc.cams.laws.law import Indices
-    from tmmcalc.cams.program import Program
 
 # Positions of a cycle. The later ones hold few of those before them, so that an extreme on a position by chance shows.
 COUNTS = (12, 24, 48, 97, 193, 389, 769, 1543)
@@ -73,14 +68,3 @@ def on_edges(x: Real, edges: Real) -> Real:
     """x (m,), set on an edge where one is near: loads and laws reach a little beyond their ends, where nothing is."""
     nearest = edges[np.argmin(np.abs(x[:, None] - edges), axis=1)]
     return np.where(np.abs(x - nearest) < 2 * BESIDE, nearest, x)
-
-
-def beside(program: Program, phi: Real) -> Iterator[tuple[Real, Indices]]:
-    """Angles (m,) of the turn, and numbers of the pieces of the law just before them; then those just behind.
-
-    They differ at the ends of a piece alone: the end of the turn belongs to the last piece, its beginning to the first.
-    """
-    within = on_edges(np.mod(phi, TURN), program.edges)
-    for side in (-BESIDE, BESIDE):
-        there = np.mod(within + side, TURN)
-        yield within + TURN * np.rint((there - within) / TURN), program.piece(there)

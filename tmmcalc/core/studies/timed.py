@@ -10,10 +10,10 @@ import numpy as np
 
 from tmmcalc.core.errors import AccuracyError
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.steps import merson_step
 from tmmcalc.core.records import record
 from tmmcalc.core.studies.measure import Clock, Way, series
 from tmmcalc.core.studies.study import Series
-from tmmcalc.machine.transient.steps import merson_step
 
 CONTROLLED = ("RK45", "DOP853", "LSODA", "Radau", "BDF")
 TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10)

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.studies.measure import Way, relative, series
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Study
 from tmmcalc.extras.contact import ContactTask, solve_contact
 from tmmcalc.extras.hertz import hertz

@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.studies.extrapolation import extrapolated
 from tmmcalc.core.studies.measure import Way, relative, series
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Study
 from tmmcalc.core.studies.timed import Run, Start, controlled, stepped
 from tmmcalc.extras.falling_ball import Ball, BallTask, solve_falling_ball

@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.conversion import from_record, plain, to_record
+from tmmcalc.core.conversion import plain
 from tmmcalc.core.numerics.extended import EPS
-from tmmcalc.core.stage import Record, Table
 from tmmcalc.extras.contact import Contact, ContactTask, solve_contact
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.extras.room import ExtraTables
 
 
-def inputs(spec: Spec) -> ContactTask:
+def inputs(spec: ExtraTables) -> ContactTask:
     """What the table says, in SI."""
     from tmmcalc.extras.tables.tasks.extras import to_contact
 
@@ -26,20 +25,27 @@ def solve(given: ContactTask, upstream: Mapping[str, Any], settings: Mapping[str
     return solve_contact(given)
 
 
-def dump(result: Contact) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, {**plain(result.error), "load": max(result.load_error, EPS)})
+def errors(result: Contact) -> dict[str, Any]:
+    """Estimates of its errors."""
+    return {**plain(result.error), "load": max(result.load_error, EPS)}
 
 
-def load(record: Record) -> Contact:
-    """Build the result from its record."""
-    result: Contact = from_record(Contact, record)
-    return result
-
-
-def table(result: Contact) -> Table:
+def columns(result: Contact) -> Mapping[str, Any]:
     """One row a node of the grid."""
     from tmmcalc.extras.columns import contact_columns
 
-    columns = contact_columns(result)
-    return Table(list(columns), list(columns.values()))
+    return contact_columns(result)
+
+
+def packages(spec: ExtraTables) -> tuple[str, ...]:
+    """Hertz's ellipse has elliptic integrals; a table of the gap is a spline."""
+    table = spec.contact
+    if table is None:
+        return ()
+    return (
+        ("scipy.optimize", "scipy.special")
+        if table.radii is not None
+        else ("scipy.interpolate",)
+        if table.table is not None
+        else ()
+    )

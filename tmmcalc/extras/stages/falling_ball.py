@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record, Table
 from tmmcalc.extras.falling_ball import Ball, BallTask, solve_falling_ball
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.extras.room import ExtraTables
 
 
-def inputs(spec: Spec) -> BallTask:
+def inputs(spec: ExtraTables) -> BallTask:
     """What the table says, in SI."""
     from tmmcalc.extras.tables.tasks.extras import to_ball
 
@@ -25,20 +23,13 @@ def solve(given: BallTask, upstream: Mapping[str, Any], settings: Mapping[str, A
     return solve_falling_ball(given)
 
 
-def dump(result: Ball) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, result.error)
-
-
-def load(record: Record) -> Ball:
-    """Build the result from its record."""
-    result: Ball = from_record(Ball, record)
-    return result
-
-
-def table(result: Ball) -> Table:
+def columns(result: Ball) -> Mapping[str, Any]:
     """One row a time."""
     from tmmcalc.extras.columns import ball_columns
 
-    columns = ball_columns(result)
-    return Table(list(columns), list(columns.values()))
+    return ball_columns(result)
+
+
+def packages(spec: ExtraTables) -> tuple[str, ...]:
+    """Bessel functions, and roots."""
+    return ("scipy.optimize", "scipy.special")

@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record
 from tmmcalc.extras.tie_down import TieDown, TieDownTask, solve_tie_down
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.extras.room import ExtraTables
 
 
-def inputs(spec: Spec) -> TieDownTask:
+def inputs(spec: ExtraTables) -> TieDownTask:
     """What the table says, in SI."""
     from tmmcalc.extras.tables.tasks.extras import to_tie_down
 
@@ -25,12 +23,6 @@ def solve(given: TieDownTask, upstream: Mapping[str, Any], settings: Mapping[str
     return solve_tie_down(given)
 
 
-def dump(result: TieDown) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, {"forces": result.error})
-
-
-def load(record: Record) -> TieDown:
-    """Build the result from its record."""
-    result: TieDown = from_record(TieDown, record)
-    return result
+def errors(result: TieDown) -> dict[str, Any]:
+    """Estimates of its errors."""
+    return {"forces": result.error}

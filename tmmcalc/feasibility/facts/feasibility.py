@@ -9,7 +9,7 @@ from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
 
-def feasibility_document(result: Feasibility, title: str) -> Document:
+def document(result: Feasibility, title: str) -> Document:
     """One row a constraint, a warning for each that fails; of several designs a second table."""
     parts = (candidates_document(result, "designs"),) if result.candidates else ()
     return Document(title, _facts(result), _notes(result), _view(result.verdicts), parts=parts)
@@ -86,7 +86,7 @@ def _design_notes(result: Feasibility, shown: Candidate) -> Iterator[str]:
             yield f"warning: constraint {_words(verdict)}"
 
 
-def feasibility_summary(result: Feasibility, title: str) -> Document:
+def summary(result: Feasibility, title: str) -> Document:
     """The same without the table."""
     return Document(title, _facts(result), _notes(result))
 

@@ -7,15 +7,14 @@ rule is grey.
 from __future__ import annotations
 
 import textwrap
-from pathlib import Path
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from tmmcalc.feasibility.facts.feasibility import limits_in_words, measured
 from tmmcalc.feasibility.judge import Feasibility, Verdict
-from tmmcalc.report.drawing import check_matplotlib, form_of
-from tmmcalc.report.drawing.page import blank, settle, write
+from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.drawing.style import INK, THIN
 
 HOLDS, FAILS, IDLE = "#009e73", "#d55e00", "#9a9a9a"
@@ -27,11 +26,9 @@ INSIDE = 0.75  # part of the scale beyond which the figure of a bar stands in it
 WRAP = 110  # characters of a line of the rule
 
 
-def draw_feasibility(result: Feasibility, file: Path) -> None:
-    """Draw the margins of all constraints of a scene, or of the chosen design."""
-    form = form_of(file)
-    check_matplotlib()
-    write(file, form, lambda: feasibility_figure(result))
+def figure(order: Order) -> Figure:
+    """The figure of the stage."""
+    return feasibility_figure(order.results["feasibility"])
 
 
 def feasibility_figure(result: Feasibility) -> Figure:

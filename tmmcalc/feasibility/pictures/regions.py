@@ -6,7 +6,6 @@ Borders run between the points of the grid as if margins were linear there. Of o
 from __future__ import annotations
 
 import textwrap
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,8 +18,7 @@ from matplotlib.patheffects import withTickedStroke
 
 from tmmcalc.feasibility.logic import Values
 from tmmcalc.feasibility.maps import RegionMap
-from tmmcalc.report.drawing import check_matplotlib, form_of
-from tmmcalc.report.drawing.page import blank, settle, write
+from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.drawing.style import CURVES, INK, THIN
 from tmmcalc.report.numbers import number
 
@@ -30,13 +28,6 @@ DOTS = 2000  # points of a grid up to which they are marked
 FINER = 8  # steps between two values, within which margins are linear
 BEST = (0, (1.0, 2.0))
 SCALE = 100.0  # [%] of the margins of one parameter, at most
-
-
-def draw_region(result: RegionMap, file: Path) -> None:
-    """Draw the region of feasible parameters."""
-    form = form_of(file)
-    check_matplotlib()
-    write(file, form, lambda: region_figure(result))
 
 
 def region_figure(result: RegionMap) -> Figure:

@@ -6,24 +6,24 @@ those of which a stage has no result.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 from tmmcalc.core.errors import NoSolutionError, TmmError
+from tmmcalc.core.stage import Upstream
 from tmmcalc.feasibility.judge import Candidate, Feasibility, FeasibilityTask
 from tmmcalc.feasibility.stages.feasibility import judged
-from tmmcalc.linkage.synthesis.results import Design, Synthesis
 
 
-def judge_designs(task: FeasibilityTask, upstream: Mapping[str, Any]) -> Feasibility:
+def judge_designs(task: FeasibilityTask, upstream: Upstream) -> Feasibility:
     """Judge all designs; raises `NoSolutionError` if no stage that is asked about has a result of any of them."""
-    synthesis: Synthesis = upstream["synthesis"]
+    synthesis = upstream["synthesis"]
     found: list[tuple[Candidate, Feasibility | None]] = []
     for number, design in enumerate(synthesis.designs, 1):
         own = {**upstream, "synthesis": replace(synthesis, designs=(design,))}
         try:
-            result = judged(task, {**own, **of_ready(task, design, own)})
+            result = judged(task, {**own, **of_ready(task, design, own, upstream.another)})
         except TmmError as error:
             if error.exit_code < NoSolutionError.exit_code:
                 raise
@@ -42,7 +42,7 @@ def judge_designs(task: FeasibilityTask, upstream: Mapping[str, Any]) -> Feasibi
     return replace(best, candidates=tuple(candidate for candidate, _ in found))
 
 
-def _candidate(number: int, design: Design, found: Feasibility) -> Candidate:
+def _candidate(number: int, design: Any, found: Feasibility) -> Candidate:
     return Candidate(number, design.name, found.feasible, found.function, found.failing, found.verdicts)
 
 
@@ -52,17 +52,15 @@ def _rank(candidate: Candidate) -> tuple[int, float]:
     return 1, -candidate.function
 
 
-def of_ready(task: FeasibilityTask, design: Design, own: Mapping[str, Any]) -> dict[str, Any]:
-    """Results of the ready spec for the stages that constraints ask about and the scene itself has not."""
-    asked = [name for name in dict.fromkeys(each.stage for each in task.constraints) if name not in own]
-    if not asked:
-        return {}
-    from tmmcalc.pipeline.runner import run
-    from tmmcalc.project import parse_spec
+def of_ready(
+    task: FeasibilityTask,
+    design: Any,
+    own: Mapping[str, Any],
+    another: Callable[[str, Sequence[str]], Mapping[str, Any]],
+) -> Mapping[str, Any]:
+    """Results of the ready spec of a solution for the stages that constraints ask about and the scene itself has not.
 
-    spec = parse_spec(design.spec)
-    found: dict[str, Any] = {}
-    for name in asked:
-        if name not in found:
-            found |= run(spec, target=name).results
-    return {name: found[name] for name in asked}
+    ``another`` solves the stages of a spec by its text, as `Upstream` has it.
+    """
+    asked = [name for name in dict.fromkeys(each.stage for each in task.constraints) if name not in own]
+    return another(design.spec, asked) if asked else {}

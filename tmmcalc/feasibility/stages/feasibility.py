@@ -10,27 +10,24 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.core.conversion import from_record, to_record
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.stage import Record, Table, resolve
+from tmmcalc.core.stage import STAGES, Upstream
+from tmmcalc.core.told import Quantity, facts, named
 from tmmcalc.feasibility.judge import OF, ROWS, Constraint, Feasibility, FeasibilityTask, judge
-from tmmcalc.feasibility.quantities import limits, named, of_name, place
-from tmmcalc.pipeline.stages import STAGES
+from tmmcalc.feasibility.quantities import limits, of_name, place
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
-
-Quantity = tuple[float, str]  # value and unit
+    from tmmcalc.feasibility.room import FeasibilityTables
 
 
-def inputs(spec: Spec) -> FeasibilityTask:
+def inputs(spec: FeasibilityTables) -> FeasibilityTask:
     """The constraints and the rule."""
     from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
 
     return to_feasibility(spec)
 
 
-def solve(task: FeasibilityTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Feasibility:
+def solve(task: FeasibilityTask, upstream: Upstream, settings: Mapping[str, Any]) -> Feasibility:
     """Judge every constraint; raises `UsageError` for a quantity that the stage does not tell."""
     if "synthesis" not in upstream:
         return judged(task, upstream)
@@ -61,29 +58,9 @@ def _quantity(constraint: Constraint, upstream: Mapping[str, Any]) -> Quantity:
     return of_name(constraint, told)
 
 
-def facts(stage: str, result: Any) -> Iterator[tuple[str, Quantity]]:
-    """All numbers of a stage's summary by name, without their unit."""
-    from tmmcalc.pipeline.summary import SUMMARIES
-
-    document = resolve(SUMMARIES[stage])(result, stage)
-    for part in (document, *document.parts):
-        for fact in part.facts:
-            yield from _numbers(fact.values)
-
-
-def _numbers(values: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Quantity]]:
-    for key, value in values.items():
-        name, unit = named(key)
-        if isinstance(value, Mapping):
-            yield from _numbers(value, f"{path}{key}.")
-        elif isinstance(value, int | float):
-            yield f"{path}{name}", (float(value), unit)
-
-
 def columns(constraint: Constraint, result: Any) -> Iterator[tuple[str, Quantity]]:
     """What is asked of every column of numbers of the stage's table, by name."""
-    maker = STAGES[constraint.stage].table
-    made: Table | None = resolve(maker)(result) if maker else None
+    made = STAGES[constraint.stage].table(result)
     for header, column in zip(made.header, made.columns, strict=True) if made else ():
         if np.asarray(column).dtype.kind in "fi" and len(column):
             name, unit = named(header)
@@ -97,12 +74,6 @@ def _asked(constraint: Constraint, result: Any, column: np.ndarray) -> float:
     return float(column[result.winner.place if constraint.stage == "criteria" else 0])
 
 
-def dump(result: Feasibility) -> Record:
-    """All of it is scalars."""
-    return to_record(result, {"margins": result.error})
-
-
-def load(record: Record) -> Feasibility:
-    """Build the result from its record."""
-    result: Feasibility = from_record(Feasibility, record)
-    return result
+def errors(result: Feasibility) -> dict[str, Any]:
+    """Estimates of its errors."""
+    return {"margins": result.error}

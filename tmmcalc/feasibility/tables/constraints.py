@@ -1,4 +1,4 @@
-"""``[[constraints]]`` and ``[feasibility]``: what the results of stages must keep, and how that is combined."""
+"""``[[constraints]]``: what the results of stages must keep."""
 
 import re
 from keyword import iskeyword
@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from tmmcalc.spec.choices import Known, Whole
+from tmmcalc.spec.choices import Known
 from tmmcalc.spec.phrases import show
 from tmmcalc.spec.quantities import Number
 from tmmcalc.spec.reader import Reader
@@ -47,8 +47,6 @@ class Bound(Number):
 
 ConstraintName = Annotated[str, RuleName()]
 What = Annotated[str, Known("what of a column", ("max", "min", "range", "mean", "size", "first", "last"))]
-FormName = Annotated[str, Known("form of the function", ("minmax", "R0", "Rm"))]
-Smoothness = Annotated[int, Whole("an order of smoothness", 1, 9)]
 Limit = Annotated[float | str, Bound("a limit", '350, or "350 mm"')]
 
 
@@ -69,16 +67,3 @@ class ConstraintTable(Table):
         default=None, description="Lower limit: a number in the unit of the quantity, or a text with a unit."
     )
     at_most: Limit | None = Field(default=None, description="Upper limit, alike.")
-
-
-class FeasibilityTable(Table):
-    """How the constraints are combined."""
-
-    rule: str = Field(
-        default="",
-        description='Constraints with and, or, not, brackets: "stroke and (light or not fast)" (default: all).',
-    )
-    form: FormName = Field(
-        default="minmax", description="Function of the rule for searches: minmax (exact), R0 or Rm (smooth)."
-    )
-    smoothness: Smoothness = Field(default=1, description="Order m of Rm.")

@@ -13,10 +13,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
 from tmmcalc.core.studies.measure import Way, by_quantity, relative
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Series, Study
 from tmmcalc.gears.involute.contour.bounds import cuts
 from tmmcalc.gears.involute.contour.contour import Contour, contour

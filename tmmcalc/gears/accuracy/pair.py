@@ -14,8 +14,8 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.studies.measure import Way, relative, series
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import FLOOR, Reference, Series, Study
 from tmmcalc.gears.involute.extended import inverse_extended
 from tmmcalc.gears.involute.function import inverse_involute, involute

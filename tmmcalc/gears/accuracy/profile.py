@@ -13,11 +13,11 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.numerics.curves import Curve
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.plane import Plane
 from tmmcalc.core.studies.measure import Way, relative, series
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Study
 from tmmcalc.gears.involute.profile.flank import Flank
 from tmmcalc.gears.meshing.members import members

@@ -12,9 +12,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.studies.measure import Way, relative, series
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Series, Study
 from tmmcalc.gears.columns import ratios
 from tmmcalc.gears.model import ToothSets

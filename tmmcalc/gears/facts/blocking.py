@@ -24,12 +24,12 @@ def chosen_contours(result: Blocking, name: str | None) -> Blocking:
     return replace(result, pairs=tuple(result.pairs[k] for k in at))
 
 
-def blocking_summary(result: Blocking, title: str) -> Document:
+def summary(result: Blocking, title: str) -> Document:
     """Areas, margins and the admissible interval of every pair, without tables."""
     return _document(result, title, tuple(_pair_summary(*each) for each in _titled(result)))
 
 
-def blocking_document(result: Blocking, title: str, *, everything: bool = False) -> Document:
+def document(result: Blocking, title: str, *, everything: bool = False) -> Document:
     """All of every contour; with ``everything`` every digit and the boundaries of all in one table."""
     shown = _whole if everything else _part
     document = _document(result, title, tuple(shown(*each) for each in _titled(result)))

@@ -22,12 +22,12 @@ BEST = 3  # trains of the ranking that are named
 DIGITS = 5
 
 
-def criteria_summary(result: Selection, title: str) -> Document:
+def summary(result: Selection, title: str) -> Document:
     """Facts, notes and the first trains of the Pareto front."""
-    return criteria_document(result, title, rows=FEW)
+    return document(result, title, rows=FEW)
 
 
-def criteria_document(result: Selection, title: str, *, rows: int = ROWS, everything: bool = False) -> Document:
+def document(result: Selection, title: str, *, rows: int = ROWS, everything: bool = False) -> Document:
     """Facts, notes and the Pareto front, the best by the choice first; with ``everything`` all trains instead."""
     columns = chosen_columns(result)
     facts = (

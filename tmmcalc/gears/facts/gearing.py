@@ -20,7 +20,7 @@ NOISE = 1e-10  # part of the power put in: what is below it is the rounding of t
 LONGEST = 24  # characters of a fraction that is printed; longer ones go to programs alone
 
 
-def gearing_summary(result: Gearing, title: str) -> Document:
+def summary(result: Gearing, title: str) -> Document:
     """Facts and the table of members."""
     facts = (*_train_facts(result), *_ratio_facts(result), *_efficiency_facts(result), *_power_facts(result))
     legend = "n_rel against its own carrier"
@@ -33,9 +33,9 @@ def gearing_summary(result: Gearing, title: str) -> Document:
     return Document(title, facts, tuple(_notes(result)), _view(columns), wide=True, more=MORE)
 
 
-def gearing_document(result: Gearing, title: str) -> Document:
+def document(result: Gearing, title: str) -> Document:
     """Facts, the table of members, and those of meshes: torques, powers, frequencies."""
-    return replace(gearing_summary(result, title), parts=tuple(_mesh_parts(result)))
+    return replace(summary(result, title), parts=tuple(_mesh_parts(result)))
 
 
 def _train_facts(result: Gearing) -> Iterator[Fact]:

@@ -58,7 +58,7 @@ def chosen_pairs(result: Pairs, name: str | None) -> Pairs:
     return replace(result, pairs=tuple(result.pairs[k] for k in at))
 
 
-def pair_summary(result: Pairs, title: str) -> Document:
+def summary(result: Pairs, title: str) -> Document:
     """The shifts of every pair and what they give, one row each; of a single pair its radii as well."""
     notes = (*_remarks(result), *_all_notes(result))
     if len(result.pairs) == 1:
@@ -68,7 +68,7 @@ def pair_summary(result: Pairs, title: str) -> Document:
     return Document(title, tuple(_train_facts(result)), notes, _rows_view(result))
 
 
-def pair_document(result: Pairs, title: str, *, everything: bool = False, step: float | None = None) -> Document:
+def document(result: Pairs, title: str, *, everything: bool = False, step: float | None = None) -> Document:
     """All of every pair; with ``everything`` every digit and the sliding of all pairs in one table instead.
 
     With a ``step`` [m] the sliding is tabulated in equal steps of rho1; raises as `sliding_steps` does.

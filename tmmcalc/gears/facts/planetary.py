@@ -9,7 +9,7 @@ from typing import Any
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.bounds import single_planet_limits
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency
-from tmmcalc.gears.facts.gearing import gearing_document
+from tmmcalc.gears.facts.gearing import document as gearing_document
 from tmmcalc.gears.facts.radial import radial_document
 from tmmcalc.gears.gearing import solve_gearing
 from tmmcalc.gears.gearingtask import layout_task

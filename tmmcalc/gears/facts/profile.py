@@ -24,7 +24,7 @@ ROLLS = ("phi_L", "phi_D", "phi_A", "phi_F")
 TINY = 1e-15  # [m] a distance that rounding alone leaves
 
 
-def profile_summary(result: Profiles, title: str) -> Document:
+def summary(result: Profiles, title: str) -> Document:
     """One row a wheel."""
     wheels = result.wheels
     named = any(wheel.pair for wheel in wheels)
@@ -43,7 +43,7 @@ def profile_summary(result: Profiles, title: str) -> Document:
     return Document(title, notes=tuple(_notes(result)), table=view)
 
 
-def profile_document(
+def document(
     result: Profiles,
     title: str,
     tables: Sequence[BookTables] = (),

@@ -28,12 +28,12 @@ LAST = ("m_H", "m_F", "governs", "psi", "sigma", "margin", "K_")  # columns that
 WHENCE = {MOMENT: "of the moment that is given", REDUCTION: "of the largest reduced moment"}
 
 
-def strength_summary(result: Sizing, title: str) -> Document:
+def summary(result: Sizing, title: str) -> Document:
     """Facts, notes and the first few sets of every variant."""
-    return strength_document(result, title, rows=FEW)
+    return document(result, title, rows=FEW)
 
 
-def strength_document(result: Sizing, title: str, *, rows: int = ROWS, everything: bool = False) -> Document:
+def document(result: Sizing, title: str, *, rows: int = ROWS, everything: bool = False) -> Document:
     """Facts, notes and the first ``rows`` sets of every variant; with ``everything`` all sets in one table instead."""
     before = np.cumsum([0, *(len(sized.sets) for sized in result.variants)]).tolist()
     shown = 0 if everything else rows

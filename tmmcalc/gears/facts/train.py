@@ -30,12 +30,12 @@ LEGEND = {
 }
 
 
-def train_summary(result: Trains, title: str) -> Document:
+def summary(result: Trains, title: str) -> Document:
     """Facts, notes and the first few sets of every variant; of several variants each is a part."""
-    return train_document(result, title, rows=FEW)
+    return document(result, title, rows=FEW)
 
 
-def train_document(result: Trains, title: str, *, rows: int = ROWS, everything: bool = False) -> Document:
+def document(result: Trains, title: str, *, rows: int = ROWS, everything: bool = False) -> Document:
     """Facts, notes and the first ``rows`` sets of every variant; with ``everything`` all sets in one table instead."""
     shown = 0 if everything else rows
     parts = tuple(_variant_document(variant, shown) for variant in result.variants)

@@ -16,10 +16,16 @@ from tmmcalc.gears.selection.results import Pool, Selection
 from tmmcalc.gears.selection.solve import speed_ratio
 from tmmcalc.gears.sizing import rows_of
 from tmmcalc.gears.train import Trains
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.numbers import number
 
 USUAL = 3  # objectives that the first diagram shows together: mass, inertia, size
+
+
+def figure(order: Order) -> Figure:
+    """The figure of the stage, with the train that is chosen."""
+    return criteria_figure(order.results["criteria"], order.results["train"], order.choice)
 
 
 def criteria_figure(result: Selection, trains: Trains, choose: int | None = None) -> Figure:

@@ -19,8 +19,14 @@ from tmmcalc.gears.pictures.words import layout_name, ratio_text, teeth_text
 from tmmcalc.gears.search.measures import tooth_ratio
 from tmmcalc.gears.train import Trains, Variant
 from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.numbers import number
+
+
+def figure(order: Order) -> Figure:
+    """The figure of the stage, with the set that is chosen."""
+    return train_figure(order.results["train"], 1 if order.choice is None else order.choice)
 
 
 def train_figure(result: Trains, choose: int) -> Figure:

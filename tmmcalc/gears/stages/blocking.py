@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.conversion import from_record, largest, to_record
-from tmmcalc.core.stage import Record, Table
+from tmmcalc.core.conversion import largest
 from tmmcalc.gears.meshing.contours import Blocking
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.gears.room import GearTables
 
 
-def inputs(spec: Spec) -> None:
+def inputs(spec: GearTables) -> None:
     """Nothing beside the pairs."""
 
 
@@ -24,20 +23,13 @@ def solve(given: None, upstream: Mapping[str, Any], settings: Mapping[str, Any])
     return solve_blocking(upstream["pair"])
 
 
-def dump(result: Blocking) -> Record:
-    """Arrays by the names of the fields: ``pairs.0.strict.main.x1``, ..."""
-    return to_record(result, largest([area.error for pair in result.pairs for area in (pair.strict, pair.tolerated)]))
+def errors(result: Blocking) -> dict[str, Any]:
+    """Estimates of its errors."""
+    return largest([area.error for pair in result.pairs for area in (pair.strict, pair.tolerated)])
 
 
-def load(record: Record) -> Blocking:
-    """Build the result from its record."""
-    result: Blocking = from_record(Blocking, record)
-    return result
-
-
-def table(result: Blocking) -> Table:
+def columns(result: Blocking) -> Mapping[str, Any]:
     """The boundary of every contour, one point a row."""
     from tmmcalc.gears.meshing.blocking import blocking_columns
 
-    columns = blocking_columns(result)
-    return Table(list(columns), list(columns.values()))
+    return blocking_columns(result)

@@ -5,16 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.conversion import from_record, largest, to_record
-from tmmcalc.core.stage import Record, Table
+from tmmcalc.core.conversion import largest
+from tmmcalc.core.stage import said
 from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.selection.task import SelectionTask
+from tmmcalc.gears.wanted import NO_KEPT
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.gears.room import GearTables
 
 
-def inputs(spec: Spec) -> SelectionTask:
+def inputs(spec: GearTables) -> SelectionTask:
     """Objectives, weights, the way of choosing, efficiencies of meshes."""
     from tmmcalc.gears.tables.tasks.sizing import to_selection
 
@@ -28,20 +29,20 @@ def solve(given: SelectionTask, upstream: Mapping[str, Any], settings: Mapping[s
     return solve_selection(upstream["train"], upstream["strength"], given)
 
 
-def dump(result: Selection) -> Record:
-    """Arrays by the names of the fields, those of the first variant under ``variants.0.``."""
-    return to_record(result, largest([variant.error for variant in result.variants]))
+def errors(result: Selection) -> dict[str, Any]:
+    """Estimates of its errors."""
+    return largest([variant.error for variant in result.variants])
 
 
-def load(record: Record) -> Selection:
-    """Build the result from its record."""
-    result: Selection = from_record(Selection, record)
-    return result
-
-
-def table(result: Selection) -> Table:
+def columns(result: Selection) -> Mapping[str, Any]:
     """All trains, one a row, one variant after the other."""
     from tmmcalc.gears.selection.columns import chosen_columns
 
-    columns = chosen_columns(result)
-    return Table(list(columns), list(columns.values()))
+    return chosen_columns(result)
+
+
+def omits(spec: GearTables) -> tuple[str, ...]:
+    """Constraints on trains."""
+    from tmmcalc.feasibility.tables.tasks.kept_rows import kept_rows
+
+    return said((kept_rows(spec, "criteria") is None, NO_KEPT))

@@ -5,19 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record, Table
 from tmmcalc.gears.gearing import Gearing, solve_gearing
 from tmmcalc.gears.gearingtask import GearingTask
 from tmmcalc.gears.members import member_columns
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.gears.room import GearTables
 
 
-def inputs(spec: Spec) -> GearingTask | None:
+def inputs(spec: GearTables) -> GearingTask | None:
     """The members, the meshes, what is known of speeds and torques."""
     from tmmcalc.gears.tables.tasks.gearing import to_gearing
 
@@ -29,18 +25,7 @@ def solve(given: GearingTask, upstream: Mapping[str, Any], settings: Mapping[str
     return solve_gearing(given)
 
 
-def dump(result: Gearing) -> Record:
-    """Arrays by the names of the fields: ``motion.speeds``, ``flow.torques``, ..."""
-    return to_record(result, result.error)
-
-
-def load(record: Record) -> Gearing:
-    """Build the result from its record."""
-    result: Gearing = from_record(Gearing, record)
-    return result
-
-
-def table(result: Gearing) -> Table:
+def columns(result: Gearing) -> Mapping[str, Any]:
     """Speeds, torques and powers, one row a member."""
-    columns = member_columns(result)
-    return Table(list(columns), [np.array(column) for column in columns.values()])
+
+    return member_columns(result)

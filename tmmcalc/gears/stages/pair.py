@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.conversion import from_record, largest, to_record
-from tmmcalc.core.stage import Record, Table
+from tmmcalc.core.conversion import largest
 from tmmcalc.gears.meshing.results import Pairs
 from tmmcalc.gears.meshing.task import PairsTask
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.gears.room import GearTables
 
 
-def inputs(spec: Spec) -> PairsTask:
+def inputs(spec: GearTables) -> PairsTask:
     """Teeth, racks, the choice of shifts, limits, what is measured."""
     from tmmcalc.gears.tables.tasks.pair import to_pairs
 
@@ -28,20 +27,13 @@ def solve(given: PairsTask, upstream: Mapping[str, Any], settings: Mapping[str, 
     return solve_pairs(given, upstream.get("criteria"))
 
 
-def dump(result: Pairs) -> Record:
-    """Arrays by the names of the fields: those of the first pair under ``pairs.0.``."""
-    return to_record(result, largest([pair.error for pair in result.pairs]))
+def errors(result: Pairs) -> dict[str, Any]:
+    """Estimates of its errors."""
+    return largest([pair.error for pair in result.pairs])
 
 
-def load(record: Record) -> Pairs:
-    """Build the result from its record."""
-    result: Pairs = from_record(Pairs, record)
-    return result
-
-
-def table(result: Pairs) -> Table:
+def columns(result: Pairs) -> Mapping[str, Any]:
     """Sliding and pressure along the line of action, one pair after the other."""
     from tmmcalc.gears.meshing.columns import pair_columns
 
-    columns = pair_columns(result)
-    return Table(list(columns), list(columns.values()))
+    return pair_columns(result)

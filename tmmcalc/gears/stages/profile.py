@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record, Table
 from tmmcalc.gears.meshing.profiles import Profiles
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.gears.room import GearTables
 
 
-def inputs(spec: Spec) -> int:
+def inputs(spec: GearTables) -> int:
     """Points of each curve of a profile."""
     from tmmcalc.gears.tables.tasks.pair import profile_points
 
@@ -27,20 +25,13 @@ def solve(given: int, upstream: Mapping[str, Any], settings: Mapping[str, Any]) 
     return solve_profiles(upstream["pair"], given)
 
 
-def dump(result: Profiles) -> Record:
-    """Arrays by the names of the fields: ``wheels.0.x``, ..."""
-    return to_record(result, {"outline": max((wheel.error for wheel in result.wheels), default=0.0)})
+def errors(result: Profiles) -> dict[str, Any]:
+    """Estimates of its errors."""
+    return {"outline": max((wheel.error for wheel in result.wheels), default=0.0)}
 
 
-def load(record: Record) -> Profiles:
-    """Build the result from its record."""
-    result: Profiles = from_record(Profiles, record)
-    return result
-
-
-def table(result: Profiles) -> Table:
+def columns(result: Profiles) -> Mapping[str, Any]:
     """The points of half a tooth, one wheel after the other."""
     from tmmcalc.gears.meshing.tooth import profile_columns
 
-    columns = profile_columns(result)
-    return Table(list(columns), list(columns.values()))
+    return profile_columns(result)

@@ -5,17 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.conversion import from_record, largest, to_record
+from tmmcalc.core.conversion import largest
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.stage import Record, Table
 from tmmcalc.gears.sizing import Sizing, SizingTask
 
 if TYPE_CHECKING:
-    from tmmcalc.machine.reduction.results import Reduction
-    from tmmcalc.project import Spec
+    from tmmcalc.gears.room import GearTables
 
 
-def inputs(spec: Spec) -> SizingTask:
+def inputs(spec: GearTables) -> SizingTask:
     """The torque or where it comes from, materials, rules of rounding."""
     from tmmcalc.gears.tables.tasks.sizing import to_sizing
 
@@ -30,8 +28,11 @@ def solve(given: SizingTask, upstream: Mapping[str, Any], settings: Mapping[str,
     return solve_sizing(upstream["train"], given, None if reduction is None else largest_moment(reduction))
 
 
-def largest_moment(reduction: Reduction) -> float:
-    """max|M_c| over the cycle [N*m]; raises `UsageError` for a driven slider, on which forces act."""
+def largest_moment(reduction: Any) -> float:
+    """max|M_c| over the cycle [N*m] of the result of the stage ``reduction``.
+
+    Raises `UsageError` for a driven slider, on which forces act.
+    """
     if not reduction.turns:
         raise UsageError(
             "the input is a driven slider: there is no moment on a crank",
@@ -39,23 +40,16 @@ def largest_moment(reduction: Reduction) -> float:
             remedy="give torque, or moment and moment_ratio",
         )
     least, largest = reduction.cycle.panels.extremes(reduction.parts.sum(axis=0))
-    return max(abs(least[0]), abs(largest[0]))
+    return float(max(abs(least[0]), abs(largest[0])))
 
 
-def dump(result: Sizing) -> Record:
-    """Arrays by the names of the fields, those of the first variant under ``variants.0.``."""
-    return to_record(result, largest([variant.error for variant in result.variants]))
+def errors(result: Sizing) -> dict[str, Any]:
+    """Estimates of its errors."""
+    return largest([variant.error for variant in result.variants])
 
 
-def load(record: Record) -> Sizing:
-    """Build the result from its record."""
-    result: Sizing = from_record(Sizing, record)
-    return result
-
-
-def table(result: Sizing) -> Table:
+def columns(result: Sizing) -> Mapping[str, Any]:
     """All sized sets, one row a set, one variant after the other."""
     from tmmcalc.gears.strength.columns import stacked
 
-    columns = stacked(result)
-    return Table(list(columns), list(columns.values()))
+    return stacked(result)

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.conversion import from_record, to_record
 from tmmcalc.core.records import record
-from tmmcalc.core.stage import Record, Table
+from tmmcalc.core.stage import said
 from tmmcalc.feasibility.tables.tasks.kept_rows import kept_rows
 from tmmcalc.gears.train import Request, Trains
+from tmmcalc.gears.wanted import NO_KEPT
 
 if TYPE_CHECKING:
     from tmmcalc.feasibility.judge import FeasibilityTask
-    from tmmcalc.project import Spec
+    from tmmcalc.gears.room import GearTables
 
 
 @record
@@ -24,7 +24,7 @@ class Asked:
     kept: FeasibilityTask | None = None
 
 
-def inputs(spec: Spec) -> Asked:
+def inputs(spec: GearTables) -> Asked:
     """What is asked of every layout: ratios, limits and tolerances as exact fractions; constraints on tooth sets."""
     from tmmcalc.gears.tables.tasks.train import to_train
 
@@ -44,20 +44,20 @@ def solve(given: Asked, upstream: Mapping[str, Any], settings: Mapping[str, Any]
     return kept_sets(found, given.kept)
 
 
-def dump(result: Trains) -> Record:
-    """Arrays by the names of the fields, those of the first variant under ``variants.0.``; ratios are exact."""
-    return to_record(result, {"ratio": 0.0, "angles": max(variant.error for variant in result.variants)})
+def errors(result: Trains) -> dict[str, Any]:
+    """Estimates of its errors."""
+    return {"ratio": 0.0, "angles": max(variant.error for variant in result.variants)}
 
 
-def load(record: Record) -> Trains:
-    """Build the result from its record."""
-    result: Trains = from_record(Trains, record)
-    return result
-
-
-def table(result: Trains) -> Table:
+def columns(result: Trains) -> Mapping[str, Any]:
     """All sets that are held, one row a set, one variant after the other."""
     from tmmcalc.gears.columns import stacked
 
-    columns = stacked(result)
-    return Table(list(columns), list(columns.values()))
+    return stacked(result)
+
+
+def omits(spec: GearTables) -> tuple[str, ...]:
+    """Constraints on tooth sets."""
+    from tmmcalc.feasibility.tables.tasks.kept_rows import kept_rows
+
+    return said((kept_rows(spec, "train") is None, NO_KEPT))

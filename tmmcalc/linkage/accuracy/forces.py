@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.plane import Real
 from tmmcalc.core.studies.measure import Clock, Way, relative, series
 from tmmcalc.core.studies.sampled import COUNTS, of_positions, on_edges, summit
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import FLOOR, Reference, Study
 from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals

@@ -13,10 +13,10 @@ from operator import attrgetter
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.studies.measure import Clock, Way, relative, series
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Series, Study
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.chain import Chain, chain_of

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.columns import Column
+from tmmcalc.linkage.facts.places import extreme_values, place, span_fact, speed_text
 from tmmcalc.linkage.forces.columns import columns
 from tmmcalc.linkage.forces.results import Forces, PairForces
 from tmmcalc.linkage.results import Extreme
-from tmmcalc.machine.facts.places import extreme_values, place, span_fact, speed_text
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import NOISE, number
 from tmmcalc.report.positions import with_positions
@@ -26,7 +26,7 @@ DRIVES = {
 }
 
 
-def forces_summary(result: Forces, title: str) -> Document:
+def summary(result: Forces, title: str) -> Document:
     """Facts and notes, without the table of positions."""
     facts = (
         *_drive_facts(result),
@@ -37,7 +37,7 @@ def forces_summary(result: Forces, title: str) -> Document:
     return Document(title, facts, tuple(str(grade) for grade in result.grades))
 
 
-def forces_document(
+def document(
     result: Forces,
     title: str,
     *,
@@ -53,7 +53,7 @@ def forces_document(
     """
     available = columns(result)
     usual = available if everything else _first(result, available)
-    told, example = forces_summary(result, title), "phi,M_drive,R_*" if result.turns else "phi,F_drive,R_*"
+    told, example = summary(result, title), "phi,M_drive,R_*" if result.turns else "phi,F_drive,R_*"
     return with_positions(told, result.labels, available, patterns, rows, usual=usual, example=example, where=where)
 
 

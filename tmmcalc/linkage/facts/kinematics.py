@@ -13,12 +13,12 @@ from tmmcalc.report.document import Document
 from tmmcalc.report.positions import more, positions_view
 
 
-def kinematics_summary(result: Kinematics, title: str) -> Document:
+def summary(result: Kinematics, title: str) -> Document:
     """Facts and notes, without the table of positions."""
     return Document(title, tuple(facts_of(result)), tuple(str(g) for g in result.grades))
 
 
-def kinematics_document(
+def document(
     result: Kinematics,
     title: str,
     *,
@@ -35,10 +35,10 @@ def kinematics_document(
     the terminal cuts the rest.
     """
     available = columns(result, dimensionless=dimensionless)
-    summary = kinematics_summary(result, title)
+    told = summary(result, title)
     return replace(
-        summary,
-        facts=(*summary.facts, *([unit_fact(result)] if dimensionless else [])),
+        told,
+        facts=(*told.facts, *([unit_fact(result)] if dimensionless else [])),
         table=positions_view(
             result.labels,
             available,

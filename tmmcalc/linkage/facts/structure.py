@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.listing import Listing
 
 
-def structure_document(result: Structure, title: str) -> Document:
+def summary(result: Structure, title: str) -> Document:
     """Mobility, structural formula, and one row a group."""
     n, p = result.links, result.joints
     roman = ROMAN.get(result.class_number, str(result.class_number))

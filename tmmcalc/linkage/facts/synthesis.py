@@ -18,7 +18,7 @@ ANGLE = math.degrees(1.0)
 FEW = 10  # points that are listed for people
 
 
-def synthesis_summary(result: Synthesis, title: str) -> Document:
+def summary(result: Synthesis, title: str) -> Document:
     """Sizes of the best solution, its checks and warnings, and its merits unless the stage's table has them."""
     best = result.best
     merits = () if best.dwell is None else _merit_facts(best)
@@ -27,7 +27,7 @@ def synthesis_summary(result: Synthesis, title: str) -> Document:
     return Document(title, facts, warnings)
 
 
-def synthesis_document(
+def document(
     result: Synthesis, title: str, *, choose: int = 1, patterns: Sequence[str] = (), everything: bool = False
 ) -> Document:
     """Solution ``choose`` in full, all of them in the table; ``patterns`` choose its columns by name."""

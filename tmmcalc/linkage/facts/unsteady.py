@@ -18,12 +18,12 @@ POINTS = ("speed_", "acceleration_")
 CENTRE = re.compile(r"(speed|acceleration)_S\d+")  # of a centre of mass
 
 
-def unsteady_summary(result: Unsteady, title: str) -> Document:
+def summary(result: Unsteady, title: str) -> Document:
     """Facts and notes, without the table."""
     return Document(title, tuple(_facts(result)), tuple(str(grade) for grade in result.grades))
 
 
-def unsteady_document(
+def document(
     result: Unsteady,
     title: str,
     *,
@@ -33,7 +33,7 @@ def unsteady_document(
     where: str = "",
 ) -> Document:
     """Summary and table; ``patterns`` choose columns, ``rows`` instants by index, ``everything`` takes all columns."""
-    told, available = unsteady_summary(result, title), unsteady_columns(result)
+    told, available = summary(result, title), unsteady_columns(result)
     usual = available if everything else _first(result, available)
     example = "t,x,v,a,omega_*"
     return with_positions(told, result.labels, available, patterns, rows, usual=usual, example=example, where=where)

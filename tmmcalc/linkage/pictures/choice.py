@@ -8,6 +8,7 @@ from itertools import combinations
 
 import numpy as np
 
+from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.pictures.bodies import Body, bodies
 from tmmcalc.linkage.pictures.cycle import Motion, along, closed, motion_at
@@ -88,3 +89,10 @@ def _distances(motion: Motion, body: Body, place: np.ndarray) -> np.ndarray:
         t = np.clip(((place - a) / (b - a)).real, 0.0, 1.0)
         least = np.minimum(least, np.abs(a + t * (b - a) - place))
     return least
+
+
+def check_positions(count: int, positions: Sequence[int]) -> None:
+    """Raise `UsageError` for the index of a position that is not among ``count``."""
+    for k in positions:
+        if not 0 <= k < count:
+            raise UsageError(f"there is no position {k}", where="plot", remedy=f"indices: 0 to {count - 1}")

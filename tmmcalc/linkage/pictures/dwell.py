@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from tmmcalc.cams.pictures.key import Part, Sample, write_key
-from tmmcalc.core.errors import UsageError
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
@@ -20,11 +17,11 @@ from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.pictures.cycle import whole_cycle
 from tmmcalc.linkage.pictures.scheme import draw_scheme, prepare
 from tmmcalc.linkage.synthesis.dwell.results import Dwell
-from tmmcalc.linkage.synthesis.results import Design, Synthesis
-from tmmcalc.report.drawing import check_matplotlib, form_of
+from tmmcalc.linkage.synthesis.results import Design
 from tmmcalc.report.drawing.curves import Diagram, Line, bottom
+from tmmcalc.report.drawing.key import Part, Sample, write_key
 from tmmcalc.report.drawing.labels import signed
-from tmmcalc.report.drawing.page import blank, settle, write
+from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.drawing.style import CURVES
 
 DEGREE = math.degrees(1.0)
@@ -32,17 +29,6 @@ OWN: dict[str, Any] = {"linewidth": 1.1, "zorder": 12.5, **CURVES[2]}
 OTHER: dict[str, Any] = {"linewidth": 1.1, "zorder": 12.4, **CURVES[3]}
 DWELL = {"color": "#f2e6c9", "zorder": 0.5}
 SKIPPED = ("x_E", "y_E", "x_D2", "y_D2", "x_F", "y_F")  # sizes that the key leaves to the table
-
-
-def draw_dwell(mechanism: Mechanism, result: Synthesis, file: Path, *, choose: int = 1) -> None:
-    """Draw solution ``choose``, whose ready spec is ``mechanism``."""
-    form = form_of(file)
-    check_matplotlib()
-    design = result.designs[choose - 1]
-    dwell = design.dwell
-    if dwell is None:
-        raise UsageError(f"solution {choose} has no dwell", where="plot", remedy="draw a synthesis of kind dwell")
-    write(file, form, lambda: dwell_figure(mechanism, design, dwell))
 
 
 def dwell_figure(mechanism: Mechanism, design: Design, dwell: Dwell) -> Figure:

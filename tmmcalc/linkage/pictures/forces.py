@@ -9,26 +9,39 @@ import numpy as np
 from matplotlib.figure import Figure, SubFigure
 
 from tmmcalc.core.plane import Real
+from tmmcalc.linkage.facts.places import speed_text
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.pictures.choice import check_positions
 from tmmcalc.linkage.pictures.course import Course, course_of, statics_of
 from tmmcalc.linkage.pictures.cutting import draw_sheet, sheets_of
 from tmmcalc.linkage.pictures.hodographs import draw_hodograph, hodographs_of, prepare
 from tmmcalc.linkage.results import Extreme, Kinematics
-from tmmcalc.machine.facts.places import speed_text
 from tmmcalc.report.drawing.curves import Diagram, Line, bottom
 from tmmcalc.report.drawing.labels import upright
+from tmmcalc.report.drawing.order import POLYGONS, Order
 from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.drawing.style import CURVES
 from tmmcalc.report.numbers import NOISE
 
 
+def figure(order: Order) -> Figure:
+    """The figure of the stage: reactions and drive, and the free bodies in a position that is asked for."""
+    from tmmcalc.linkage.tables.tasks.loading import to_loading
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+    result = order.results["forces"]
+    mechanism, loading = to_linkage(order.spec.linkage), to_loading(order.spec)
+    return forces_figure(mechanism, loading, order.results["kinematics"], result, order.row(POLYGONS, result.labels))
+
+
 def forces_figure(
     mechanism: Mechanism, loading: Loading, kinematics: Kinematics, result: Forces, marked: int | None
 ) -> Figure:
-    """One sheet, and those of the free bodies in the row ``marked``."""
+    """One sheet, and those of the free bodies in the row ``marked``; raises `UsageError` for one that is not there."""
+    check_positions(len(result.labels), [] if marked is None else [marked])
     statics = statics_of(mechanism, loading, kinematics)
     cuts = [] if marked is None else sheets_of(statics, kinematics, result, marked)
     figure, sheets = blank(1 + len(cuts))

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure, SubFigure
 
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.pictures.choice import chosen
+from tmmcalc.linkage.pictures.choice import check_positions, chosen
 from tmmcalc.linkage.pictures.cycle import Motion, whole_cycle
 from tmmcalc.linkage.pictures.diagrams import columns_of, draw_diagrams, label_diagrams
 from tmmcalc.linkage.pictures.scheme import draw_scheme, prepare
@@ -19,13 +19,24 @@ from tmmcalc.linkage.polygons import polygons
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.drawing.curves import TICKS
 from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing.order import POLYGONS, POSITIONS, Order
 from tmmcalc.report.drawing.page import blank, settle
+
+
+def figure(order: Order) -> Figure:
+    """The figure of the stage: scheme and diagrams, and the polygons of a position that is asked for."""
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+    result = order.results["kinematics"]
+    chosen, marked = order.rows(POSITIONS, result.labels), order.row(POLYGONS, result.labels)
+    return kinematics_figure(to_linkage(order.spec.linkage), result, chosen, marked)
 
 
 def kinematics_figure(
     mechanism: Mechanism, result: Kinematics, positions: Sequence[int] | None, marked: int | None
 ) -> Figure:
-    """One sheet, or two with the polygons of the position ``marked``."""
+    """One sheet, or two with the polygons of the position ``marked``; raises `UsageError` for one that is not there."""
+    check_positions(len(result.x), [*(positions or ()), *([] if marked is None else [marked])])
     figure, sheets = blank(1 if marked is None else 2)
     cycle = whole_cycle(chain_of(mechanism, result), result)
     drawn = chosen(cycle, result, positions, marked)

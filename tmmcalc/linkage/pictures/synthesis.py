@@ -7,14 +7,13 @@ output over the crank's angle and its error.
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from tmmcalc.cams.pictures.key import Part, write_key
+from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism
@@ -22,10 +21,11 @@ from tmmcalc.linkage.pictures.cycle import whole_cycle
 from tmmcalc.linkage.pictures.scheme import draw_scheme, prepare
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.synthesis.results import Design, Precision, Synthesis
-from tmmcalc.report.drawing import check_matplotlib, form_of
 from tmmcalc.report.drawing.board import Board
+from tmmcalc.report.drawing.key import Part, write_key
 from tmmcalc.report.drawing.labels import signed
-from tmmcalc.report.drawing.page import blank, settle, write
+from tmmcalc.report.drawing.order import CHOOSE, Order
+from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.drawing.style import CURVES, MARK, PATH
 from tmmcalc.report.numbers import number
 
@@ -42,11 +42,20 @@ BESIDE = 6.5  # of a dimension line from what it measures [mm of paper]
 DEGREE = math.degrees(1.0)
 
 
-def draw_synthesis(mechanism: Mechanism, result: Synthesis, file: Path, *, choose: int = 1) -> None:
-    """Draw solution ``choose``, whose ready spec is ``mechanism``."""
-    form = form_of(file)
-    check_matplotlib()
-    write(file, form, lambda: synthesis_figure(mechanism, result, choose))
+def figure(order: Order) -> Figure:
+    """The figure of the stage: the solution that is chosen, by default the one that ``tmmcalc synth`` chooses."""
+    from tmmcalc.linkage.pictures.dwell import dwell_figure
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+    result: Synthesis = order.results["synthesis"]
+    choose = order.choice or (order.solved("feasibility").chosen if order.spec.constraints else 1)
+    if choose > len(result.designs):
+        raise UsageError(f"there is no solution {choose}", where=CHOOSE, remedy=f"write 1 to {len(result.designs)}")
+    design = result.designs[choose - 1]
+    mechanism = to_linkage(order.read(design.spec).linkage)
+    if design.dwell is not None:
+        return dwell_figure(mechanism, design, design.dwell)
+    return synthesis_figure(mechanism, result, choose)
 
 
 def synthesis_figure(mechanism: Mechanism, result: Synthesis, choose: int = 1) -> Figure:

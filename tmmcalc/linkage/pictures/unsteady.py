@@ -17,6 +17,7 @@ from tmmcalc.linkage.unsteady.results import Unsteady
 from tmmcalc.linkage.unsteady.solve import solve_unsteady
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
 from tmmcalc.report.drawing.curves import bottom, frame
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.drawing.style import CURVES
 from tmmcalc.report.numbers import number
@@ -33,6 +34,15 @@ class Graph:
 
     title: str
     curves: tuple[tuple[str, Values], ...]
+
+
+def figure(order: Order) -> Figure:
+    """The figure of the stage."""
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+    from tmmcalc.linkage.tables.tasks.unsteady import to_unsteady
+
+    mechanism, task = to_linkage(order.spec.linkage), to_unsteady(order.spec)
+    return unsteady_figure(mechanism, task, order.results["kinematics"], order.results["unsteady"])
 
 
 def unsteady_figure(mechanism: Mechanism, task: UnsteadyTask, kinematics: Kinematics, result: Unsteady) -> Figure:

@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Late, Record, Table
-from tmmcalc.linkage.forces.columns import columns
+from tmmcalc.core.stage import said
 from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.wanted import FRICTION, NO_CSV, SPRINGS, interpolated, is_long
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
     from tmmcalc.linkage.loading import Loading
     from tmmcalc.linkage.model import Mechanism
-    from tmmcalc.project import Spec
+    from tmmcalc.linkage.room import LinkageTables
 
 
-def inputs(spec: Spec) -> tuple[Mechanism, Loading]:
+INERTIA = "massless links: no loads of inertia"
+GEAR = "no gear on the crank: no force of a mesh"
+
+
+def inputs(spec: LinkageTables) -> tuple[Mechanism, Loading]:
     """The linkage and what acts on it."""
     from tmmcalc.linkage.tables.tasks.loading import to_loading
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
@@ -33,18 +35,32 @@ def solve(given: tuple[Mechanism, Loading], upstream: Mapping[str, Any], setting
     return solve_forces(*given, upstream["kinematics"])
 
 
-def dump(result: Forces) -> Record:
-    """Arrays by the names of the fields: reaction, normal, couple, friction (J, n), drive, power (n,), ..."""
-    return to_record(result, {"reactions": result.error})
+def errors(result: Forces) -> dict[str, Any]:
+    """Estimates of its errors."""
+    return {"reactions": result.error}
 
 
-def load(record: Record) -> Forces:
-    """Build the result from its record."""
-    result: Forces = from_record(Forces, record)
-    return result
-
-
-def table(result: Forces) -> Table:
+def columns(result: Forces) -> Sequence[Column]:
     """All columns, one row a position; two where friction jumps."""
-    chosen = columns(result)
-    return Table(["i", *(c.header for c in chosen)], Late([np.array(result.labels), *(c.make for c in chosen)]))
+
+    return columns(result)
+
+
+def omits(spec: LinkageTables) -> tuple[str, ...]:
+    """What does not act."""
+    from tmmcalc.linkage.loading import GearDrive
+    from tmmcalc.linkage.tables.tasks.loading import to_loading
+
+    loading = to_loading(spec)
+    return said(
+        (not loading.rubs, FRICTION),
+        (not loading.heavy, INERTIA),
+        (not loading.springs, SPRINGS),
+        (not isinstance(loading.drive, GearDrive), GEAR),
+        (is_long(spec), NO_CSV),
+    )
+
+
+def packages(spec: LinkageTables) -> tuple[str, ...]:
+    """Monotone cubics through the points of a load."""
+    return ("scipy.interpolate",) if interpolated(spec) else ()

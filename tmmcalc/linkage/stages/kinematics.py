@@ -2,26 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, get_type_hints
 
 import numpy as np
 
 from tmmcalc.core.conversion import plain, restore
-from tmmcalc.core.stage import Late, Record, Table
-from tmmcalc.linkage.columns import columns
+from tmmcalc.core.stage import Record, said
 from tmmcalc.linkage.results import Kinematics, Method, Trace
+from tmmcalc.linkage.wanted import NO_CSV, is_long
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
     from tmmcalc.linkage.model import Mechanism
-    from tmmcalc.project import Spec
+    from tmmcalc.linkage.room import LinkageTables
+
+LOOPS = "all groups are dyads, in closed form: no loops are iterated, no branches followed"
+EXTRA = "no extra positions and no dead centres among the positions: equal steps alone"
+
 
 _TRACE_ARRAYS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "joint_s", "joint_ds", "joint_dds")
 _TRACE_FIELDS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "s", "ds", "dds")
 _OUTPUT_ARRAYS = ("s", "ds", "dds")
 
 
-def inputs(spec: Spec) -> Mechanism:
+def inputs(spec: LinkageTables) -> Mechanism:
     """The linkage as plain numbers; masses, gravity and the project's title are not read."""
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
@@ -70,8 +75,26 @@ def load(record: Record) -> Kinematics:
     return Kinematics(**given, **{f: restore(hints[f], stored.get(f)) for f in hints if f not in given})
 
 
-def table(result: Kinematics) -> Table:
+def columns(result: Kinematics) -> Sequence[Column]:
     """All columns, one row a position."""
-    chosen = columns(result)
-    label = np.array(result.labels)
-    return Table(["i", *(c.header for c in chosen)], Late([label, *(c.make for c in chosen)]))
+    from tmmcalc.linkage import columns as positions
+
+    return positions.columns(result)
+
+
+def omits(spec: LinkageTables) -> tuple[str, ...]:
+    """Positions and groups that the mechanism has not."""
+    grid = spec.linkage.grid
+    return said(
+        (_dyads(spec), LOOPS),
+        (not grid.extra and not grid.extremes, EXTRA),
+        (is_long(spec), NO_CSV),
+    )
+
+
+def _dyads(spec: LinkageTables) -> bool:
+    """Whether all groups have a kind of dyad, as the chain asks when it places them."""
+    from tmmcalc.linkage.structure import solve_structure
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+    return all(group.kind for group in solve_structure(to_linkage(spec.linkage)).groups)

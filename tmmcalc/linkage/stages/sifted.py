@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -19,11 +21,13 @@ from tmmcalc.feasibility.stages.candidates import of_ready
 from tmmcalc.feasibility.stages.feasibility import judged
 from tmmcalc.linkage.synthesis.results import Design, Synthesis
 
+Another = Callable[[str, Sequence[str]], Mapping[str, Any]]  # solves stages of a spec by its text
+
 SOUGHT = 40  # designs that are judged
 REFUSED = "no result"  # of a design whose ready spec cannot be solved
 
 
-def sifted(task: FeasibilityTask, found: Synthesis, own: frozenset[str], count: int) -> Synthesis:
+def sifted(task: FeasibilityTask, found: Synthesis, own: frozenset[str], count: int, another: Another) -> Synthesis:
     """The first ``count`` designs: those with which the rule may hold, then the others, the nearest to it first.
 
     ``own`` are the stages that the scene itself has: their constraints are left open.
@@ -38,7 +42,7 @@ def sifted(task: FeasibilityTask, found: Synthesis, own: frozenset[str], count: 
     passed: list[tuple[float, Design]] = []
     reasons: Counter[str] = Counter()
     for design in found.designs:
-        result = _judged(sought, found, design)
+        result = _judged(sought, found, design, another)
         if result is None:
             passed.append((math.inf, design))
             reasons[REFUSED] += 1
@@ -61,11 +65,11 @@ def sifted(task: FeasibilityTask, found: Synthesis, own: frozenset[str], count: 
     return replace(found, designs=tuple([*kept, *rest][:count]), notes=(*found.notes, note), counters=counters)
 
 
-def _judged(task: FeasibilityTask, found: Synthesis, design: Design) -> Feasibility | None:
+def _judged(task: FeasibilityTask, found: Synthesis, design: Design, another: Another) -> Feasibility | None:
     """The verdicts on a design; None if a stage has no result of it."""
     alone = {"synthesis": replace(found, designs=(design,))}
     try:
-        return judged(task, {**alone, **of_ready(task, design, alone)})
+        return judged(task, {**alone, **of_ready(task, design, alone, another)})
     except TmmError as error:
         if error.exit_code < NoSolutionError.exit_code:
             raise

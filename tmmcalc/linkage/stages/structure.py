@@ -11,10 +11,10 @@ from tmmcalc.linkage.structure import Structure, skeleton, solve_structure
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.model import Mechanism
-    from tmmcalc.project import Spec
+    from tmmcalc.linkage.room import LinkageTables
 
 
-def inputs(spec: Spec) -> Mechanism:
+def inputs(spec: LinkageTables) -> Mechanism:
     """Links and joints with their kinds and links: the metric plays no part."""
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 

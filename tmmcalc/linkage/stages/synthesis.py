@@ -8,14 +8,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.core.conversion import from_record, to_record
 from tmmcalc.core.records import record
-from tmmcalc.core.stage import Late, Record, Table
+from tmmcalc.core.stage import Late, Table, Upstream, said
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.linkage.room import LinkageTables
+
+
+NO_SIFT = "no [[constraints]]: solutions are not sifted"
+CLOSED = "solutions in closed form, all listed: they are not sifted by the constraints"
+NO_SEARCH = "no [synthesis.dwell.optimum]: no search for the best dwell"
 
 
 @record
@@ -26,7 +30,7 @@ class Request:
     own: tuple[str, ...] = ()
 
 
-def inputs(spec: Spec) -> Request:
+def inputs(spec: LinkageTables) -> Request:
     """What is asked."""
     from tmmcalc.linkage.synthesis.kinds import SEARCHES
     from tmmcalc.linkage.tables.tasks.synthesis import to_synthesis
@@ -34,12 +38,12 @@ def inputs(spec: Spec) -> Request:
     task = to_synthesis(spec)
     if task.constraints is None or task.kind not in SEARCHES:
         return Request(task)
-    from tmmcalc.pipeline.plan import plan
+    from tmmcalc.core.plan import plan
 
     return Request(task, plan(spec).running)
 
 
-def solve(given: Request, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Synthesis:
+def solve(given: Request, upstream: Upstream, settings: Mapping[str, Any]) -> Synthesis:
     """All solutions that are listed, the best first; those of a search that fail constraints are passed over."""
     from tmmcalc.linkage.synthesis.kinds import SEARCHES, solve_synthesis
 
@@ -49,19 +53,13 @@ def solve(given: Request, upstream: Mapping[str, Any], settings: Mapping[str, An
     from tmmcalc.linkage.stages.sifted import SOUGHT, sifted
 
     found = solve_synthesis(replace(given.task, solutions=max(SOUGHT, count)))
-    return sifted(constraints, found, frozenset(given.own), count)
+    return sifted(constraints, found, frozenset(given.own), count, upstream.another)
 
 
-def dump(result: Synthesis) -> Record:
-    """Arrays by the names of the fields."""
+def errors(result: Synthesis) -> dict[str, Any]:
+    """Estimates of its errors."""
     sizes = {} if result.error is None else {"sizes": result.error}
-    return to_record(result, {"residual": result.residual, **sizes})
-
-
-def load(record: Record) -> Synthesis:
-    """Build the result from its record."""
-    result: Synthesis = from_record(Synthesis, record)
-    return result
+    return {"residual": result.residual, **sizes}
 
 
 def table(result: Synthesis) -> Table:
@@ -78,3 +76,32 @@ def table(result: Synthesis) -> Table:
 
     found = columns(result)
     return Table(list(found), [np.array(values) for values in found.values()])
+
+
+def omits(spec: LinkageTables) -> tuple[str, ...]:
+    """Searches that are not asked for."""
+    from tmmcalc.linkage.synthesis.dwell.task import DwellTask
+    from tmmcalc.linkage.synthesis.kinds import SEARCHES
+    from tmmcalc.linkage.tables.tasks.synthesis import to_synthesis
+
+    task = to_synthesis(spec)
+    asked = task.asked
+    return said(
+        (isinstance(asked, DwellTask) and asked.optimum is None, NO_SEARCH),
+        (task.constraints is None, NO_SIFT),
+        (task.constraints is not None and task.kind not in SEARCHES, CLOSED),
+    )
+
+
+def packages(spec: LinkageTables) -> tuple[str, ...]:
+    """Searches over many parameters."""
+    from tmmcalc.linkage.synthesis.dwell.task import DwellTask
+    from tmmcalc.linkage.synthesis.task import FunctionTask
+    from tmmcalc.linkage.tables.tasks.synthesis import to_synthesis
+
+    asked = to_synthesis(spec).asked
+    if isinstance(asked, FunctionTask):
+        from tmmcalc.linkage.synthesis.function import is_exact
+
+        return () if is_exact(asked) else ("scipy.optimize",)
+    return ("scipy.optimize",) if isinstance(asked, DwellTask) and asked.optimum is not None else ()

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-
-from tmmcalc.core.conversion import from_record, plain, to_record
-from tmmcalc.core.stage import Late, Record, Table
 from tmmcalc.linkage.unsteady.columns import unsteady_columns
 from tmmcalc.linkage.unsteady.results import Unsteady
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
     from tmmcalc.linkage.model import Mechanism
-    from tmmcalc.project import Spec
+    from tmmcalc.linkage.room import LinkageTables
 
 
 class UnsteadyInputs(NamedTuple):
@@ -25,7 +22,7 @@ class UnsteadyInputs(NamedTuple):
     task: UnsteadyTask
 
 
-def inputs(spec: Spec) -> UnsteadyInputs:
+def inputs(spec: LinkageTables) -> UnsteadyInputs:
     """The linkage, and the motion that is asked for."""
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
     from tmmcalc.linkage.tables.tasks.unsteady import to_unsteady
@@ -40,19 +37,6 @@ def solve(given: UnsteadyInputs, upstream: Mapping[str, Any], settings: Mapping[
     return solve_unsteady(given.mechanism, given.task, upstream["kinematics"])
 
 
-def dump(result: Unsteady) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, plain(result.error))
-
-
-def load(record: Record) -> Unsteady:
-    """Build the result from its record."""
-    result: Unsteady = from_record(Unsteady, record)
-    return result
-
-
-def table(result: Unsteady) -> Table:
+def columns(result: Unsteady) -> Sequence[Column]:
     """All columns, one row an instant."""
-    columns = unsteady_columns(result)
-    label = np.array(result.labels)
-    return Table(["i", *(c.header for c in columns)], Late([label, *(c.make for c in columns)]))
+    return unsteady_columns(result)

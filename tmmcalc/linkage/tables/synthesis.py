@@ -20,14 +20,14 @@ if TYPE_CHECKING:
         SlottedLinkTable,
     )
 else:
-    SliderCrankTable = late("linkage.tables.synthesis_kinds", "SliderCrankTable")
-    SlottedLinkTable = late("linkage.tables.synthesis_kinds", "SlottedLinkTable")
-    RotatingSlottedLinkTable = late("linkage.tables.synthesis_kinds", "RotatingSlottedLinkTable")
-    CrankRockerTable = late("linkage.tables.synthesis_kinds", "CrankRockerTable")
-    PathTable = late("linkage.tables.synthesis_generation", "PathTable")
-    FunctionTable = late("linkage.tables.synthesis_generation", "FunctionTable")
-    MotionSynthesisTable = late("linkage.tables.synthesis_generation", "MotionSynthesisTable")
-    DwellTable = late("linkage.tables.synthesis_dwell", "DwellTable")
+    SliderCrankTable = late("tmmcalc.linkage.tables.synthesis_kinds", "SliderCrankTable")
+    SlottedLinkTable = late("tmmcalc.linkage.tables.synthesis_kinds", "SlottedLinkTable")
+    RotatingSlottedLinkTable = late("tmmcalc.linkage.tables.synthesis_kinds", "RotatingSlottedLinkTable")
+    CrankRockerTable = late("tmmcalc.linkage.tables.synthesis_kinds", "CrankRockerTable")
+    PathTable = late("tmmcalc.linkage.tables.synthesis_generation", "PathTable")
+    FunctionTable = late("tmmcalc.linkage.tables.synthesis_generation", "FunctionTable")
+    MotionSynthesisTable = late("tmmcalc.linkage.tables.synthesis_generation", "MotionSynthesisTable")
+    DwellTable = late("tmmcalc.linkage.tables.synthesis_dwell", "DwellTable")
 
 # The kinds, of which a spec has one: each is a sub-table; a further one joins here and below.
 KINDS = ("slider_crank", "slotted_link", "rotating_slotted_link", "crank_rocker", "path", "function", "motion", "dwell")

@@ -14,13 +14,13 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.numerics.fourier import TURN, resolved
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.studies.measure import Clock, Way, relative, series
 from tmmcalc.core.studies.sampled import COUNTS as POINTS
 from tmmcalc.core.studies.sampled import NODES, closed_in, of_positions
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import FLOOR, Reference, Study
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.loading import Body

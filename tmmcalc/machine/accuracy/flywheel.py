@@ -18,9 +18,9 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.studies.measure import Way, by_quantity, relative
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Series, Study
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import Driver

@@ -11,10 +11,10 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.studies.measure import Way, relative, series
 from tmmcalc.core.studies.sampled import COUNTS, of_positions, summit
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Study
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.power import moment_at

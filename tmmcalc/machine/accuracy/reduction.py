@@ -11,11 +11,11 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.numerics.simpson import simpson
 from tmmcalc.core.plane import Real
 from tmmcalc.core.studies.measure import Way, relative, series
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Study
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.machine.accuracy import inertia

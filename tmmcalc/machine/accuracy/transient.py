@@ -13,8 +13,8 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.studies.measure import Way, relative, series
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Ladder, Reference, Series, Study
 from tmmcalc.machine.accuracy.ladder import ladders, speeds
 from tmmcalc.machine.stages.shaft import mean_speed

@@ -36,7 +36,7 @@ GOALS = {
 }
 
 
-def balance_summary(result: Balances, title: str) -> Document:
+def summary(result: Balances, title: str) -> Document:
     """Facts and notes of all that is balanced, without the table of positions."""
     parts = tuple(_others(result))
     if result.linkage is None:
@@ -56,7 +56,7 @@ def _error_fact(error: float) -> Fact:
     return Fact("error of force (est.)", f"{error:.0e} (relative)", {"error": {"shaking": error}})
 
 
-def balance_document(
+def document(
     result: Balances,
     title: str,
     *,
@@ -71,17 +71,15 @@ def balance_document(
     columns in their order (for csv, json, toml). ``where`` is the file that has them all. Raises `UsageError` for
     columns or rows without a linkage.
     """
-    summary = balance_summary(result, title)
+    told = summary(result, title)
     if result.linkage is None:
         if patterns or rows is not None:
             text = "an engine and a rotor have no table of positions"
             raise UsageError(text, where="balance", remedy="leave --columns and --positions out")
-        return summary
+        return told
     available = columns(result.linkage)
     usual = available if everything else _first(available)
-    told = with_positions(
-        summary, result.labels, available, patterns, rows, usual=usual, example="phi,R,D_*", where=where
-    )
+    told = with_positions(told, result.labels, available, patterns, rows, usual=usual, example="phi,R,D_*", where=where)
     assert told.table is not None
     return replace(told, table=replace(told.table, peaks=_peaks(told.table, result.linkage.shaking.scale)))
 

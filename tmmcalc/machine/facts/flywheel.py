@@ -12,8 +12,8 @@ from typing import Any
 
 import numpy as np
 
+from tmmcalc.linkage.facts.places import Shaft, phi_of
 from tmmcalc.machine.facts.motion import inertia_fact, unevenness
-from tmmcalc.machine.facts.places import Shaft, phi_of
 from tmmcalc.machine.flywheel.materials import RECOMMENDED
 from tmmcalc.machine.flywheel.placement import Wheel
 from tmmcalc.machine.flywheel.positional import FlywheelMethod
@@ -26,7 +26,7 @@ CALLED = {"book": "textbook", "mertsalov": "Mertsalov", "artobolevsky": "Artobol
 STALLS = "stalls"  # in place of a delta that a machine does not reach
 
 
-def flywheel_summary(result: Flywheel, title: str) -> Document:
+def summary(result: Flywheel, title: str) -> Document:
     """Facts and notes with the table of methods, which is short."""
     facts = (
         _allowed_fact(result.delta),
@@ -40,13 +40,13 @@ def flywheel_summary(result: Flywheel, title: str) -> Document:
     return Document(title, facts, tuple(str(verdict) for verdict in result.verdicts), _methods_view(result))
 
 
-def flywheel_document(result: Flywheel, title: str) -> Document:
+def document(result: Flywheel, title: str) -> Document:
     """The summary with what the methods say, the tangents, the search and the textbook's correction."""
-    summary = flywheel_summary(result, title)
-    *facts, legend = summary.facts
+    told = summary(result, title)
+    *facts, legend = told.facts
     required = result.required
     return replace(
-        summary,
+        told,
         facts=(
             *facts,
             _tangents_fact(result),

@@ -10,10 +10,10 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from tmmcalc.linkage.facts.places import Shaft, span_fact
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.machine.columns import motion_columns
 from tmmcalc.machine.driver import ConstantInertia
-from tmmcalc.machine.facts.places import Shaft, span_fact
 from tmmcalc.machine.facts.timescales import scales_fact
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.motorside import MotorSide
@@ -30,7 +30,7 @@ SHOWN = 6  # speeds of the iteration that are named
 STEADY = 1e-9  # of a moment: it changes by less and is constant
 
 
-def motion_summary(result: Motion, title: str) -> Document:
+def summary(result: Motion, title: str) -> Document:
     """Facts and notes, without the table of positions."""
     regime, shaft = result.regime, Shaft(result.phi)
     facts = (
@@ -50,7 +50,7 @@ def motion_summary(result: Motion, title: str) -> Document:
     return Document(title, facts, tuple(str(verdict) for verdict in result.verdicts))
 
 
-def motion_document(
+def document(
     result: Motion,
     title: str,
     *,
@@ -64,7 +64,7 @@ def motion_document(
     ``patterns`` choose columns by name, header or wildcard, ``rows`` positions by index; all columns are shown
     as far as they fit, so ``everything`` changes nothing here. ``where`` is the file that has them all.
     """
-    told, available = motion_summary(result, title), motion_columns(result)
+    told, available = summary(result, title), motion_columns(result)
     return with_positions(told, result.labels, available, patterns, rows, example="phi,omega*", where=where)
 
 

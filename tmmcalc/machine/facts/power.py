@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from tmmcalc.linkage.facts.places import Shaft, extreme_values, place
 from tmmcalc.linkage.results import Extreme
-from tmmcalc.machine.facts.places import Shaft, extreme_values, place
 from tmmcalc.machine.motors.model import Motor
 from tmmcalc.machine.motors.plausibility import Curve
 from tmmcalc.machine.power import MotorDuty, Power, WorkPart
@@ -63,7 +63,7 @@ PLATE = (  # a line each
 )
 
 
-def power_summary(result: Power, title: str) -> Document:
+def summary(result: Power, title: str) -> Document:
     """Facts and notes; the work of every cause is left to the summary of the reduction."""
     facts = [*_work_facts(result), *_power_facts(result), *_motor_facts(result)]
     facts.append(
@@ -73,11 +73,11 @@ def power_summary(result: Power, title: str) -> Document:
     return Document(title, tuple(facts), notes)
 
 
-def power_document(result: Power, title: str) -> Document:
+def document(result: Power, title: str) -> Document:
     """The summary with the work of every cause."""
-    summary = power_summary(result, title)
-    machine, *rest = summary.facts
-    return replace(summary, facts=(machine, *(_part_fact(result, part) for part in result.parts), *rest))
+    told = summary(result, title)
+    machine, *rest = told.facts
+    return replace(told, facts=(machine, *(_part_fact(result, part) for part in result.parts), *rest))
 
 
 def _scale(result: Power) -> float:

@@ -9,8 +9,8 @@ from dataclasses import replace
 import numpy as np
 
 from tmmcalc.core.plane import Real
+from tmmcalc.linkage.facts.places import span_fact, speed_text
 from tmmcalc.linkage.results import Extreme
-from tmmcalc.machine.facts.places import span_fact, speed_text
 from tmmcalc.machine.reduction.columns import EFFICIENCY, cells, columns, contribution_name
 from tmmcalc.machine.reduction.results import Contribution, Reduction
 from tmmcalc.report.document import Document, Fact, View
@@ -18,7 +18,7 @@ from tmmcalc.report.numbers import NOISE, number
 from tmmcalc.report.positions import with_positions
 
 
-def reduction_summary(result: Reduction, title: str) -> Document:
+def summary(result: Reduction, title: str) -> Document:
     """Facts and notes, without the table of positions."""
     facts = (
         Fact("taken at", f"{speed_text(result)} of the input", {_speed_key(result): result.speed}),
@@ -41,7 +41,7 @@ def _rods_facts(result: Reduction) -> list[Fact]:
     return [Fact("rods", f"{rods}, {how}", {"rods": result.rods})]
 
 
-def reduction_document(
+def document(
     result: Reduction,
     title: str,
     *,
@@ -55,7 +55,7 @@ def reduction_document(
     ``patterns`` choose columns by name, header or wildcard, ``rows`` positions by index; all columns are shown
     as far as they fit, so ``everything`` changes nothing here. ``where`` is the file that has them all.
     """
-    told, example = reduction_summary(result, title), "phi,M_red*,J_red" if result.turns else "phi,F_red*,m_red"
+    told, example = summary(result, title), "phi,M_red*,J_red" if result.turns else "phi,F_red*,m_red"
     told = with_positions(told, result.labels, columns(result), patterns, rows, example=example, where=where)
     assert told.table is not None
     return replace(told, table=_blanked(result, told.table, rows))

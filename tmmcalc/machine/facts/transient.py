@@ -35,13 +35,13 @@ ENDS: dict[End, str] = {
 }
 
 
-def transient_summary(result: TimedMotions, title: str) -> Document:
+def summary(result: TimedMotions, title: str) -> Document:
     """Facts, notes and events of every motion; of several motions each is a part."""
     parts = tuple(_motion_document(motion) for motion in result.motions)
     return replace(parts[0], title=title) if len(parts) == 1 else Document(title, parts=parts)
 
 
-def transient_document(
+def document(
     result: TimedMotions,
     title: str,
     *,
@@ -55,7 +55,7 @@ def transient_document(
     motions in one table instead, with the motion as its first column. ``where`` is the file that has them all.
     """
     if everything:
-        return replace(transient_summary(result, title), table=whole_table(result, patterns))
+        return replace(summary(result, title), table=whole_table(result, patterns))
     parts = tuple(
         replace(_motion_document(motion), parts=(course(motion, patterns, where),)) for motion in result.motions
     )

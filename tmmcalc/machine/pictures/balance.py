@@ -21,6 +21,7 @@ from tmmcalc.machine.facts.shakingmoment import moved, phi_at
 from tmmcalc.machine.pictures.shaking import Path, Polar, Ring, Sizes, Spot, shaking_sheet
 from tmmcalc.report.drawing.curves import Diagram, Line
 from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.drawing.style import CURVES
 from tmmcalc.report.numbers import NOISE
@@ -33,6 +34,11 @@ FORCE: dict[str, Any] = {**CURVES[0], "linewidth": 1.5}
 WEIGHT: dict[str, Any] = {"color": "#d55e00", "linestyle": "--", "linewidth": 1.1}
 LEFT: dict[str, Any] = {"color": "#009e73", "linestyle": "-.", "linewidth": 1.1}
 CIRCLE: dict[str, Any] = {"color": "#cc79a7", "linestyle": ":", "linewidth": 1.4}
+
+
+def figure(order: Order) -> Figure:
+    """The figure of the stage."""
+    return balance_figure(order.results["balance"])
 
 
 def balance_figure(result: Balances) -> Figure:

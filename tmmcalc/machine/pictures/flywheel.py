@@ -23,6 +23,7 @@ from tmmcalc.machine.flywheel.wittenbauer import EnergyMass
 from tmmcalc.machine.pictures.energymass import draw_energy_mass, label_energy_mass
 from tmmcalc.report.drawing.curves import Diagram, Line, bottom
 from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.drawing.style import CURVES, INK
 from tmmcalc.report.numbers import number
@@ -42,6 +43,11 @@ CORRECTED: dict[str, Any] = {
 METHODS: dict[str, Any] = {"color": "#cc79a7", "linestyle": "", "marker": "x", "markersize": 5, "zorder": 7}
 HEADROOM = 1.12
 BAR = "#a9cbe2"
+
+
+def figure(order: Order) -> Figure:
+    """The figure of the stage."""
+    return flywheel_figure(order.results["flywheel"], order.results["reduction"].phi)
 
 
 def flywheel_figure(result: Flywheel, phi: Real) -> Figure:

@@ -28,6 +28,7 @@ from tmmcalc.machine.power import Power
 from tmmcalc.machine.regime import Regime
 from tmmcalc.report.drawing.curves import Diagram, Line, bottom, coordinate
 from tmmcalc.report.drawing.limits import places, with_limits
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.drawing.style import CURVES, INK
 from tmmcalc.report.numbers import NOISE, number
@@ -35,6 +36,11 @@ from tmmcalc.report.numbers import NOISE, number
 MEAN: dict[str, Any] = {"color": INK, "linewidth": 0.9, "linestyle": (0, (8, 2, 1.5, 2)), "zorder": 3}
 NODAL: dict[str, Any] = {"color": "#009e73", "linestyle": "", "marker": "s", "markersize": 4, "markerfacecolor": "none"}
 ROOM = 0.16  # of the range of the speeds, below and above them
+
+
+def figure(order: Order) -> Figure:
+    """The figure of the stage."""
+    return motion_figure(order.results["motion"], order.results["power"], order.results["reduction"].cycle)
 
 
 def motion_figure(result: Motion, power: Power, cycle: Cycle) -> Figure:

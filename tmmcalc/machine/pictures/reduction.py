@@ -11,12 +11,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.linkage.facts.places import speed_text
 from tmmcalc.linkage.results import Extreme
-from tmmcalc.machine.facts.places import speed_text
 from tmmcalc.machine.reduction.results import Contribution, Reduction
 from tmmcalc.report.drawing.curves import Diagram, Line, bottom, coordinate, suited
 from tmmcalc.report.drawing.labels import signed
 from tmmcalc.report.drawing.limits import places, with_limits
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.drawing.style import CURVES, INK
 from tmmcalc.report.numbers import NOISE
@@ -30,6 +31,11 @@ LUMPED: dict[str, Any] = {
     "markerfacecolor": "none",
 }
 BESIDE: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)}
+
+
+def figure(order: Order) -> Figure:
+    """The figure of the stage."""
+    return reduction_figure(order.results["reduction"])
 
 
 def reduction_figure(result: Reduction) -> Figure:

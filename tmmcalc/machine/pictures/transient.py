@@ -18,6 +18,7 @@ from tmmcalc.machine.transient.results import Event
 from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
 from tmmcalc.report.drawing.curves import frame, mark, suited
 from tmmcalc.report.drawing.labels import Labels, signed
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.drawing.style import CURVES, MARK
 from tmmcalc.report.numbers import number
@@ -81,6 +82,11 @@ class Panel:
             k = int(np.argmax(np.abs(curve.values)))
             if curve.marked and curve.values[k]:
                 mark(axes, labels, complex(self.t[k], curve.values[k] * factor), curve.style)
+
+
+def figure(order: Order) -> Figure:
+    """The figure of the stage."""
+    return transient_figure(order.results["transient"])
 
 
 def transient_figure(result: TimedMotions) -> Figure:

@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.core.conversion import restore, to_record
+from tmmcalc.core.conversion import restore
 from tmmcalc.core.records import record
-from tmmcalc.core.stage import Late, Record, Table
+from tmmcalc.core.stage import Late, Record, Table, said
+from tmmcalc.linkage.wanted import NO_CSV, is_long
+from tmmcalc.machine.wanted import shakes
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.loading import Body
@@ -18,7 +20,12 @@ if TYPE_CHECKING:
     from tmmcalc.machine.balance.rotortask import BalancedRotor
     from tmmcalc.machine.balance.task import BalanceTask, Balancing
     from tmmcalc.machine.model import EngineTask, RotorTask
-    from tmmcalc.project import Spec
+    from tmmcalc.machine.room import MachineTables
+
+
+NO_LINKAGE = "no linkage with masses: no shaking force over positions"
+NO_ENGINE = "no [engine]: no orders of cylinders"
+NO_ROTOR = "no [rotor]: no correction planes"
 
 
 @record
@@ -44,16 +51,14 @@ class Given:
     rotor: RotorTask | None
 
 
-def inputs(spec: Spec) -> Given:
+def inputs(spec: MachineTables) -> Given:
     """The linkage with its masses, the engine, the rotor: as far as the spec has them."""
     from tmmcalc.machine.tables.tasks.balance import to_engine, to_rotor
 
     return Given(_linkage(spec), to_engine(spec), to_rotor(spec))
 
 
-def _linkage(spec: Spec) -> tuple[Mechanism, tuple[Body, ...], BalanceTask] | None:
-    from tmmcalc.pipeline.wanted import shakes
-
+def _linkage(spec: MachineTables) -> tuple[Mechanism, tuple[Body, ...], BalanceTask] | None:
     if not shakes(spec):
         return None
     from tmmcalc.linkage.tables.tasks.loading import to_loading
@@ -82,14 +87,14 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
     return Balances(linkage, engine, rotor)
 
 
-def dump(result: Balances) -> Record:
-    """Arrays by the names of the fields: ``linkage.shaking.force``, what each scheme leaves, ..."""
+def errors(result: Balances) -> dict[str, Any]:
+    """Estimates of its errors."""
     errors = result.linkage.errors if result.linkage is not None else {}
     if result.engine is not None:
         errors["engine"] = result.engine.balance.error
     if result.rotor is not None:
         errors["rotor"] = result.rotor.balance.error
-    return to_record(result, errors)
+    return errors
 
 
 def load(record: Record) -> Balances:
@@ -136,3 +141,14 @@ def table(result: Balances) -> Table | None:
 
     chosen = columns(result.linkage)
     return Table(["i", *(c.header for c in chosen)], Late([np.array(result.labels), *(c.make for c in chosen)]))
+
+
+def omits(spec: MachineTables) -> tuple[str, ...]:
+    """What is not there to be balanced."""
+    linkage = shakes(spec)
+    return said(
+        (not linkage, NO_LINKAGE),
+        (spec.engine is None, NO_ENGINE),
+        (spec.rotor is None, NO_ROTOR),
+        (linkage and is_long(spec), NO_CSV),
+    )

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record
+from tmmcalc.core.stage import said
 from tmmcalc.machine.flywheel.task import Flywheel, Machine, flywheel_of, solve_flywheel
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
+from tmmcalc.machine.wanted import NO_REGIME, constant_moment, curved
 
 if TYPE_CHECKING:
     from tmmcalc.machine.driver import ConstantInertia, Driver
     from tmmcalc.machine.flywheel.comparison import Comparison
     from tmmcalc.machine.flywheel.trials import Trial
-    from tmmcalc.project import Spec
+    from tmmcalc.machine.room import MachineTables
 
 
 class Asked(NamedTuple):
@@ -28,7 +28,7 @@ class Asked(NamedTuple):
 Given = tuple[FlywheelTask, MotorChoice | None, Gears, MotionTask]
 
 
-def inputs(spec: Spec) -> Given:
+def inputs(spec: MachineTables) -> Given:
     """The flywheel's table, the motor, the gears, the constant inertia."""
     from tmmcalc.machine.tables.tasks.machine import to_flywheel, to_gears, to_motion, to_motor
 
@@ -83,15 +83,19 @@ def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
     return Asked(constant_inertia(upstream, gears, motion), moved, mean_speed(upstream, motion))
 
 
-def dump(result: Flywheel) -> Record:
-    """Arrays by the names of the fields: the picture and the regime with the flywheel."""
+def errors(result: Flywheel) -> dict[str, Any]:
+    """Estimates of its errors."""
     errors = {"inertia": result.error, "fluctuation": result.uneven}
     if result.required is not None:
         errors["speed"] = result.required.regime.error
-    return to_record(result, errors)
+    return errors
 
 
-def load(record: Record) -> Flywheel:
-    """Build the result from its record."""
-    result: Flywheel = from_record(Flywheel, record)
-    return result
+def omits(spec: MachineTables) -> tuple[str, ...]:
+    """The regime of a motor that the machine has not."""
+    return said((constant_moment(spec), NO_REGIME))
+
+
+def packages(spec: MachineTables) -> tuple[str, ...]:
+    """Monotone cubics through the points of a motor."""
+    return curved(spec)

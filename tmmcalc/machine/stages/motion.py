@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.conversion import from_record, plain, to_record
-from tmmcalc.core.stage import Late, Record, Table
+from tmmcalc.core.conversion import plain
+from tmmcalc.core.stage import said
+from tmmcalc.linkage.wanted import NO_CSV, is_long
 from tmmcalc.machine.columns import motion_columns
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
 from tmmcalc.machine.motion import Motion
+from tmmcalc.machine.wanted import NO_REGIME, constant_moment, curved
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
     from tmmcalc.machine.driver import ConstantInertia, Driver
-    from tmmcalc.project import Spec
+    from tmmcalc.machine.room import MachineTables
+
+
+NO_WHEEL = "no [flywheel]: the motion has none"
 
 
 class Asked(NamedTuple):
@@ -29,7 +35,7 @@ class Asked(NamedTuple):
 Given = tuple[MotorChoice | None, Gears, MotionTask, FlywheelTask | None, str]
 
 
-def inputs(spec: Spec) -> Given:
+def inputs(spec: MachineTables) -> Given:
     """The motor, the gears, the constant inertia, a flywheel that is there, where the spec gives the speed."""
     from tmmcalc.machine.tables.tasks.machine import speed_key, to_flywheel, to_gears, to_motion, to_motor
 
@@ -66,18 +72,25 @@ def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
     return Asked(inertia, driver(upstream, wish, gears, task), mean_speed(upstream, task))
 
 
-def dump(result: Motion) -> Record:
-    """Arrays by the names of the fields; the dense regimes under ``regime.`` and ``idle.``."""
-    return to_record(result, plain(result.regime.errors))
+def errors(result: Motion) -> dict[str, Any]:
+    """Estimates of its errors."""
+    return plain(result.regime.errors)
 
 
-def load(record: Record) -> Motion:
-    """Build the result from its record."""
-    result: Motion = from_record(Motion, record)
-    return result
-
-
-def table(result: Motion) -> Table:
+def columns(result: Motion) -> Sequence[Column]:
     """All columns, one row a position."""
-    chosen = motion_columns(result)
-    return Table(["i", *(c.header for c in chosen)], Late([np.array(result.labels), *(c.make for c in chosen)]))
+    return motion_columns(result)
+
+
+def omits(spec: MachineTables) -> tuple[str, ...]:
+    """As of the flywheel; and a flywheel that is not there."""
+    return said(
+        (constant_moment(spec), NO_REGIME),
+        (spec.flywheel is None, NO_WHEEL),
+        (is_long(spec), NO_CSV),
+    )
+
+
+def packages(spec: MachineTables) -> tuple[str, ...]:
+    """Monotone cubics through the points of a motor."""
+    return curved(spec)

@@ -6,21 +6,25 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.conversion import from_record, plain, to_record
-from tmmcalc.core.stage import Record
+from tmmcalc.core.stage import said
 from tmmcalc.machine.power import Power
+from tmmcalc.machine.wanted import curved
 
 if TYPE_CHECKING:
     from tmmcalc.machine.model import Gears, MotorChoice
     from tmmcalc.machine.power import MotorDuty
     from tmmcalc.machine.reduction.results import Reduction
-    from tmmcalc.project import Spec
+    from tmmcalc.machine.room import MachineTables
+
+
+NO_MOTOR = "no [motor]: it is not asked for power and speed"
+GIVEN_MOTOR = "the motor is given: none is chosen from the catalogue"
 
 
 Given = tuple["MotorChoice | None", "Gears", str]
 
 
-def inputs(spec: Spec) -> Given:
+def inputs(spec: MachineTables) -> Given:
     """The motor or the wish for one, the gears, and where the spec gives the speed."""
     from tmmcalc.machine.tables.tasks.machine import speed_key, to_gears, to_motor
 
@@ -68,12 +72,14 @@ def _told(duty: MotorDuty, gears: Gears, speed: float, turns: float, key: str) -
     return replace(duty, ratio_of=gears.ratio_of, off_speed=off_rated(duty.motor.speed, duty.ratio, speed, turns, key))
 
 
-def dump(result: Power) -> Record:
-    """All of it is scalars."""
-    return to_record(result, plain(result.error))
+def omits(spec: MachineTables) -> tuple[str, ...]:
+    """What is not asked of a motor."""
+    from tmmcalc.machine.tables.tasks.machine import CHOOSE
+
+    motor = spec.motor
+    return said((motor is None, NO_MOTOR), (motor is not None and motor.name != CHOOSE, GIVEN_MOTOR))
 
 
-def load(record: Record) -> Power:
-    """Build the result from its record."""
-    result: Power = from_record(Power, record)
-    return result
+def packages(spec: MachineTables) -> tuple[str, ...]:
+    """Monotone cubics through the points of a motor."""
+    return curved(spec)

@@ -2,29 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.core.conversion import from_record, plain, to_record
-from tmmcalc.core.stage import Late, Record, Table
+from tmmcalc.core.stage import said
+from tmmcalc.linkage.wanted import FRICTION, NO_CSV, SPRINGS, interpolated, is_long
 from tmmcalc.machine.model import TorqueTask
-from tmmcalc.machine.reduction.columns import EFFICIENCY, cells, columns
+from tmmcalc.machine.reduction.columns import EFFICIENCY, cells
+from tmmcalc.machine.reduction.columns import columns as reduced_columns
 from tmmcalc.machine.reduction.results import Reduction
 
 if TYPE_CHECKING:
     from tmmcalc.core.columns import Column
     from tmmcalc.linkage.loading import Loading
     from tmmcalc.linkage.model import Mechanism
-    from tmmcalc.project import Spec
+    from tmmcalc.machine.room import MachineTables
+
+
+REDUCED = "massless links: no reduced inertia is summed up"
+RODS = "no connecting rods with mass: nothing is lumped in two masses"
+DIAGRAM = "[torque] in place of a linkage: nothing is reduced, the diagram is taken as it is"
 
 
 Given = tuple["Mechanism", "Loading", str] | TorqueTask
 
 
-def inputs(spec: Spec) -> Given:
+def inputs(spec: MachineTables) -> Given:
     """The linkage, what acts on it, and how rods are reduced; or the torque diagram that stands in its place."""
     from tmmcalc.machine.tables.tasks.machine import to_torque
 
@@ -51,25 +57,40 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
     return solve_reduction(mechanism, loading, upstream["kinematics"], rods)
 
 
-def dump(result: Reduction) -> Record:
-    """Arrays by the names of the fields; those of the dense cycle under ``cycle.``."""
-    return to_record(result, plain(result.error))
-
-
-def load(record: Record) -> Reduction:
-    """Build the result from its record."""
-    result: Reduction = from_record(Reduction, record)
-    return result
-
-
-def table(result: Reduction) -> Table:
+def columns(result: Reduction) -> Sequence[Column]:
     """All columns, one row a position; one with blanks is written as text."""
-    chosen = columns(result)
-    written = [partial(_efficiency, result, c) if c.name == EFFICIENCY else c.make for c in chosen]
-    return Table(["i", *(c.header for c in chosen)], Late([np.array(result.labels), *written]))
+    return [
+        column._replace(make=partial(_efficiency, result, column)) if column.name == EFFICIENCY else column
+        for column in reduced_columns(result)
+    ]
 
 
 def _efficiency(result: Reduction, column: Column) -> np.ndarray:
     """The cells as texts of full precision (n,)."""
     values = cells(result, column)
     return np.array([value if isinstance(value, str) else repr(value) for value in values])
+
+
+def omits(spec: MachineTables) -> tuple[str, ...]:
+    """What does not act, and has no mass."""
+    if spec.torque is not None:
+        return (DIAGRAM,)
+    from tmmcalc.linkage.tables.tasks.loading import to_loading
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+    from tmmcalc.machine.reduction.inertia import rods_of
+
+    loading = to_loading(spec)
+    return said(
+        (not loading.rubs, FRICTION),
+        (not loading.heavy, REDUCED),
+        (not loading.springs, SPRINGS),
+        (not rods_of(to_linkage(spec.linkage), loading), RODS),
+        (is_long(spec), NO_CSV),
+    )
+
+
+def packages(spec: MachineTables) -> tuple[str, ...]:
+    """As of the forces; and of the points of a torque diagram."""
+    curve = spec.torque.table if spec.torque is not None else None
+    own = curve is not None and curve.interpolation == "pchip"
+    return ("scipy.interpolate",) if own or interpolated(spec) else ()

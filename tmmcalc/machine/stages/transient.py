@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.core.conversion import from_record, to_record
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.core.stage import Record, Table
+from tmmcalc.core.stage import Table, said
 from tmmcalc.machine.model import DriveShaft, FlywheelTask, Gears, MotionTask, MotorChoice, TransientTask
 from tmmcalc.machine.transient.columns import timed_columns
 from tmmcalc.machine.transient.timed import TimedMotions
+from tmmcalc.machine.wanted import curved
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.loading import Loading
@@ -23,8 +23,12 @@ if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
     from tmmcalc.machine.power import MotorDuty
     from tmmcalc.machine.reduction.results import Reduction
+    from tmmcalc.machine.room import MachineTables
     from tmmcalc.machine.transient.task import Machine
-    from tmmcalc.project import Spec
+
+NO_SHAFTS = "no [[shafts]]: one mass, no rigid drive beside it"
+NO_STEADY = "no motion in time begins in the steady one: that is not found first"
+
 
 Linkage = tuple["Mechanism", "Loading", str]
 Given = tuple[
@@ -37,13 +41,14 @@ Given = tuple[
     Linkage | None,
 ]
 
+OWN = ("merson", "rk4", "collocation", "auto")  # methods of integration that are the program's own
 POSITIONAL = (
     '[motion] drive = "positional" holds for the steady motion; motions in time take the motor, also for the steady '
     "motion that they begin in"
 )
 
 
-def inputs(spec: Spec) -> Given:
+def inputs(spec: MachineTables) -> Given:
     """The scenarios, shafts, motor, gears, constant inertia, a flywheel, a linkage that may turn back."""
     from tmmcalc.machine.tables.tasks.machine import to_flywheel, to_gears, to_motion, to_motor, to_scenarios, to_shafts
 
@@ -58,7 +63,7 @@ def inputs(spec: Spec) -> Given:
     )
 
 
-def _linkage(spec: Spec) -> Linkage | None:
+def _linkage(spec: MachineTables) -> Linkage | None:
     """The linkage whose friction is reduced again where a motion may turn the crank back."""
     if spec.mechanism is None or all(transient.standstill == "stop" for transient in spec.transients):
         return None
@@ -162,18 +167,12 @@ def _on_motor_shaft(duty: MotorDuty | None, wish: MotorChoice | None, gears: Gea
     return reduced(characteristic(duty.motor, wish.characteristic), 1.0, gears.efficiency)
 
 
-def dump(result: TimedMotions) -> Record:
-    """Arrays by the names of the fields, those of the first motion under ``motions.0.``."""
+def errors(result: TimedMotions) -> dict[str, Any]:
+    """Estimates of its errors."""
     worst = max((motion.error for motion in result.motions), default=0.0)
     extremes = max((motion.extremes_error for motion in result.motions), default=0.0)
     imbalance = max((motion.imbalance for motion in result.motions), default=0.0)
-    return to_record(result, {"speed": worst, "extremes": extremes, "energy": imbalance})
-
-
-def load(record: Record) -> TimedMotions:
-    """Build the result from its record."""
-    result: TimedMotions = from_record(TimedMotions, record)
-    return result
+    return {"speed": worst, "extremes": extremes, "energy": imbalance}
 
 
 def table(result: TimedMotions) -> Table:
@@ -182,3 +181,14 @@ def table(result: TimedMotions) -> Table:
     stacked = zip(*(timed_columns(motion) for motion in result.motions), strict=True)
     columns = [(same[0].header, np.concatenate([column.make() for column in same])) for same in stacked]
     return Table(["motion", *(header for header, _ in columns)], [labels, *(values for _, values in columns)])
+
+
+def omits(spec: MachineTables) -> tuple[str, ...]:
+    """Shafts that the drive has not, a motion that none begins in."""
+    return said((not spec.shafts, NO_SHAFTS), (all(each.begin != "steady" for each in spec.transients), NO_STEADY))
+
+
+def packages(spec: MachineTables) -> tuple[str, ...]:
+    """As of the steady motion; and the methods of integration that are asked for by name."""
+    asked = any(each.method not in OWN for each in spec.transients)
+    return (*curved(spec), "scipy.integrate") if asked else curved(spec)

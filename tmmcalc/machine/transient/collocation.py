@@ -19,9 +19,9 @@ import numpy as np
 from tmmcalc.core.errors import AccuracyError
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.numerics.radau import radau
+from tmmcalc.core.numerics.steps import Derivative, State
 from tmmcalc.machine.transient.equations import WORKS
 from tmmcalc.machine.transient.jacobian import Jacobian
-from tmmcalc.machine.transient.steps import Derivative, State
 
 STAGES = 7  # order 13 at the ends, 7 between them
 ITERATIONS = 10  # of Newton, after which the step is halved

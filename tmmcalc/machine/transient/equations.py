@@ -16,9 +16,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
+from tmmcalc.core.numerics.steps import Derivative, State
 from tmmcalc.machine.transient.model import Reduced
 from tmmcalc.machine.transient.reading import Stretch, reader
-from tmmcalc.machine.transient.steps import Derivative, State
 
 Curve = Callable[[float], float]
 WORKS = 4

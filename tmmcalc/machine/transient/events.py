@@ -7,9 +7,9 @@ from collections.abc import Callable
 from operator import itemgetter
 from typing import NamedTuple
 
+from tmmcalc.core.numerics.steps import Derivative, State
 from tmmcalc.machine.transient.peaks import Point, settled, turnings
 from tmmcalc.machine.transient.steppers import Stepper
-from tmmcalc.machine.transient.steps import Derivative, State
 
 ITERATIONS = 60
 SAME = 8  # units in the last place of the time within which two events happen at once

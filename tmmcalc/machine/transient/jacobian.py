@@ -7,10 +7,10 @@ from collections.abc import Callable
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.steps import Derivative
 from tmmcalc.machine.transient.equations import Regime, System
 from tmmcalc.machine.transient.profile import Profile
 from tmmcalc.machine.transient.reading import Slopes, slopes
-from tmmcalc.machine.transient.steps import Derivative
 
 Jacobian = Callable[[float, Values], Values]
 

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.numerics.steps import Derivative, State
 from tmmcalc.machine.transient.jacobian import Jacobian
 from tmmcalc.machine.transient.methods import HABITS
-from tmmcalc.machine.transient.steps import Derivative, State
 
 RELATIVE = 1e-13  # the tolerances are absolute; scipy wants a relative one, so it is set out of the way
 

@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
+from tmmcalc.core.numerics.steps import Derivative, State
 from tmmcalc.machine.transient.steppers import Stepper
-from tmmcalc.machine.transient.steps import Derivative, State
 
 SETTLED = 1e-12  # of its size: a turning point that moves by less is found
 ROUNDS = 4  # of looking

@@ -11,11 +11,11 @@ import math
 from collections.abc import Callable
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.numerics.steps import State
 from tmmcalc.machine.transient.equations import Regime, System, surplus
 from tmmcalc.machine.transient.events import Watch, level
 from tmmcalc.machine.transient.reading import Stretch
 from tmmcalc.machine.transient.scenario import Scenario
-from tmmcalc.machine.transient.steps import State
 from tmmcalc.machine.transient.ways import Ways
 
 SLACK = 1e-12  # of the largest moment: by so much a moment must exceed what holds a mass at rest

@@ -12,6 +12,7 @@ from functools import cache
 from typing import NamedTuple
 
 from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.numerics.steps import Derivative, State
 from tmmcalc.machine.transient.equations import Regime, System, derivative
 from tmmcalc.machine.transient.events import Hit, Watch, extreme, hits, level
 from tmmcalc.machine.transient.jacobian import jacobian
@@ -23,7 +24,6 @@ from tmmcalc.machine.transient.results import End, Event
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.setup import Sizes
 from tmmcalc.machine.transient.steppers import Stepper
-from tmmcalc.machine.transient.steps import Derivative, State
 from tmmcalc.machine.transient.ways import Ways
 
 CHATTER = 100  # pieces without progress in time

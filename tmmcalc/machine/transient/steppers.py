@@ -12,9 +12,9 @@ from collections.abc import Callable, Sequence
 from typing import Protocol
 
 from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.numerics.steps import Derivative, State, merson_step, rk4_step
 from tmmcalc.machine.transient.equations import WORKS
 from tmmcalc.machine.transient.jacobian import Jacobian
-from tmmcalc.machine.transient.steps import Derivative, State, merson_step, rk4_step
 
 SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 4.0  # of the next step against the last
 FIRST = 1e4  # change in the first step over the error allowed

@@ -20,12 +20,12 @@ ARMS = {
 GRIPPER = ("speed", "acceleration", "a_tangential", "a_normal")
 
 
-def manipulator_summary(result: Manipulator, title: str) -> Document:
+def summary(result: Manipulator, title: str) -> Document:
     """Facts and notes, without the table."""
     return Document(title, tuple(_facts(result)), tuple(str(grade) for grade in result.grades))
 
 
-def manipulator_document(
+def document(
     result: Manipulator,
     title: str,
     *,
@@ -35,7 +35,7 @@ def manipulator_document(
     where: str = "",
 ) -> Document:
     """Summary and table; ``patterns`` choose columns, ``rows`` instants by index; there are no further columns."""
-    told, available = manipulator_summary(result, title), manipulator_columns(result)
+    told, available = summary(result, title), manipulator_columns(result)
     example = f"t,{','.join(result.joints)}"
     return with_positions(told, result.labels, available, patterns, rows, example=example, where=where)
 

@@ -21,6 +21,7 @@ from tmmcalc.manipulators.solve import solve_manipulator
 from tmmcalc.manipulators.task import ManipulatorTask, Obstacle
 from tmmcalc.report.drawing.curves import bottom, frame
 from tmmcalc.report.drawing.labels import Labels
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.drawing.style import CURVES, INK, MARK, PATH, THIN
 from tmmcalc.report.numbers import number
@@ -34,6 +35,13 @@ LIMB: dict[str, Any] = {"color": THIN, "linewidth": 1.4, "zorder": 3, "solid_cap
 DOT: dict[str, Any] = {"markersize": 4.5, "zorder": 6}
 ZONE: dict[str, Any] = {"facecolor": "#ececec", "edgecolor": INK, "linewidth": 1.0, "hatch": "///", "zorder": 1}
 PHASE: dict[str, Any] = {"color": "#b8b8b8", "linewidth": 0.6, "zorder": 1}
+
+
+def figure(order: Order) -> Figure:
+    """The figure of the stage."""
+    from tmmcalc.manipulators.tables.tasks.manipulator import to_manipulator
+
+    return manipulator_figure(to_manipulator(order.spec), order.results["manipulator"])
 
 
 def manipulator_figure(task: ManipulatorTask, result: Manipulator) -> Figure:

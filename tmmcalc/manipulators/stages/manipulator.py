@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Late, Record, Table
+from tmmcalc.core.stage import said
 from tmmcalc.manipulators.columns import manipulator_columns
 from tmmcalc.manipulators.results import Manipulator
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
+    from tmmcalc.manipulators.room import ManipulatorTables
     from tmmcalc.manipulators.task import ManipulatorTask
-    from tmmcalc.project import Spec
 
 
-def inputs(spec: Spec) -> ManipulatorTask:
+NO_OBSTACLES = "no obstacles: no distance to any is taken"
+
+
+def inputs(spec: ManipulatorTables) -> ManipulatorTask:
     """Arm, motion, limits and obstacles."""
     from tmmcalc.manipulators.tables.tasks.manipulator import to_manipulator
 
@@ -31,19 +32,20 @@ def solve(given: ManipulatorTask, upstream: Mapping[str, Any], settings: Mapping
     return solve_manipulator(given)
 
 
-def dump(result: Manipulator) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, result.error)
-
-
-def load(record: Record) -> Manipulator:
-    """Build the result from its record."""
-    result: Manipulator = from_record(Manipulator, record)
-    return result
-
-
-def table(result: Manipulator) -> Table:
+def columns(result: Manipulator) -> Sequence[Column]:
     """All columns, one row an instant."""
-    columns = manipulator_columns(result)
-    label = np.array(result.labels)
-    return Table(["i", *(c.header for c in columns)], Late([label, *(c.make for c in columns)]))
+    return manipulator_columns(result)
+
+
+def omits(spec: ManipulatorTables) -> tuple[str, ...]:
+    """Obstacles."""
+    table = spec.manipulator
+    return said((table is not None and not table.obstacles, NO_OBSTACLES))
+
+
+def packages(spec: ManipulatorTables) -> tuple[str, ...]:
+    """A motion by a table is a cubic spline."""
+    from tmmcalc.manipulators.tables.tasks.manipulator import to_manipulator
+    from tmmcalc.manipulators.task import TableTask
+
+    return ("scipy.interpolate",) if isinstance(to_manipulator(spec).motion, TableTask) else ()

@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-from tmmcalc.pipeline.atomic import replace_file
+from tmmcalc.core.atomic import replace_file
 from tmmcalc.report.drawing.style import RC, SHEET
 
 PLACES = 9  # decimals of places on the figure, in parts of it

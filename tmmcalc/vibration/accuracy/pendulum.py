@@ -11,9 +11,9 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.studies.measure import Way, relative, series
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Series, Study
 from tmmcalc.vibration.pendulum.basis import Basis
 from tmmcalc.vibration.pendulum.energies import matrices

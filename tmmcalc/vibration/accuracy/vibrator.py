@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.accuracy.subjects import Scene
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.studies.measure import Way, relative, series
+from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Study
 from tmmcalc.core.studies.timed import Run, Start, controlled, stepped
 from tmmcalc.vibration.vibrator.energies import COUNT, Excitation, excitation_of, mass_matrix, stiffness_matrix

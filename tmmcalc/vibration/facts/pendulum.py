@@ -18,14 +18,12 @@ from tmmcalc.vibration.pendulum.swing import SwingCourse
 MORE = "--format csv prints shapes, diagram and motion in SI"
 
 
-def pendulum_summary(result: PendulumResult, title: str) -> Document:
+def summary(result: PendulumResult, title: str) -> Document:
     """Frequencies, critical speeds, torsion, motion and what is to be said of them."""
     return Document(title, tuple(_facts(result)), result.notes)
 
 
-def pendulum_document(
-    result: PendulumResult, title: str, *, patterns: Sequence[str] = (), everything: bool = False
-) -> Document:
+def document(result: PendulumResult, title: str, *, patterns: Sequence[str] = (), everything: bool = False) -> Document:
     """The summary with the modes as a table, diagram and motion; with ``everything`` all series in SI."""
     facts = tuple(_facts(result))
     if everything:

@@ -20,14 +20,12 @@ from tmmcalc.vibration.vibrator.task import COORDINATES, UNITS
 MORE = "--format csv prints modes, curve, a turn of the steady motion and the starts in SI"
 
 
-def vibrator_summary(result: VibratorResult, title: str) -> Document:
+def summary(result: VibratorResult, title: str) -> Document:
     """Springs, frequencies, steady motion, starts and what is to be said of them."""
     return Document(title, tuple(_facts(result)), result.notes)
 
 
-def vibrator_document(
-    result: VibratorResult, title: str, *, patterns: Sequence[str] = (), everything: bool = False
-) -> Document:
+def document(result: VibratorResult, title: str, *, patterns: Sequence[str] = (), everything: bool = False) -> Document:
     """The summary with the modes as a table and the courses in time; with ``everything`` all series in SI."""
     if everything:
         table = whole(vibrator_columns(result), patterns)

@@ -7,14 +7,20 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure, SubFigure
 
+from tmmcalc.report.drawing.axes import diagram, thinned
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.style import CURVES, INK, MARK, PATH, THIN
 from tmmcalc.report.numbers import number
 from tmmcalc.vibration.pendulum.results import Campbell, PendulumResult
 from tmmcalc.vibration.pendulum.swing import SwingCourse
-from tmmcalc.vibration.pictures.axes import diagram, thinned
 from tmmcalc.vibration.pictures.sheets import Sheet, sheets_of
 
 RPM = 30 / np.pi
+
+
+def figure(order: Order) -> Figure:
+    """The figure of the stage."""
+    return pendulum_figure(order.results["pendulum"])
 
 
 def pendulum_figure(result: PendulumResult) -> Figure:

@@ -9,9 +9,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.report.drawing.axes import diagram, levels, marked, spread
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.style import CURVES, INK, MARK
 from tmmcalc.report.numbers import number
-from tmmcalc.vibration.pictures.axes import diagram, levels, marked, spread
 from tmmcalc.vibration.pictures.sheets import Sheet, sheets_of
 from tmmcalc.vibration.vibrator.results import Curve, MotorStart, Start, VibratorResult
 from tmmcalc.vibration.vibrator.task import COORDINATES, UNITS
@@ -21,6 +22,11 @@ TURNS = [k for k, unit in enumerate(UNITS) if unit == "rad"]
 LOWEST = 1e-4  # of the largest amplitude that is drawn
 RPM = 30 / np.pi
 ENLARGED = 0.35  # of the part's size: how large the widest path is drawn
+
+
+def figure(order: Order) -> Figure:
+    """The figure of the stage."""
+    return vibrator_figure(order.results["vibrator"])
 
 
 def vibrator_figure(result: VibratorResult) -> Figure:

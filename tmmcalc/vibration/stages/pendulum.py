@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record, Table
 from tmmcalc.vibration.pendulum.results import PendulumResult
 from tmmcalc.vibration.pendulum.task import PendulumTask
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.vibration.room import VibrationTables
 
 
-def inputs(spec: Spec) -> PendulumTask:
+def inputs(spec: VibrationTables) -> PendulumTask:
     """The rod, the disc, the joint, and what is asked of them."""
     from tmmcalc.vibration.tables.tasks.vibration import to_pendulum
 
@@ -28,21 +26,9 @@ def solve(given: PendulumTask, upstream: Mapping[str, Any], settings: Mapping[st
     return solve_pendulum(given)
 
 
-def dump(result: PendulumResult) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, result.error)
-
-
-def load(record: Record) -> PendulumResult:
-    """Build the result from its record."""
-    result: PendulumResult = from_record(PendulumResult, record)
-    return result
-
-
-def table(result: PendulumResult) -> Table:
+def columns(result: PendulumResult) -> Mapping[str, Any]:
     """One row a time, a speed of spin or a place along the rod; the first column tells of what."""
     from tmmcalc.vibration.pendulum.columns import pendulum_columns
     from tmmcalc.vibration.series import as_text
 
-    columns = pendulum_columns(result)
-    return Table(list(columns), [as_text(column) for column in columns.values()])
+    return {header: as_text(column) for header, column in pendulum_columns(result).items()}

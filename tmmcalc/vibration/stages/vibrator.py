@@ -5,16 +5,21 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.stage import Record, Table
+from tmmcalc.core.stage import said
 from tmmcalc.vibration.vibrator.results import VibratorResult
 from tmmcalc.vibration.vibrator.task import VibratorTask
 
 if TYPE_CHECKING:
-    from tmmcalc.project import Spec
+    from tmmcalc.vibration.room import VibrationTables
 
 
-def inputs(spec: Spec) -> VibratorTask:
+NO_EXCITATION = "no [vibrator.unbalance] or no speed: no steady vibration"
+NO_CURVE = "no [vibrator.curve]: no resonance curve"
+NO_START = "no [vibrator.start]: no start with a given angle"
+NO_DRIVE = "no [vibrator.drive]: no start under a motor"
+
+
+def inputs(spec: VibrationTables) -> VibratorTask:
     """The bodies, springs and unbalance, and what is asked of them."""
     from tmmcalc.vibration.tables.tasks.vibration import to_vibrator
 
@@ -28,21 +33,27 @@ def solve(given: VibratorTask, upstream: Mapping[str, Any], settings: Mapping[st
     return solve_vibrator(given)
 
 
-def dump(result: VibratorResult) -> Record:
-    """Arrays by the names of the fields."""
-    return to_record(result, result.error)
-
-
-def load(record: Record) -> VibratorResult:
-    """Build the result from its record."""
-    result: VibratorResult = from_record(VibratorResult, record)
-    return result
-
-
-def table(result: VibratorResult) -> Table:
+def columns(result: VibratorResult) -> Mapping[str, Any]:
     """One row a time or a speed; the first column tells of what."""
     from tmmcalc.vibration.series import as_text
     from tmmcalc.vibration.vibrator.columns import vibrator_columns
 
-    columns = vibrator_columns(result)
-    return Table(list(columns), [as_text(column) for column in columns.values()])
+    return {header: as_text(column) for header, column in vibrator_columns(result).items()}
+
+
+def omits(spec: VibrationTables) -> tuple[str, ...]:
+    """Kinds of motion that are not asked for."""
+    table = spec.vibrator
+    if table is None:
+        return ()
+    return said(
+        (table.unbalance is None or table.speed is None, NO_EXCITATION),
+        (table.curve is None or table.unbalance is None, NO_CURVE),
+        (table.start is None, NO_START),
+        (table.drive is None, NO_DRIVE),
+    )
+
+
+def packages(spec: VibrationTables) -> tuple[str, ...]:
+    """A start under a motor is integrated."""
+    return ("scipy.integrate",) if spec.vibrator is not None and spec.vibrator.drive is not None else ()

@@ -28,16 +28,16 @@ from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
     from tmmcalc.cams.laws.law import Law
+    from tmmcalc.cams.room import CamTables
     from tmmcalc.cams.tables.cam import CamTable
     from tmmcalc.cams.tables.cam_parts import CamLoadsTable, ForceTable
-    from tmmcalc.project.root import Spec
     from tmmcalc.spec.table import Table
 
 T = TypeVar("T")
 RIGHT_WAY = {"clockwise": 1, "with": 1, "counter-clockwise": -1, "against": -1}
 
 
-def to_cam(spec: Spec) -> CamTask:
+def to_cam(spec: CamTables) -> CamTask:
     """The cam of the spec; raises `UsageError` if it has none, or a law that cannot move a follower."""
     table = spec.cam
     if table is None:
@@ -66,7 +66,7 @@ def _plain(record: type[T], table: Table, **renamed: str) -> T:
     return record(**{name: getattr(table, renamed.get(name, name)) for name in names})
 
 
-def _speed(spec: Spec, table: CamTable) -> tuple[float | None, tuple[str, ...]]:
+def _speed(spec: CamTables, table: CamTable) -> tuple[float | None, tuple[str, ...]]:
     """The cam's own speed, or that of the shaft that the spec is about, which is told."""
     if table.speed is not None:
         return table.speed, ()
@@ -80,7 +80,7 @@ def _speed(spec: Spec, table: CamTable) -> tuple[float | None, tuple[str, ...]]:
     return speed, (f"[cam] has no speed: the cam turns as the {shaft} does, at {speed * 30 / pi:.6g} rpm",)
 
 
-def _slides(spec: Spec) -> bool:
+def _slides(spec: CamTables) -> bool:
     driven = spec.linkage.input.joint
     return any(joint.name == driven and joint.kind == "prismatic" for joint in spec.linkage.joints)
 

@@ -10,11 +10,11 @@ from tmmcalc.cams.tables.tasks.own_law import to_law
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
+    from tmmcalc.cams.room import CamTables
     from tmmcalc.cams.tables.indexing_law import StepLawTable
-    from tmmcalc.project.root import Spec
 
 
-def to_indexing(spec: Spec) -> IndexingTask:
+def to_indexing(spec: CamTables) -> IndexingTask:
     """The indexing drive of the spec; raises `UsageError` if it has none, or a law that cannot move a wheel."""
     table = spec.indexing
     if table is None:

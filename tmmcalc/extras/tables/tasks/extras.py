@@ -11,13 +11,13 @@ if TYPE_CHECKING:
     from tmmcalc.extras.contact import ContactTask
     from tmmcalc.extras.falling_ball import BallTask
     from tmmcalc.extras.reliability import ReliabilityTask
+    from tmmcalc.extras.room import ExtraTables
     from tmmcalc.extras.tie_down import TieDownTask
-    from tmmcalc.project.root import Spec
 
 Given = TypeVar("Given")
 
 
-def to_contact(spec: Spec) -> ContactTask:
+def to_contact(spec: ExtraTables) -> ContactTask:
     """The contact of the spec; raises `UsageError` if it has none."""
     from tmmcalc.extras.contact import ContactTask, GapTable
     from tmmcalc.extras.hertz import composite_modulus
@@ -36,7 +36,7 @@ def to_contact(spec: Spec) -> ContactTask:
     )
 
 
-def to_reliability(spec: Spec) -> ReliabilityTask:
+def to_reliability(spec: ExtraTables) -> ReliabilityTask:
     """The product of the spec; raises `UsageError` if it has none."""
     from tmmcalc.extras.reliability import LifeTest, ReliabilityTask, load_range
 
@@ -58,7 +58,7 @@ def to_reliability(spec: Spec) -> ReliabilityTask:
     )
 
 
-def to_tie_down(spec: Spec) -> TieDownTask:
+def to_tie_down(spec: ExtraTables) -> TieDownTask:
     """The load of the spec and its ties; raises `UsageError` if it has none."""
     from tmmcalc.extras.tie_down import Support, Thread, TieDownTask
 
@@ -80,7 +80,7 @@ def to_tie_down(spec: Spec) -> TieDownTask:
     )
 
 
-def to_ball(spec: Spec) -> BallTask:
+def to_ball(spec: ExtraTables) -> BallTask:
     """The ball of the spec; raises `UsageError` if it has none."""
     from tmmcalc.extras.falling_ball import BallTask
 
@@ -100,7 +100,7 @@ def to_ball(spec: Spec) -> BallTask:
     )
 
 
-def to_bearing(spec: Spec) -> BearingTask:
+def to_bearing(spec: ExtraTables) -> BearingTask:
     """The bearing of the spec; raises `UsageError` if it has none."""
     from tmmcalc.extras.bearing import BearingTask
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from tmmcalc.core.stage import STAGES
 from tmmcalc.feasibility.judge import ROWS
-from tmmcalc.pipeline.stages import STAGES
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, tables
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any, cast
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask
 
 if TYPE_CHECKING:
-    from tmmcalc.project.root import Spec
+    from tmmcalc.feasibility.room import FeasibilityTables
 
 
-def to_feasibility(spec: Spec) -> FeasibilityTask:
+def to_feasibility(spec: FeasibilityTables) -> FeasibilityTask:
     """The constraints in their order, and the rule that combines them."""
     constraints = tuple(
         Constraint(each.name, each.stage, each.value, each.column, cast(Any, each.of), each.at_least, each.at_most)

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from tmmcalc.feasibility.judge import FeasibilityTask
-    from tmmcalc.project.root import Spec
+    from tmmcalc.feasibility.room import FeasibilityTables
 
 
-def kept_rows(spec: Spec, stage: str) -> FeasibilityTask | None:
+def kept_rows(spec: FeasibilityTables, stage: str) -> FeasibilityTask | None:
     """All constraints, if one is on a column of this stage; else None."""
     if not any(each.stage == stage and each.column for each in spec.constraints):
         return None

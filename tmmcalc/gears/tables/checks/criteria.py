@@ -21,6 +21,14 @@ def check_weights(outline: Outline) -> Iterator[Finding]:
         yield Finding(("criteria", "weights"), rule, "write weights = { mass = 1, inertia = 2 }, or remove it")
 
 
+def check_sizes(outline: Outline) -> Iterator[Finding]:
+    """Trains are compared by the sizes that strength gives."""
+    document = outline.document
+    if "train" in document and "strength" not in document:
+        rule = "[criteria] without [strength]: trains are compared by their sizes"
+        yield Finding(("criteria",), rule, "add [strength] with torque and material, or remove it")
+
+
 def check_series(outline: Outline) -> Iterator[Finding]:
     """Trains in series replace a planetary one of a ratio i_1H, and choose their modules."""
     document = outline.document
@@ -31,4 +39,4 @@ def check_series(outline: Outline) -> Iterator[Finding]:
         yield Finding(("criteria", "series"), rule, "remove module from [strength], or series")
 
 
-CHECKS = (check_weights, check_series)
+CHECKS = (check_sizes, check_weights, check_series)

@@ -10,11 +10,11 @@ from tmmcalc.gears.losses import efficiency_of_mesh, layout_efficiencies, usual_
 from tmmcalc.gears.network.model import EXTERNAL, INTERNAL, Body, Mesh, Network
 
 if TYPE_CHECKING:
+    from tmmcalc.gears.room import GearTables
     from tmmcalc.gears.tables.gearing import GearingTable, MeshTable
-    from tmmcalc.project.root import Spec
 
 
-def to_gearing(spec: Spec) -> GearingTask | None:
+def to_gearing(spec: GearTables) -> GearingTask | None:
     """The train of the spec, None if it has none; raises `UsageError` for members that no train can have."""
     return None if spec.gearing is None else gearing_task(spec.gearing)
 

@@ -11,11 +11,11 @@ from tmmcalc.gears.involute.quality.verdicts import QualityLimits
 from tmmcalc.gears.involute.rack import RACKS, Rack
 from tmmcalc.gears.meshing.task import NEITHER, Measuring, PairsTask, PairTask
 from tmmcalc.gears.tables.shifting import usual_strategy
-from tmmcalc.project.names import pair_names
+from tmmcalc.spec.names import pair_names
 
 if TYPE_CHECKING:
+    from tmmcalc.gears.room import GearTables
     from tmmcalc.gears.tables.pair import CutterTable, PairKeys, PairTable
-    from tmmcalc.project.root import Spec
 
 Given = dict[str, Any]  # what the keys of one pair say
 
@@ -41,7 +41,7 @@ _PLAIN = {
 OF_TRAIN = 1.0  # stands in for the module that strength gives
 
 
-def to_pairs(spec: Spec) -> PairsTask:
+def to_pairs(spec: GearTables) -> PairsTask:
     """The pairs of the spec; raises `UsageError` if it has none."""
     table = _table(spec)
     general = _given(table)
@@ -55,12 +55,12 @@ def to_pairs(spec: Spec) -> PairsTask:
     return PairsTask(tuple(_task(given, Rack(), table) for given in named))
 
 
-def profile_points(spec: Spec) -> int:
+def profile_points(spec: GearTables) -> int:
     """Points of each curve of a tooth profile; raises `UsageError` if the spec has no pairs."""
     return _table(spec).points
 
 
-def _table(spec: Spec) -> PairTable:
+def _table(spec: GearTables) -> PairTable:
     if spec.pair is None:
         raise UsageError("the spec has no [pair]", remedy='add [pair] with teeth = [14, 17] and module = "5 mm"')
     return spec.pair
@@ -73,7 +73,7 @@ def _given(table: PairKeys) -> Given:
     return {key: value for key, value in every.items() if value is not None}
 
 
-def _rack_of_train(spec: Spec) -> Rack:
+def _rack_of_train(spec: GearTables) -> Rack:
     """The rack for which the numbers of teeth were found."""
     train = spec.train
     return Rack() if train is None else Rack(train.pressure_angle, float(train.addendum))

@@ -13,14 +13,14 @@ from tmmcalc.gears.sizing import SizingTask
 from tmmcalc.gears.tables.tasks.strength import to_strength
 
 if TYPE_CHECKING:
+    from tmmcalc.gears.room import GearTables
     from tmmcalc.gears.tables.criteria import CriteriaTable
     from tmmcalc.gears.tables.strength import StrengthTable
-    from tmmcalc.project.root import Spec
 
 ANY = 1.0  # N*m: stands in for a torque that follows from the moment
 
 
-def to_sizing(spec: Spec) -> SizingTask:
+def to_sizing(spec: GearTables) -> SizingTask:
     """What is asked of the strength of a train; raises `UsageError` for a spec without it."""
     table = _table(spec)
     torque = table.torque
@@ -33,7 +33,7 @@ def to_sizing(spec: Spec) -> SizingTask:
     )
 
 
-def to_selection(spec: Spec) -> SelectionTask:
+def to_selection(spec: GearTables) -> SelectionTask:
     """How the best train is chosen; without a table in the usual way."""
     table, kept = spec.criteria, kept_rows(spec, "criteria")
     return SelectionTask(kept=kept) if table is None else replace(_selection(table), kept=kept)
@@ -55,7 +55,7 @@ def _selection(table: CriteriaTable) -> SelectionTask:
     )
 
 
-def _table(spec: Spec) -> StrengthTable:
+def _table(spec: GearTables) -> StrengthTable:
     if spec.strength is None:
         raise UsageError("the spec has no [strength]", remedy="add [strength] with the material of the wheels")
     return spec.strength

@@ -16,8 +16,8 @@ from tmmcalc.gears.strength.series import eighths
 from tmmcalc.gears.train import Request
 
 if TYPE_CHECKING:
+    from tmmcalc.gears.room import GearTables
     from tmmcalc.gears.tables.train import ConstraintsTable, TrainTable
-    from tmmcalc.project.root import Spec
 
 SMALLEST = Fraction(1, 10**7)  # of tooth ratios within the limits that can be asked for
 SPEEDS = 10**6  # a ratio of speeds is the nearest fraction of smaller terms, which 1450 rpm to 178 rpm is exactly
@@ -33,7 +33,7 @@ USUAL_RATIO = {"unfolded2": 20, "unfolded3": 45}
 SLIGHT = Fraction(5, 6)  # of the least number of teeth without undercut: some is harmless down to it
 
 
-def to_train(spec: Spec) -> tuple[Request, ...]:
+def to_train(spec: GearTables) -> tuple[Request, ...]:
     """What is asked, layout by layout; empty if the spec has no train."""
     table = spec.train
     if table is None:

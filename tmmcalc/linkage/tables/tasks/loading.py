@@ -28,22 +28,22 @@ from tmmcalc.linkage.loading import (
 )
 from tmmcalc.linkage.tables.joints import RevoluteTable
 from tmmcalc.linkage.tables.tasks.mechanism import Points, link_points, place
-from tmmcalc.project.names import load_names, spring_names
+from tmmcalc.spec.names import load_names, spring_names
 from tmmcalc.spec.units import unit_direction
 
 if TYPE_CHECKING:
+    from tmmcalc.linkage.room import LinkageTables
     from tmmcalc.linkage.tables.drive import DriveTable
     from tmmcalc.linkage.tables.joints import JointTable
     from tmmcalc.linkage.tables.links import LinkTable
     from tmmcalc.linkage.tables.loads import IndicatorTable, LoadCurveTable, LoadTable, PolynomialTable
     from tmmcalc.linkage.tables.springs import SpringTable
-    from tmmcalc.project.root import Spec
 
 Kind = Literal["force", "moment"]
 TURN = 2 * math.pi
 
 
-def to_loading(spec: Spec) -> Loading:
+def to_loading(spec: LinkageTables) -> Loading:
     """Return what acts on the linkage of a checked spec: SI, points and directions complex."""
     mechanism = spec.linkage
     points = link_points(mechanism)

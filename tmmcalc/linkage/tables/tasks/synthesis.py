@@ -23,14 +23,14 @@ from tmmcalc.linkage.synthesis.task import (
 
 if TYPE_CHECKING:
     from tmmcalc.feasibility.judge import FeasibilityTask
+    from tmmcalc.linkage.room import LinkageTables
     from tmmcalc.linkage.tables.synthesis_dwell import DwellTable
     from tmmcalc.linkage.tables.synthesis_generation import FunctionTable, MotionSynthesisTable, PathTable
-    from tmmcalc.project.root import Spec
 
 FINE = 181  # places at which a generated function is compared
 
 
-def to_synthesis(spec: Spec) -> SynthesisTask:
+def to_synthesis(spec: LinkageTables) -> SynthesisTask:
     """The synthesis of a spec; raises `UsageError` if it has none."""
     table = spec.synthesis
     if table is None:
@@ -51,7 +51,7 @@ def to_synthesis(spec: Spec) -> SynthesisTask:
     )
 
 
-def _searched(spec: Spec) -> FeasibilityTask | None:
+def _searched(spec: LinkageTables) -> FeasibilityTask | None:
     """The constraints, where a search keeps them: that of a path, function or motion, and of the best dwell."""
     table = spec.synthesis
     if table is None or not spec.constraints:

@@ -9,10 +9,10 @@ from tmmcalc.linkage.tables.unsteady import SENSES
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
 
 if TYPE_CHECKING:
-    from tmmcalc.project.root import Spec
+    from tmmcalc.linkage.room import LinkageTables
 
 
-def to_unsteady(spec: Spec) -> UnsteadyTask:
+def to_unsteady(spec: LinkageTables) -> UnsteadyTask:
     """The unsteady motion of the spec; raises `UsageError` if it has none."""
     table = spec.unsteady
     if table is None:

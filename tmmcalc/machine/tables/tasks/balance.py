@@ -12,13 +12,13 @@ if TYPE_CHECKING:
     from tmmcalc.machine.balance.rotors import Unbalance
     from tmmcalc.machine.balance.schemes import RotatingWeight
     from tmmcalc.machine.balance.task import BalanceTask
+    from tmmcalc.machine.room import MachineTables
     from tmmcalc.machine.tables.balance import RotatingWeightTable
     from tmmcalc.machine.tables.engine import CylinderTable, EngineTable
     from tmmcalc.machine.tables.rotor import UnbalanceTable
-    from tmmcalc.project.root import Spec
 
 
-def to_balance(spec: Spec) -> BalanceTask:
+def to_balance(spec: MachineTables) -> BalanceTask:
     """What is asked of the balance of the linkage; without a table all schemes."""
     from tmmcalc.linkage.model import FRAME
     from tmmcalc.linkage.tables.tasks.mechanism import link_points, place, to_linkage
@@ -48,7 +48,7 @@ def _rotating(table: RotatingWeightTable, pivot: complex) -> RotatingWeight:
     return RotatingWeight(table.order, moment, pivot if table.axis is None else complex(*table.axis))
 
 
-def to_engine(spec: Spec) -> EngineTask | None:
+def to_engine(spec: MachineTables) -> EngineTask | None:
     """The engine of the spec, None if it has none; in line the firing order is the customary one if none is given."""
     table = spec.engine
     if table is None:
@@ -96,7 +96,7 @@ def _firing_order(table: EngineTable) -> tuple[int, ...] | None:
     return FIRING[table.cylinders]
 
 
-def to_rotor(spec: Spec) -> RotorTask | None:
+def to_rotor(spec: MachineTables) -> RotorTask | None:
     """The rotor of the spec, None if it has none."""
     table = spec.rotor
     if table is None:

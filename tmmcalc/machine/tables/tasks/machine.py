@@ -21,15 +21,15 @@ from tmmcalc.machine.model import (
     TorqueTask,
     TransientTask,
 )
-from tmmcalc.project.names import shaft_names, transient_names
+from tmmcalc.spec.names import shaft_names, transient_names
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.model import CharacteristicKind, Motor
+    from tmmcalc.machine.room import MachineTables
     from tmmcalc.machine.tables.motor import MotorTable
     from tmmcalc.machine.tables.torque import TorqueTable
     from tmmcalc.machine.tables.transients import BrakeTable, TransientTable
     from tmmcalc.machine.transient.scenario import Brake, Scenario
-    from tmmcalc.project.root import Spec
 
 CHOOSE = "choose"
 _USUAL: dict[str, CharacteristicKind] = {"induction": "parabolic", "shunt": "shunt", "series": "series"}
@@ -37,7 +37,7 @@ _SAME = ("kind", "power", "speed", "overload", "start", "inertia", "efficiency",
 _OWN = ("resistance", "constant")
 
 
-def to_motor(spec: Spec) -> MotorChoice | None:
+def to_motor(spec: MachineTables) -> MotorChoice | None:
     """The motor of the spec, None if it has none; raises `UsageError` or `SpecError` for what a catalogue has not."""
     table = spec.motor
     if table is None:
@@ -85,14 +85,14 @@ def _data(table: MotorTable) -> dict[str, Any]:
     return data
 
 
-def to_gears(spec: Spec) -> Gears:
+def to_gears(spec: MachineTables) -> Gears:
     """The gears; their ratio is given, or that of the shafts together, or follows from the speeds."""
     table = spec.transmission
     product = math.prod(shaft.ratio for shaft in spec.shafts) if spec.shafts else None
     return Gears(table.ratio or product, table.efficiency, table.inertia) if table is not None else Gears(product)
 
 
-def to_shafts(spec: Spec) -> tuple[DriveShaft, ...]:
+def to_shafts(spec: MachineTables) -> tuple[DriveShaft, ...]:
     """The elastic drive from the motor to the crank; empty if the spec has none, and the drive is rigid."""
     from tmmcalc.machine.transient.model import Shaft
 
@@ -111,7 +111,7 @@ def to_shafts(spec: Spec) -> tuple[DriveShaft, ...]:
     )
 
 
-def to_flywheel(spec: Spec) -> FlywheelTask | None:
+def to_flywheel(spec: MachineTables) -> FlywheelTask | None:
     """The flywheel that the spec asks for or has, None if it says nothing of one."""
     table = spec.flywheel
     if table is None:
@@ -130,7 +130,7 @@ def to_flywheel(spec: Spec) -> FlywheelTask | None:
     )
 
 
-def to_motion(spec: Spec) -> MotionTask:
+def to_motion(spec: MachineTables) -> MotionTask:
     """How the motion is found: by the motor if there is one, unless the spec says otherwise."""
     table = spec.motion
     if table is None:
@@ -139,12 +139,12 @@ def to_motion(spec: Spec) -> MotionTask:
     return MotionTask(positional, table.inertia, table.speed, table.drive == "none")
 
 
-def speed_key(spec: Spec) -> str:
+def speed_key(spec: MachineTables) -> str:
     """Where the spec gives the mean speed of the input."""
     return "mechanism.input.speed" if spec.torque is None else "torque.speed"
 
 
-def to_torque(spec: Spec) -> TorqueTask | None:
+def to_torque(spec: MachineTables) -> TorqueTask | None:
     """The torque diagram of the spec, None if it has none."""
     table = spec.torque
     if table is None:
@@ -187,7 +187,7 @@ def _delays(table: TorqueTable) -> tuple[float, ...]:
     return even_delays(table.count, table.period)
 
 
-def to_scenarios(spec: Spec) -> tuple[TransientTask, ...]:
+def to_scenarios(spec: MachineTables) -> tuple[TransientTask, ...]:
     """The motions in time of the spec; speeds and angles are those of the crank, along its motion."""
     from tmmcalc.machine.transient.methods import Method
 

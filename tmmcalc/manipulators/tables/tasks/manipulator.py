@@ -26,6 +26,7 @@ from tmmcalc.manipulators.task import (
 )
 
 if TYPE_CHECKING:
+    from tmmcalc.manipulators.room import ManipulatorTables
     from tmmcalc.manipulators.tables.manipulator import (
         JointsTable,
         JointTable,
@@ -34,12 +35,11 @@ if TYPE_CHECKING:
         ObstacleTable,
         PathTable,
     )
-    from tmmcalc.project.root import Spec
 
 UP: Place = (0.0, 0.0, 1.0)
 
 
-def to_manipulator(spec: Spec) -> ManipulatorTask:
+def to_manipulator(spec: ManipulatorTables) -> ManipulatorTask:
     """The manipulator of the spec; raises `UsageError` if it has none."""
     table = spec.manipulator
     if table is None:

@@ -24,14 +24,14 @@ from tmmcalc.vibration.vibrator.task import (
 )
 
 if TYPE_CHECKING:
-    from tmmcalc.project.root import Spec
+    from tmmcalc.vibration.room import VibrationTables
     from tmmcalc.vibration.tables.pendulum import DiscTable, PendulumRodTable, SwingTable
     from tmmcalc.vibration.tables.vibrator import ExciterTable, FlatsTable, VibratorDampingTable, VibratorTable
 
 CLAMPED = "clamped"
 
 
-def to_vibrator(spec: Spec) -> VibratorTask:
+def to_vibrator(spec: VibrationTables) -> VibratorTask:
     """The device of the spec; raises `UsageError` if it has none, or asks for a start by a motor that it has not."""
     table = spec.vibrator
     if table is None:
@@ -84,7 +84,7 @@ def _damping(table: VibratorDampingTable) -> Damping:
     return Damping(0.0, tuple(getattr(table, name) for name in COORDINATES))
 
 
-def _unbalance(spec: Spec, table: VibratorTable) -> Unbalance | None:
+def _unbalance(spec: VibrationTables, table: VibratorTable) -> Unbalance | None:
     """The unbalance; by default it turns about the exciter's centre of mass."""
     given, exciter = table.unbalance, table.exciter
     if given is None:
@@ -101,7 +101,7 @@ def _unbalance(spec: Spec, table: VibratorTable) -> Unbalance | None:
     )
 
 
-def _motor_inertia(spec: Spec) -> float:
+def _motor_inertia(spec: VibrationTables) -> float:
     if spec.motor is None or spec.mechanism is not None or spec.torque is not None:
         return 0.0
     from tmmcalc.machine.tables.tasks.machine import to_motor
@@ -110,7 +110,7 @@ def _motor_inertia(spec: Spec) -> float:
     return 0.0 if choice is None or choice.motor is None else choice.motor.inertia or 0.0
 
 
-def _drive(spec: Spec, table: VibratorTable) -> Drive | None:
+def _drive(spec: VibrationTables, table: VibratorTable) -> Drive | None:
     if table.drive is None:
         return None
     from tmmcalc.machine.tables.tasks.machine import to_motor
@@ -126,7 +126,7 @@ def _drive(spec: Spec, table: VibratorTable) -> Drive | None:
     return Drive(choice.motor, choice.characteristic, drive.duration, drive.drag, drive.initial_speed, drive.rows)
 
 
-def to_pendulum(spec: Spec) -> PendulumTask:
+def to_pendulum(spec: VibrationTables) -> PendulumTask:
     """The pendulum-rotor of the spec; raises `UsageError` if it has none."""
     table = spec.pendulum
     if table is None:

@@ -1,0 +1,56 @@
+"""Results drawn to files, as ``tmmcalc plot`` does."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from tmmcalc.cli.plot import ordered
+from tmmcalc.report.drawing import draw
+
+
+def draw_stage(stage: str, spec: Any, results: Mapping[str, Any], file: Path) -> None:
+    """The picture of a stage, no flags given."""
+    ordered(stage, spec, results, {}, file)
+
+
+def draw_kinematics(mechanism: Any, result: Any, file: Path, *, positions: Any = None, polygons: Any = None) -> None:
+    def figure() -> Any:
+        from tmmcalc.linkage.pictures.kinematics import kinematics_figure
+
+        return kinematics_figure(mechanism, result, positions, polygons)
+
+    draw(file, figure)
+
+
+def draw_forces(
+    mechanism: Any, loading: Any, kinematics: Any, result: Any, file: Path, *, polygons: Any = None
+) -> None:
+    def figure() -> Any:
+        from tmmcalc.linkage.pictures.forces import forces_figure
+
+        return forces_figure(mechanism, loading, kinematics, result, polygons)
+
+    draw(file, figure)
+
+
+def draw_cam(stage: str, task: Any, result: Any, file: Path) -> None:
+    def figure() -> Any:
+        from importlib import import_module
+
+        home = import_module(f"tmmcalc.cams.pictures.{stage}")
+        return getattr(home, f"{stage.removeprefix('cam_')}_figure")(task, result)
+
+    draw(file, figure)
+
+
+def drawn(stage: str, room: str, file: Path, *given: Any, **chosen: Any) -> None:
+    """The figure of a stage of what it is drawn from."""
+
+    def figure() -> Any:
+        from importlib import import_module
+
+        return getattr(import_module(f"tmmcalc.{room}.pictures.{stage}"), f"{stage}_figure")(*given, **chosen)
+
+    draw(file, figure)

@@ -1,0 +1,176 @@
+"""What a room says of itself: its tables, stages and commands. Nothing else in the house lists them.
+
+A room is a package with a module ``room``, whose ``ROOM`` is a `Room`. What it names is found by the name:
+
+    key of a spec   <room>.tables.<key>          the class in the annotation of the key
+                    <room>.tables.checks.<key>   CHECKS
+    stage           <room>.stages.<name>         its functions, see `tmmcalc.core.stage.Stage`
+    its facts       <room>.facts.<name>          summary(result, title)
+    its picture     <room>.pictures.<name>       figure(order)
+    its studies     <room>.accuracy.<name>       studies(scene)
+    command         cli.<name>, cli.<group>.<name>
+
+A manifest imports no more than its own words.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple, Protocol, TypeVar
+
+from tmmcalc.core.records import record
+from tmmcalc.core.stage import Stage
+
+
+@record
+class Entry:
+    """A table of the root of a spec; ``annotation`` is ``"MotorTable | None"``, or ``"list[LoadTable]"`` of several."""
+
+    name: str
+    home: str  # package of the room
+    annotation: str
+    description: str  # for editors
+    subject: bool  # a spec may be about it alone
+    belongs_to: tuple[str, ...]  # tables, of which it needs one
+    why: str  # it needs them
+    read_with: tuple[str, ...]  # further tables that make sense of it
+    checks: tuple[str, ...]  # modules of its checks beyond its values
+    after: str  # a table of another room that comes before it in the root
+
+    @property
+    def several(self) -> bool:
+        """Whether it is a list of tables."""
+        return self.annotation.startswith("list[")
+
+    @property
+    def table(self) -> str:
+        """Name of the class."""
+        return self.annotation.removeprefix("list[").partition("]")[0].partition(" ")[0]
+
+    @property
+    def header(self) -> str:
+        """The table as it stands in TOML."""
+        return f"[[{self.name}]]" if self.several else f"[{self.name}]"
+
+
+class _Said(NamedTuple):
+    """What the manifest says of a table beside its name and its class."""
+
+    description: str
+    subject: bool
+    belongs_to: tuple[str, ...]
+    why: str
+    read_with: tuple[str, ...]
+    checks: tuple[str, ...] | None
+    after: str
+
+
+def table(
+    description: str,
+    *,
+    subject: bool = False,
+    belongs_to: tuple[str, ...] = (),
+    why: str = "",
+    read_with: tuple[str, ...] = (),
+    checks: tuple[str, ...] | None = None,
+    after: str = "",
+) -> Any:
+    """Declare a table of the root of a spec, in a class of annotations that `Room` reads; see `Entry`.
+
+    Its checks are by default those of one module of its name.
+    """
+    return _Said(description, subject, belongs_to, why, read_with, checks, after)
+
+
+@record
+class Command:
+    """A command by its name, with its line in the help."""
+
+    name: str
+    help: str
+
+
+@record
+class Group:
+    """The commands of a room that stand under a word of their own, such as ``tmmcalc gears``."""
+
+    name: str
+    help: str  # its line in the list of commands
+    text: str  # what its own help says first
+    example: str
+
+
+class Room:
+    """The manifest of a room; ``tables`` is a class whose annotations are declared by `table`."""
+
+    def __init__(
+        self,
+        name: str,
+        tables: type,
+        stages: Sequence[Stage],
+        commands: Sequence[Command] = (),
+        *,
+        section: str = "",
+        group: Group | None = None,
+    ) -> None:
+        self.name = name
+        self.home = f"tmmcalc.{name}"
+        self.tables = tuple(self._entries(tables))
+        self.properties = {key: value for key, value in vars(tables).items() if isinstance(value, property)}
+        self.stages = tuple(map(self._at_home, stages))
+        self.commands = tuple(commands)
+        self.section = section  # of the list of commands
+        self.group = group
+
+    def _entries(self, tables: type) -> Iterator[Entry]:
+        for name, annotation in tables.__annotations__.items():
+            said: _Said = getattr(tables, name)
+            checks = (name,) if said.checks is None else said.checks
+            yield Entry(name, self.home, annotation, **said._replace(checks=checks)._asdict())
+
+    def _at_home(self, stage: Stage) -> Stage:
+        """The stage with the places of its functions."""
+        name = stage.name
+        picture = stage.picture
+        if picture is not None and not picture.figure:
+            picture = replace(picture, figure=f"{self.home}.pictures.{name}:figure")
+        return replace(
+            stage,
+            home=stage.home or f"{self.home}.stages.{name}",
+            wanted=f"{self.home}.wanted:{stage.wanted}" if stage.wanted else "",
+            reads=f"{self.home}.wanted:{stage.reads}" if stage.reads else "",
+            facts=f"{self.home}.facts.{name}",
+            picture=picture,
+            studies=f"{self.home}.accuracy.{name}:studies" if stage.studied else "",
+        )
+
+
+class _Listed(Protocol):
+    @property
+    def name(self) -> str: ...
+    @property
+    def after(self) -> str: ...
+
+
+Item = TypeVar("Item", bound=_Listed)
+
+
+def merged(rooms: Iterable[Sequence[Item]]) -> dict[str, Item]:
+    """What the rooms list, in one order: each list keeps its own, and waits where an item comes ``after`` another.
+
+    >>> class Named(NamedTuple):
+    ...     name: str
+    ...     after: str = ""
+    >>> list(merged([[Named("a"), Named("b", "x")], [Named("x"), Named("y")]]))
+    ['a', 'x', 'b', 'y']
+    """
+    waiting = [list(items) for items in rooms]
+    found: dict[str, Item] = {}
+    while any(waiting):
+        ready = next((items for items in waiting if items and (not items[0].after or items[0].after in found)), None)
+        if ready is None:
+            raise ValueError(f"these come after what does not come: {[items[0].name for items in waiting if items]}")
+        item = ready.pop(0)
+        found[item.name] = item
+    return found

@@ -1,0 +1,38 @@
+"""The manifest of the feasibility room: named constraints on results, and the rule that combines them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from tmmcalc.core.manifest import Room, table
+from tmmcalc.core.stage import EVERY, Picture, Stage
+
+if TYPE_CHECKING:
+    from tmmcalc.feasibility.tables.constraints import ConstraintTable
+    from tmmcalc.feasibility.tables.feasibility import FeasibilityTable
+    from tmmcalc.spec.project import Titled
+else:
+    Titled = object
+
+
+class FeasibilityTables(Titled):
+    """The tables of the room."""
+
+    constraints: list[ConstraintTable] = table("What results must keep, by name.")
+    feasibility: FeasibilityTable | None = table("How the constraints are combined.")
+
+
+ROOM = Room(
+    "feasibility",
+    FeasibilityTables,
+    (
+        Stage(
+            "feasibility",
+            "whether results keep the named constraints",
+            uses=EVERY,
+            reads="asked_about",
+            asked=("constraints", "nothing is to be kept"),
+            picture=Picture("the margin of every constraint, and the rule"),
+        ),
+    ),
+)

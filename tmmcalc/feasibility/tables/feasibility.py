@@ -1,0 +1,24 @@
+"""``[feasibility]``: how the constraints are combined."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from tmmcalc.spec.choices import Known, Whole
+from tmmcalc.spec.table import Table
+
+FormName = Annotated[str, Known("form of the function", ("minmax", "R0", "Rm"))]
+Smoothness = Annotated[int, Whole("an order of smoothness", 1, 9)]
+
+
+class FeasibilityTable(Table):
+    """How the constraints are combined."""
+
+    rule: str = Field(
+        default="",
+        description='Constraints with and, or, not, brackets: "stroke and (light or not fast)" (default: all).',
+    )
+    form: FormName = Field(
+        default="minmax", description="Function of the rule for searches: minmax (exact), R0 or Rm (smooth)."
+    )
+    smoothness: Smoothness = Field(default=1, description="Order m of Rm.")

@@ -1,0 +1,121 @@
+"""The manifest of the gear room: tooth numbers, strength and choice of trains, pairs of gears, tooth profiles."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from tmmcalc.core.manifest import Command, Group, Room, table
+from tmmcalc.core.stage import Picture, Stage
+
+if TYPE_CHECKING:
+    from tmmcalc.feasibility.room import FeasibilityTables
+    from tmmcalc.gears.tables.criteria import CriteriaTable
+    from tmmcalc.gears.tables.gearing import GearingTable
+    from tmmcalc.gears.tables.pair import PairTable
+    from tmmcalc.gears.tables.strength import StrengthTable
+    from tmmcalc.gears.tables.train import TrainTable
+else:
+    FeasibilityTables = object
+
+
+class GearTables(FeasibilityTables):
+    """The tables of the room, beside those that its stages read of others."""
+
+    train: TrainTable | None = table("The gear train: layout, ratio, tooth numbers.", subject=True, after="pendulum")
+    gearing: GearingTable | None = table(
+        "A train of gears that is written out: its meshes, known speeds and torques.", subject=True
+    )
+    strength: StrengthTable | None = table(
+        "Strength of the train: torque, materials, modules and face widths.",
+        belongs_to=("train",),
+        why="it is that of the wheels of a gear train",
+    )
+    criteria: CriteriaTable | None = table(
+        "By what the best train is chosen.", belongs_to=("train",), why="they choose one of the gear trains"
+    )
+    pair: PairTable | None = table("Pairs of gears: written out, or those of the train that is chosen.", subject=True)
+
+
+ROOM = Room(
+    "gears",
+    GearTables,
+    (
+        Stage(
+            "train",
+            "tooth numbers of the gear train: all sets within the constraints",
+            asked=("train", "no tooth numbers are asked for"),
+            picture=Picture(
+                "a tooth set to scale from two sides, all sets by size and error, what constraints removed, curves of "
+                "choice",
+                ("--choose",),
+            ),
+            studied=True,
+        ),
+        Stage(
+            "gearing",
+            "a written train: speeds, torques, power flow, efficiency",
+            asked=("gearing", "no train is written out"),
+        ),
+        Stage(
+            "strength",
+            "modules and face widths of all tooth sets by the endurance of the teeth",
+            needs=("train",),
+            uses=("reduction",),
+            reads="read_by_strength",
+            wanted="strength",
+        ),
+        Stage(
+            "criteria",
+            "the best gear train; its inertia and ratio for the machine",
+            needs=("train", "strength"),
+            wanted="strength",
+            picture=Picture(
+                "inertia against mass with the Pareto front, pairs of criteria, the chosen train to scale",
+                ("--choose",),
+            ),
+        ),
+        Stage(
+            "pair",
+            "geometry, checks and measures of pairs of gears",
+            uses=("criteria",),
+            reads="read_by_pair",
+            wanted="pair",
+            picture=Picture(
+                "teeth in mesh with the line of action, sliding and pressure along it", ("--choose", "--phase")
+            ),
+            studied=True,
+        ),
+        Stage(
+            "blocking",
+            "blocking contours of the pairs: all admissible shifts",
+            needs=("pair",),
+            wanted="blocking",
+            picture=Picture("the blocking contour with its numbered lines and points", ("--choose",)),
+            studied=True,
+        ),
+        Stage(
+            "profile",
+            "tooth profiles of the wheels of all pairs",
+            needs=("pair",),
+            wanted="pair",
+            picture=Picture("how the rack cuts the teeth, each tooth enlarged", ("--choose",)),
+            studied=True,
+        ),
+    ),
+    (
+        Command("synth", "Every set of tooth numbers within the constraints."),
+        Command("planetary", "Speeds, torques, power flow, efficiency of any train."),
+        Command("strength", "Modules and face widths of all tooth sets."),
+        Command("compare", "Mass, inertia, size, efficiency; the best train."),
+        Command("pair", "Geometry, shifts and checks of pairs of gears."),
+        Command("blocking", "Blocking contours: all admissible shifts of a pair."),
+        Command("profile", "Tooth profiles; svg, dxf and csv files of gears."),
+        Command("measure", "Span, size over balls, chords of the teeth."),
+    ),
+    group=Group(
+        "gears",
+        "Gears: trains, strength, pairs, blocking contours, profiles.",
+        "Gears: tooth numbers of trains within all constraints, strength, pairs, contours, tooth profiles, measures.",
+        "tmmcalc gears synth my.toml",
+    ),
+)

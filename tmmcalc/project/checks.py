@@ -1,0 +1,73 @@
+"""Checks that reach across the tables of a spec: what it is about, what belongs to what, and those of each table.
+
+Each check is a function from the outline of the raw document to its findings; those of a table stand in the ``CHECKS``
+of its module. They never raise: what is not of the right type is left to the tables' own types.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from tmmcalc.project.root import ENTRIES
+from tmmcalc.rooms import ROOMS
+from tmmcalc.spec.findings import Finding
+from tmmcalc.spec.outline import Outline, Raw
+from tmmcalc.spec.phrases import Path, either
+
+if TYPE_CHECKING:
+    from tmmcalc.spec.outline import Rows
+
+Check = Callable[[Outline], Iterator[Finding]]
+
+SUBJECTS = tuple(entry.name for room in ROOMS for entry in room.tables if entry.subject)
+
+
+def check(data: Raw, line_of: Callable[[Path], int | None], rows: Mapping[Path, Rows]) -> list[Finding]:
+    """Return the findings of all checks on the raw document.
+
+    ``line_of`` gives the line of a place, ``rows`` what was read from the CSV files of load tables.
+    """
+    outline = Outline(data, line_of, rows)
+    return [finding for rule in (check_subject, check_needs, *_of_tables(data)) for finding in rule(outline)]
+
+
+def _of_tables(data: Raw) -> Iterator[Check]:
+    """Yield the checks of the tables that are there; without a mechanism one fault of what needs it is enough."""
+    for entry in ENTRIES.values():
+        if entry.name in data and ("mechanism" in data or entry.belongs_to != ("mechanism",)):
+            for module in entry.checks:
+                yield from import_module(f"{entry.home}.tables.checks.{module}").CHECKS
+
+
+def check_subject(outline: Outline) -> Iterator[Finding]:
+    """A spec has a mechanism, or what stands in its place or beside it; a crank's moment has one source."""
+    document = outline.document
+    if not {*SUBJECTS} & {*document}:
+        headers = [ENTRIES[name].header for name in SUBJECTS[1:]]
+        yield Finding(
+            ("mechanism",),
+            "missing key: a spec describes a mechanism, or else a linkage to be found, a torque diagram, an engine, "
+            "a rotor, gears, cams, a vibratory device, a pendulum-rotor or an arm",
+            f"add [mechanism.input], [[mechanism.links]], [[mechanism.joints]]; {either(headers)}",
+        )
+    if "mechanism" in document and "torque" in document:
+        yield Finding(
+            ("torque",),
+            "torque together with mechanism: a torque diagram stands in place of a mechanism",
+            "remove one of them; a moment on a link of the mechanism is a load, [[loads]]",
+        )
+
+
+def check_needs(outline: Outline) -> Iterator[Finding]:
+    """Tables of a machine, and of a gear train, have one that they belong to."""
+    document = outline.document
+    lost = not {*SUBJECTS} & {*document}  # without any subject that is the fault
+    for entry in ENTRIES.values():
+        homes = {*entry.belongs_to, *entry.read_with}
+        if entry.name not in document or not homes or homes & {*document} or (lost and "mechanism" in homes):
+            continue
+        tables = " or ".join(f"[{name}]" for name in entry.belongs_to)
+        rule = f"{entry.header} without {tables}: {entry.why}"
+        yield Finding((entry.name,), rule, f"add {tables}, or remove it")
