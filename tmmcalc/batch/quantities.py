@@ -16,7 +16,7 @@ from typing import Any
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.told import facts
 from tmmcalc.feasibility.judge import OF, Constraint
-from tmmcalc.feasibility.stages.feasibility import columns
+from tmmcalc.feasibility.stages.feasibility import of_columns
 
 Told = Iterator[tuple[str, float]]
 
@@ -82,7 +82,7 @@ def _columns(stage: str, result: Any, patterns: Sequence[str]) -> Told:
         match = OF_COLUMN.fullmatch(pattern)
         if match and (match[1] or "*") in (stage, "*"):
             of: Any = match[2]
-            for name, (value, unit) in columns(Constraint("", stage, column=match[3], of=of), result):
+            for name, (value, unit) in of_columns(Constraint("", stage, column=match[3], of=of), result):
                 yield _headed(f"{stage}.{of}({name})", unit), value
 
 

@@ -30,6 +30,7 @@ ROOM = Room(
             "vibrator",
             "vibratory device: natural frequencies, steady vibration, starts",
             asked=("vibrator", "no vibratory device is asked for"),
+            after="indexing",
             picture=Picture("modes, resonance curve, starts, paths of points"),
             studied=True,
         ),

@@ -54,11 +54,11 @@ def _quantity(constraint: Constraint, upstream: Mapping[str, Any]) -> Quantity:
             remedy="tmmcalc plan says why a stage is left out",
         )
     result = upstream[constraint.stage]
-    told = dict(facts(constraint.stage, result)) if constraint.value else dict(columns(constraint, result))
+    told = dict(facts(constraint.stage, result)) if constraint.value else dict(of_columns(constraint, result))
     return of_name(constraint, told)
 
 
-def columns(constraint: Constraint, result: Any) -> Iterator[tuple[str, Quantity]]:
+def of_columns(constraint: Constraint, result: Any) -> Iterator[tuple[str, Quantity]]:
     """What is asked of every column of numbers of the stage's table, by name."""
     made = STAGES[constraint.stage].table(result)
     for header, column in zip(made.header, made.columns, strict=True) if made else ():

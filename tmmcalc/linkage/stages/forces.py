@@ -42,8 +42,9 @@ def errors(result: Forces) -> dict[str, Any]:
 
 def columns(result: Forces) -> Sequence[Column]:
     """All columns, one row a position; two where friction jumps."""
+    from tmmcalc.linkage.forces import columns as reactions
 
-    return columns(result)
+    return reactions.columns(result)
 
 
 def omits(spec: LinkageTables) -> tuple[str, ...]:
