@@ -12,10 +12,10 @@ from pathlib import Path
 
 from tmmcalc import load_spec
 from tmmcalc.accuracy.document import TOLERANCES, called, told
+from tmmcalc.accuracy.picture import accuracy_figure
 from tmmcalc.accuracy.solve import solve_accuracy
 from tmmcalc.core.studies.measure import Clock
 from tmmcalc.core.studies.study import Accuracy, Ladder, Series, Study
-from tmmcalc.accuracy.picture import accuracy_figure
 from tmmcalc.report.drawing import draw
 
 HOME = Path(__file__).parent

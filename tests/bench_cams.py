@@ -16,7 +16,7 @@ from tmmcalc.cams.indexing import solve_indexing
 from tmmcalc.cams.indexing.compare import compare
 from tmmcalc.cams.lawresult import solve_law
 from tmmcalc.cams.optimum.solve import solve_optimum
-from tmmcalc.cams.pressure import solve_pressure
+from tmmcalc.cams.pressure.solve import solve_pressure
 from tmmcalc.cams.profile.solve import solve_profile
 from tmmcalc.cams.strength.solve import solve_strength
 from tmmcalc.cams.synthesis.solve import solve_synthesis

@@ -131,7 +131,7 @@ _HOMES = {
     ),
     "tmmcalc.gears.selection.results": ("Selection",),
     "tmmcalc.gears.sizing": ("Sizing",),
-    "tmmcalc.gears.train": ("Trains",),
+    "tmmcalc.gears.trains": ("Trains",),
     "tmmcalc.linkage.dyad": (
         "DyadMotion",
         "solve_dyad",

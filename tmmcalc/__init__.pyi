@@ -90,7 +90,7 @@ from tmmcalc.gears.search.search import Synthesis as Synthesis
 from tmmcalc.gears.search.search import synthesise as synthesise
 from tmmcalc.gears.selection.results import Selection as Selection
 from tmmcalc.gears.sizing import Sizing as Sizing
-from tmmcalc.gears.train import Trains as Trains
+from tmmcalc.gears.trains import Trains as Trains
 from tmmcalc.linkage.dyad import DyadMotion as DyadMotion
 from tmmcalc.linkage.dyad import solve_dyad as solve_dyad
 from tmmcalc.linkage.dyads import PRP as PRP

@@ -22,7 +22,7 @@ from tmmcalc.cams.optimum.margins import judge
 from tmmcalc.cams.optimum.scene import Scene, scene_of
 from tmmcalc.cams.optimum.solve import solve_optimum
 from tmmcalc.cams.optimum.steps import search
-from tmmcalc.cams.pressure import reached
+from tmmcalc.cams.pressure.angle import reached
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Optimum, Spring
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.report.plaintext import lines

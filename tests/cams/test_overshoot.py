@@ -8,7 +8,8 @@ import pytest
 from cams.tables.camscenes import cam
 from cams.turns import task_of
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.pressure import check_reach, solve_pressure
+from tmmcalc.cams.pressure.angle import check_reach
+from tmmcalc.cams.pressure.solve import solve_pressure
 from tmmcalc.cams.profile import solve_profile
 from tmmcalc.core.errors import NoSolutionError, SingularityError
 

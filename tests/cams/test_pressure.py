@@ -11,7 +11,8 @@ import pytest
 from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower, contact_path
 from tmmcalc.cams.laws.law import polynomial
-from tmmcalc.cams.pressure import Pressure, pressure, pressure_columns, solve_pressure
+from tmmcalc.cams.pressure.angle import pressure
+from tmmcalc.cams.pressure.solve import Pressure, pressure_columns, solve_pressure
 from tmmcalc.cams.program import Phase, Program
 from tmmcalc.cams.task import AngleLimits
 from tmmcalc.core.conversion import from_record, to_record

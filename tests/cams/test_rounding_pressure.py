@@ -9,7 +9,7 @@ from mpmath import mpf
 from cams.exact import missed, motion_at, theta_at
 from cams.exact_peaks import at, crossing, edges_of, extremes
 from cams.scenes import briefly, judged, random_cam, some
-from tmmcalc.cams.pressure import solve_pressure
+from tmmcalc.cams.pressure.solve import solve_pressure
 from tmmcalc.cams.program import TURN
 
 FEW = 2

@@ -16,7 +16,7 @@ from cams.exact_rims import bend_of
 from cams.scenes import briefly, judged
 from cams.test_rounding_pressure import of_theta
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.pressure import reached
+from tmmcalc.cams.pressure.angle import reached
 from tmmcalc.cams.synthesis import oscillating, roller
 from tmmcalc.cams.synthesis.errors import size_errors
 from tmmcalc.cams.synthesis.solve import solve_synthesis

@@ -11,7 +11,7 @@ import pytest
 from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.catalogue import LAWS
-from tmmcalc.cams.pressure import pressure, reached
+from tmmcalc.cams.pressure.angle import pressure, reached
 from tmmcalc.cams.synthesis.aims import Distance
 from tmmcalc.cams.synthesis.exchange import best
 from tmmcalc.cams.synthesis.halfplanes import families, outside

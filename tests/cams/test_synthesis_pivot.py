@@ -8,7 +8,7 @@ import pytest
 
 from cams.turns import overshooting, task_of, turn
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.pressure import reached
+from tmmcalc.cams.pressure.angle import reached
 from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.synthesis.solve import solve_synthesis

@@ -11,7 +11,7 @@ import pytest
 from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower, contact_path, curvature
 from tmmcalc.cams.laws.catalogue import LAWS
-from tmmcalc.cams.pressure import reached
+from tmmcalc.cams.pressure.angle import reached
 from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.synthesis.results import Synthesis, region_columns
 from tmmcalc.cams.synthesis.solve import solve_synthesis

@@ -269,7 +269,8 @@ def test_out_that_cannot_be_is_refused_before_computing(tmp_path: Path):
 
 LIGHT = """
 import sys
-from tmmcalc.core.stage import Record, Stage
+from tmmcalc.core.stage import Stage
+from tmmcalc.core.stored import Record
 import tmmcalc.pipeline.runner as runner
 inputs = solve = lambda value, *rest: value
 dump = lambda result: Record({"x": result})

@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.stage import Record, Table
+from tmmcalc.core.stored import Record, Table
 from tmmcalc.pipeline import content, manifest
 from tmmcalc.pipeline.manifest import Manifest, Provenance
 from tmmcalc.pipeline.plain import plain_record, plain_table

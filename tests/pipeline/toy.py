@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import AssemblyError
-from tmmcalc.core.stage import Record, Stage, Table
+from tmmcalc.core.stage import Stage
+from tmmcalc.core.stored import Record, Table
 from tmmcalc.pipeline.runner import RunResult, run
 
 CALLS: list[str] = []

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from tmmcalc.core.errors import NoSolutionError, SpecError, UsageError
-from tmmcalc.core.stage import Table
+from tmmcalc.core.stored import Table
 from tmmcalc.pipeline.outcome import Outcome, RunResult
 from tmmcalc.pipeline.runner import run
 from tmmcalc.stress import gears, linkage, numbering, scales, synthesis

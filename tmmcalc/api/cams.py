@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from tmmcalc.cams.indexing.results import Indexing
     from tmmcalc.cams.lawresult import LawResult as CamLaw
     from tmmcalc.cams.optimum.results import CamOptimum
-    from tmmcalc.cams.pressure import Pressure as CamPressure
+    from tmmcalc.cams.pressure.solve import Pressure as CamPressure
     from tmmcalc.cams.profile.results import Profile as CamProfile
     from tmmcalc.cams.strength.results import CamStrength
     from tmmcalc.cams.synthesis.results import Synthesis as CamSynthesis

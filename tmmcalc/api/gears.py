@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from tmmcalc.gears.meshing.results import Pairs
     from tmmcalc.gears.selection.results import Selection
     from tmmcalc.gears.sizing import Sizing
-    from tmmcalc.gears.train import Trains
+    from tmmcalc.gears.trains import Trains
     from tmmcalc.project import Spec
 
 

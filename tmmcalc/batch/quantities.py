@@ -16,7 +16,7 @@ from typing import Any
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.told import facts
 from tmmcalc.feasibility.judge import OF, Constraint
-from tmmcalc.feasibility.stages.feasibility import of_columns
+from tmmcalc.feasibility.stages.judged import of_columns
 
 Told = Iterator[tuple[str, float]]
 

@@ -10,12 +10,11 @@ import typer
 
 from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.options import Form, Format, Skip, patterns_of, stages
-from tmmcalc.cli.work import Job, title
+from tmmcalc.cli.work import Job
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
-    from tmmcalc.pipeline.outcome import RunResult
-    from tmmcalc.report.document import Document
+    pass
 
 
 @with_flags
@@ -57,7 +56,7 @@ def command(
 
         run_all(job, [job.file, *others], target, form)
     else:
-        document, result = outcome(job, target)
+        document, result = job.summarised(target)
         job.finish(document, result, form)
 
 
@@ -66,12 +65,3 @@ def _check_columns(job: Job, columns: str | None) -> None:
     if columns is not None and (not job.store or job.csv is False):
         flag = "--no-csv" if job.store else "--no-store"
         raise UsageError(f"{flag} writes no CSV files", where="--columns", remedy="leave one of the two flags out")
-
-
-def outcome(job: Job, target: str | None) -> tuple[Document, RunResult]:
-    """Run one spec; its document."""
-    from tmmcalc.pipeline.summary import run_document
-
-    scene = job.spec()
-    result = job.run(scene, target)
-    return run_document(result, title(scene, job.file, "run")), result

@@ -13,7 +13,6 @@ import typer
 from tmmcalc.batch.task import verdict
 from tmmcalc.cli.messages import put, say, show_error
 from tmmcalc.cli.options import Format
-from tmmcalc.cli.run import outcome
 from tmmcalc.cli.work import Job, show
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.records import record
@@ -63,7 +62,7 @@ def _end(job: Job, target: str | None, form: Format | None) -> _End:
     """Run one spec; its summary is printed at once if a format is given."""
     document = None
     try:
-        document, result = outcome(job, target)
+        document, result = job.summarised(target)
         if form is not None:
             show(replace(document, title=f"{job.file}, {document.title}"), form)
             put("\n")

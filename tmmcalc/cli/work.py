@@ -70,6 +70,14 @@ class Job:
             write(self.depfile, result.files, [self.file, *named_files(spec, self.file.parent)])
         return result
 
+    def summarised(self, target: str | None) -> tuple[Document, RunResult]:
+        """Run the spec; the document of its summaries."""
+        from tmmcalc.pipeline.summary import run_document
+
+        scene = self.spec()
+        result = self.run(scene, target)
+        return run_document(result, title(scene, self.file, "run")), result
+
     def _run(
         self,
         spec: Spec,

@@ -13,7 +13,7 @@ from typing import Any, Union, get_args, get_origin, get_type_hints
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.core.stage import Record
+from tmmcalc.core.stored import Record
 
 LABELS = "labels"  # a field of this name is as long as the table: it goes to the arrays
 

@@ -13,7 +13,7 @@ from tmmcalc.gears.search.measures import tooth_ratio
 from tmmcalc.gears.search.relaxation import Relaxation
 
 if TYPE_CHECKING:
-    from tmmcalc.gears.train import Request, Variant
+    from tmmcalc.gears.trains import Request, Variant
 
 # in the order in which they are put; trains with one module begin with the ratio
 ORDER = (

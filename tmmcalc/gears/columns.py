@@ -9,7 +9,7 @@ import numpy as np
 from tmmcalc.core.columns import degrees
 from tmmcalc.gears.model import ToothSets, TrainTask, Values
 from tmmcalc.gears.search import measures
-from tmmcalc.gears.train import Request, Trains, Variant
+from tmmcalc.gears.trains import Request, Trains, Variant
 
 NO, YES = "no", "yes"
 

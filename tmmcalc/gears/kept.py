@@ -15,7 +15,7 @@ from tmmcalc.gears.columns import set_columns
 from tmmcalc.gears.selection.columns import columns_of
 from tmmcalc.gears.selection.results import Weighed
 from tmmcalc.gears.sizing import rows_of
-from tmmcalc.gears.train import Trains, Variant
+from tmmcalc.gears.trains import Trains, Variant
 
 
 def kept_sets(trains: Trains, task: FeasibilityTask) -> Trains:

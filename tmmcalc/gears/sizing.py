@@ -20,7 +20,7 @@ from tmmcalc.gears.strength.results import Strength
 from tmmcalc.gears.strength.rounding import StrengthError, strength_error
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.task import StrengthTask, pinion_torque
-from tmmcalc.gears.train import Request, Trains, Variant
+from tmmcalc.gears.trains import Request, Trains, Variant
 
 MOST = 20_000  # sets of a variant that are sized
 GIVEN, MOMENT, REDUCTION = "given", "moment", "reduction"  # where the torque comes from

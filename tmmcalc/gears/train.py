@@ -4,74 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from fractions import Fraction
-from typing import Literal
 
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.core.records import record
-from tmmcalc.gears.layouts import Layout
-from tmmcalc.gears.model import Interval, ToothSets, TrainTask
-from tmmcalc.gears.radial import RadialShape
+from tmmcalc.gears.advice import remedies, why_none
+from tmmcalc.gears.model import ToothSets, TrainTask
 from tmmcalc.gears.search.measures import block_of
-from tmmcalc.gears.search.relaxation import Relaxation, relaxations
+from tmmcalc.gears.search.relaxation import relaxations
 from tmmcalc.gears.search.rounding import angle_error
-from tmmcalc.gears.search.search import KEPT, Synthesis, synthesise
+from tmmcalc.gears.search.search import Synthesis, synthesise
 from tmmcalc.gears.stepping import stepped
 from tmmcalc.gears.trace import found_by_textbook
+from tmmcalc.gears.trains import Request, Trains, Variant
 
 Told = Callable[[float, str], None]  # part of the work that is done, a few words
-
-
-@record
-class Request:
-    """What is asked of one layout with one number of planets."""
-
-    task: TrainTask
-    kind: str  # of the ratio: u, i_1H, i_H1, i_14
-    nominal: Fraction  # ratio of that kind
-    admitted: Interval  # ratios of that kind
-    relative: bool = True  # whether the tolerance was put as a part of the ratio
-    method: Literal["complete", "textbook"] = "complete"
-    keep: int = KEPT  # most sets that are held
-    remarks: tuple[str, ...] = ()  # what is unusual about the task
-    radial: RadialShape | None = None  # of 2A-AA, if it is given
-
-    @property
-    def scheme(self) -> Layout:
-        """The layout itself."""
-        return self.task.scheme
-
-    @property
-    def title(self) -> str:
-        """The layout in a sentence, with the number of planets."""
-        parallel = "planets" if self.scheme.planetary else "layshafts"
-        branches = f" with {self.task.planets} {parallel if self.task.planets > 1 else parallel[:-1]}"
-        return f"{self.task.layout}{branches if self.scheme.branched else ''}"
-
-
-@record
-class Variant:
-    """The tooth sets of one layout with one number of planets."""
-
-    request: Request
-    synthesis: Synthesis
-    textbook: np.ndarray | None  # whether the textbook's program finds each set (n,); None: it has none for this task
-    relaxations: tuple[Relaxation, ...] = ()  # changes that would give sets, if there are none
-    error: float = 0.0  # of the operating angles, relative to the largest; 0: all are exactly that of the rack
-
-    @property
-    def sets(self) -> ToothSets:
-        """The sets that are held."""
-        return self.synthesis.sets
-
-
-@record
-class Trains:
-    """The variants in the order in which they were asked for."""
-
-    variants: tuple[Variant, ...]
 
 
 def solve_train(requests: tuple[Request, ...], tell: Told | None = None) -> Trains:
@@ -130,8 +77,6 @@ def _programs(task: TrainTask) -> Iterator[tuple[tuple[int, ...], ToothSets]]:
 
 
 def _no_solution(variants: tuple[Variant, ...]) -> NoSolutionError:
-    from tmmcalc.gears.advice import remedies, why_none
-
     message = "\n  ".join(line for variant in variants for line in why_none(variant))
     advice = [f"{variant.request.title}: {text}" for variant in variants for text in remedies(variant)]
     if len(variants) == 1:

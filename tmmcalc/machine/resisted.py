@@ -15,9 +15,9 @@ from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.core.numerics.radau import radau
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.onemass import onto
-from tmmcalc.machine.positional import LEVELS, WHERE, free
 from tmmcalc.machine.regime import Regime, regime_of
 from tmmcalc.machine.regimeerrors import ROUNDED
+from tmmcalc.machine.unresisted import LEVELS, WHERE, free
 
 RAISED = 0.2  # to the logarithm of the energy's level, where the first guess of it does not last
 MEAN = 1e-14  # relative deviation of the mean speed

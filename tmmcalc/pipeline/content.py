@@ -6,7 +6,7 @@ import io
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from tmmcalc.core.stage import Table
+from tmmcalc.core.stored import Table
 
 _EPOCH = (1980, 1, 1, 0, 0, 0)  # zip cannot do without a time; this is its zero
 BLOCK = 4096  # rows of a CSV that are written at once

@@ -18,7 +18,7 @@ from dataclasses import asdict
 from typing import Any
 
 from tmmcalc.core.records import record
-from tmmcalc.core.stage import Record
+from tmmcalc.core.stored import Record
 from tmmcalc.pipeline.plain import plain_table
 
 _HEAD = "# Written by tmmcalc. A change by hand is noticed, and the stage is computed again.\n\n"

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from tmmcalc.core.plan import Plan
 from tmmcalc.core.records import record
-from tmmcalc.core.stage import Record, Stage, Table
+from tmmcalc.core.stage import Stage
+from tmmcalc.core.stored import Record, Table
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from tmmcalc.core.stage import Record
+from tmmcalc.core.stored import Record
 
 
 def plain_record(record: Record) -> Record:

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.core.plan import Plan, known_stage, plan
-from tmmcalc.core.stage import Stage, Upstream, matches, of_scene
+from tmmcalc.core.stage import Stage, Upstream, of_scene
+from tmmcalc.core.stored import matches
 from tmmcalc.pipeline.accuracy import check_accuracy
 from tmmcalc.pipeline.outcome import Event, Outcome, RunResult
 from tmmcalc.pipeline.plain import plain_record

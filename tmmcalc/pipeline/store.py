@@ -15,7 +15,8 @@ from pathlib import Path
 from tmmcalc.core.atomic import blamed_on, remove_leftovers, replace_file, sync_folder
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
-from tmmcalc.core.stage import CSV_ROWS, Record, Table
+from tmmcalc.core.stage import CSV_ROWS
+from tmmcalc.core.stored import Record, Table
 from tmmcalc.pipeline import content, manifest
 from tmmcalc.pipeline.lock import locked
 from tmmcalc.pipeline.manifest import Manifest, Provenance, Seal

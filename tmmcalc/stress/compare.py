@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.records import record
-from tmmcalc.core.stage import Table
+from tmmcalc.core.stored import Table
 from tmmcalc.core.told import facts
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.stress.stages import between, in_millimetres

@@ -15,7 +15,7 @@ from cams.turns import task_of, turn
 from tmmcalc.cams.pictures.cam_pressure import pressure_figure
 from tmmcalc.cams.pictures.cam_synthesis import synthesis_figure
 from tmmcalc.cams.pictures.zone import LIMIT, ZONE
-from tmmcalc.cams.pressure import solve_pressure
+from tmmcalc.cams.pressure.solve import solve_pressure
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits
 

@@ -10,7 +10,7 @@ from tmmcalc.cams.facts.cam_pressure import document as pressure_document
 from tmmcalc.cams.facts.cam_pressure import summary as pressure_summary
 from tmmcalc.cams.facts.cam_synthesis import document as synthesis_document
 from tmmcalc.cams.facts.cam_synthesis import summary as synthesis_summary
-from tmmcalc.cams.pressure import solve_pressure
+from tmmcalc.cams.pressure.solve import solve_pressure
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits
 

@@ -26,7 +26,7 @@ from tmmcalc.gears.pictures.endview import extent
 from tmmcalc.gears.pictures.placed import PlacedTrain, placed
 from tmmcalc.gears.pictures.scheme import scheme_sheet
 from tmmcalc.gears.pictures.train import train_figure
-from tmmcalc.gears.train import Trains
+from tmmcalc.gears.trains import Trains
 from tmmcalc.project import load_spec
 from tmmcalc.report.drawing.page import blank, settle
 

@@ -19,7 +19,7 @@ from tmmcalc.gears.search.search import synthesise
 from tmmcalc.gears.stepping import stepped
 from tmmcalc.gears.tables.tasks.train import to_train
 from tmmcalc.gears.trace import found_by_textbook
-from tmmcalc.gears.train import Trains, Variant
+from tmmcalc.gears.trains import Trains, Variant
 from tmmcalc.pipeline.runner import run
 
 CASES: dict[str, Any] = {

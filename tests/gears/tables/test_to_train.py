@@ -10,7 +10,7 @@ from project.scenes import TRAIN
 
 from tmmcalc.gears.model import Interval
 from tmmcalc.gears.tables.tasks.train import to_train
-from tmmcalc.gears.train import Request
+from tmmcalc.gears.trains import Request
 from tmmcalc.pipeline.hashing import content_hash
 from tmmcalc.project import parse_spec
 

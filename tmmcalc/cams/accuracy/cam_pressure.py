@@ -13,7 +13,8 @@ import numpy as np
 from tmmcalc.cams.accuracy.sides import beside
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure import Pressure, pressure, reached
+from tmmcalc.cams.pressure.angle import pressure, reached
+from tmmcalc.cams.pressure.solve import Pressure
 from tmmcalc.cams.program import TURN, Program
 from tmmcalc.cams.task import CamTask
 from tmmcalc.cams.wide import wide

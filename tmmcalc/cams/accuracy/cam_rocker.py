@@ -14,7 +14,7 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.cams.pressure import limited_phases
+from tmmcalc.cams.pressure.angle import limited_phases
 from tmmcalc.cams.synthesis import oscillating
 from tmmcalc.cams.synthesis.aims import Distance
 from tmmcalc.cams.synthesis.exchange import Best, best

@@ -18,7 +18,7 @@ import numpy as np
 from tmmcalc.cams.accuracy.cam_rocker import MANY, RASTER, rocker
 from tmmcalc.cams.accuracy.sides import beside
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure import limited_phases
+from tmmcalc.cams.pressure.angle import limited_phases
 from tmmcalc.cams.program import TURN
 from tmmcalc.cams.synthesis.flat import find
 from tmmcalc.cams.synthesis.results import Synthesis

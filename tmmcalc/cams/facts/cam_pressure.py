@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.cams.pressure import Pressure, Reached, pressure_columns
+from tmmcalc.cams.pressure.angle import Reached
+from tmmcalc.cams.pressure.solve import Pressure, pressure_columns
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
 

@@ -11,7 +11,7 @@ from tmmcalc.cams.forces.results import ForceExtreme, Reserve, SpringFound
 from tmmcalc.cams.forces.state import Carried, State, carried, state
 from tmmcalc.cams.forces.turn import Points, at_angles, crossings, divided, smooth_panels, spans
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure import check_reach, terms
+from tmmcalc.cams.pressure.angle import check_reach, terms
 from tmmcalc.cams.steadying import steady
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.errors import SingularityError

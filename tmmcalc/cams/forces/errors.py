@@ -12,7 +12,7 @@ from tmmcalc.cams.forces.state import Carried, State, pivot_force, state
 from tmmcalc.cams.forces.turn import Points, acceleration, at_rows
 from tmmcalc.cams.forces.widespring import exact_carried, exact_spring, spring_error
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.pressure import terms
+from tmmcalc.cams.pressure.angle import terms
 from tmmcalc.cams.program import TURN
 from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, chosen, joints, nearer, relative, sides, steep
 from tmmcalc.cams.task import CamTask, Loads

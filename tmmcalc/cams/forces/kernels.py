@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure import terms
+from tmmcalc.cams.pressure.angle import terms
 
 Number = Values | float
 Mask = NDArray[np.bool_]

@@ -7,7 +7,7 @@ from math import degrees
 
 from tmmcalc.cams.optimum.results import Choice
 from tmmcalc.cams.optimum.scene import Scene
-from tmmcalc.cams.pressure import Reached
+from tmmcalc.cams.pressure.angle import Reached
 from tmmcalc.cams.task import CamTask
 
 

@@ -23,7 +23,7 @@ from tmmcalc.cams.optimum.results import CamOptimum, Choice
 from tmmcalc.cams.optimum.scene import WHERE, Phases, Scene, scene_of
 from tmmcalc.cams.optimum.section import section_of
 from tmmcalc.cams.optimum.steps import Candidates, Found, search
-from tmmcalc.cams.pressure import reached
+from tmmcalc.cams.pressure.angle import reached
 from tmmcalc.cams.task import CamTask, Optimum
 from tmmcalc.core.errors import NoSolutionError, UsageError
 

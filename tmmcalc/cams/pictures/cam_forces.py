@@ -19,7 +19,7 @@ from tmmcalc.cams.forces.state import pivot_force
 from tmmcalc.cams.forces.turn import at_angles, loads_of
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
-from tmmcalc.cams.pressure import halved, on_phase
+from tmmcalc.cams.pressure.angle import halved, on_phase
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.report.drawing.curves import Diagram, Line, bottom, mark
 from tmmcalc.report.drawing.labels import Labels, signed

@@ -10,7 +10,8 @@ from matplotlib.figure import Figure
 
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
-from tmmcalc.cams.pressure import Pressure, Reached, halved, pressure
+from tmmcalc.cams.pressure.angle import Reached, halved, pressure
+from tmmcalc.cams.pressure.solve import Pressure
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.curves import DOTTED, bottom, frame, mark
 from tmmcalc.report.drawing.labels import Labels, signed

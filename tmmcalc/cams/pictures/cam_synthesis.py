@@ -14,7 +14,7 @@ from tmmcalc.cams.pictures.phaseplane import draw_plane, name_axes
 from tmmcalc.cams.pictures.rockers import content_of as rocker_content
 from tmmcalc.cams.pictures.rockers import draw_rockers
 from tmmcalc.cams.pictures.zone import BASE, LIMIT, OTHER, PASSING, ZONE
-from tmmcalc.cams.pressure import Reached
+from tmmcalc.cams.pressure.angle import Reached
 from tmmcalc.cams.synthesis.results import Design, Synthesis
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.board import Board

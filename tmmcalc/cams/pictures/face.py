@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import SubFigure
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.pressure import halved
+from tmmcalc.cams.pressure.angle import halved
 from tmmcalc.cams.synthesis.results import Convexity
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.curves import bottom, frame, mark

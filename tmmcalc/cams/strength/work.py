@@ -12,7 +12,7 @@ from tmmcalc.cams.forces.course import Course
 from tmmcalc.cams.forces.state import State, state
 from tmmcalc.cams.forces.turn import Points, at_angles
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure import terms
+from tmmcalc.cams.pressure.angle import terms
 from tmmcalc.cams.steadying import steady
 from tmmcalc.cams.strength.kernels import flat_radius, rolling
 from tmmcalc.cams.task import CamTask, Loads, Requirements

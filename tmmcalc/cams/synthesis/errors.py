@@ -20,8 +20,8 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower, contact_path, curvature
 from tmmcalc.cams.pivot import PivotRoom
-from tmmcalc.cams.pressure import Extreme, Reached, pressure
-from tmmcalc.cams.pressureerrors import reached_errors
+from tmmcalc.cams.pressure.angle import Extreme, Reached, pressure
+from tmmcalc.cams.pressure.errors import reached_errors
 from tmmcalc.cams.program import Positions, Program
 from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, nearer, sides
 from tmmcalc.cams.synthesis.results import Convexity, RollerChoice

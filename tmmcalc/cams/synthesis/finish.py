@@ -8,7 +8,7 @@ from math import ceil
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pivot import PivotRoom, pivot_room, told
-from tmmcalc.cams.pressure import Reached, reached, remarks
+from tmmcalc.cams.pressure.angle import Reached, reached, remarks
 from tmmcalc.cams.synthesis import roller
 from tmmcalc.cams.synthesis.errors import size_errors
 from tmmcalc.cams.synthesis.results import Design, Region, Size, Synthesis

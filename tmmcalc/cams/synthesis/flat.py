@@ -6,7 +6,7 @@ stands at -S' from the follower's axis, so the face reaches max S' on one side a
 
 from __future__ import annotations
 
-from tmmcalc.cams.pressure import Extreme, halved
+from tmmcalc.cams.pressure.angle import Extreme, halved
 from tmmcalc.cams.synthesis.results import Convexity
 from tmmcalc.cams.task import CamTask
 

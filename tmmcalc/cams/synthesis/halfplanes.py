@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.pressure import limited_phases
+from tmmcalc.cams.pressure.angle import limited_phases
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.numerics.panels import Panels

@@ -7,7 +7,7 @@ import numpy as np
 from tmmcalc.cams.follower import Follower, FollowerKind
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.pivot import PivotRoom
-from tmmcalc.cams.pressure import Extreme, Reached
+from tmmcalc.cams.pressure.angle import Extreme, Reached
 from tmmcalc.cams.rounding import Errors
 from tmmcalc.core.records import record
 

@@ -16,7 +16,7 @@ from math import acos, atan, cos, hypot, pi, sin, sqrt, tan
 import numpy as np
 
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure import limited_phases
+from tmmcalc.cams.pressure.angle import limited_phases
 from tmmcalc.cams.synthesis.region import polygon
 from tmmcalc.cams.synthesis.results import PLANE, Region
 from tmmcalc.cams.task import CamTask

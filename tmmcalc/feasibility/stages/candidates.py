@@ -13,7 +13,7 @@ from typing import Any
 from tmmcalc.core.errors import NoSolutionError, TmmError
 from tmmcalc.core.stage import Upstream
 from tmmcalc.feasibility.judge import Candidate, Feasibility, FeasibilityTask
-from tmmcalc.feasibility.stages.feasibility import judged
+from tmmcalc.feasibility.stages.judged import judged
 
 
 def judge_designs(task: FeasibilityTask, upstream: Upstream) -> Feasibility:

@@ -20,7 +20,8 @@ from tmmcalc.gears.columns import ratios
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.search.search import synthesise
 from tmmcalc.gears.stepping import PROGRAMS
-from tmmcalc.gears.train import Request, programmed
+from tmmcalc.gears.train import programmed
+from tmmcalc.gears.trains import Request
 
 PARTS = (0.4, 0.6, 0.8, 1.0)  # of the largest number of teeth
 

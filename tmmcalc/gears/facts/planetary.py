@@ -16,7 +16,7 @@ from tmmcalc.gears.gearingtask import layout_task
 from tmmcalc.gears.kinds import from_tooth_ratio, to_tooth_ratio
 from tmmcalc.gears.losses import layout_efficiencies, usual_efficiencies
 from tmmcalc.gears.network.choice import proposals
-from tmmcalc.gears.train import Request, Trains, Variant
+from tmmcalc.gears.trains import Request, Trains, Variant
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 

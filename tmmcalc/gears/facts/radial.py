@@ -16,7 +16,7 @@ from tmmcalc.gears.radial import (
     real_teeth,
     usual_assembly,
 )
-from tmmcalc.gears.train import Request
+from tmmcalc.gears.trains import Request
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 

@@ -12,7 +12,7 @@ from tmmcalc.gears.advice import called, remedies, removals, why_none
 from tmmcalc.gears.bounds import step_bounds
 from tmmcalc.gears.columns import set_columns, stacked
 from tmmcalc.gears.model import Interval, TrainTask
-from tmmcalc.gears.train import Request, Trains, Variant
+from tmmcalc.gears.trains import Request, Trains, Variant
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 

@@ -15,7 +15,7 @@ from tmmcalc.gears.pictures.words import CRITERIA, layout_name, ratio_text, teet
 from tmmcalc.gears.selection.results import Pool, Selection
 from tmmcalc.gears.selection.solve import speed_ratio
 from tmmcalc.gears.sizing import rows_of
-from tmmcalc.gears.train import Trains
+from tmmcalc.gears.trains import Trains
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import blank, settle
 from tmmcalc.report.numbers import number

@@ -24,7 +24,7 @@ from tmmcalc.gears.network.curves import Curve, efficiency_over_ratio, efficienc
 from tmmcalc.gears.network.types import efficiency
 from tmmcalc.gears.proportion import RANGE, RANGE_INTERNAL, curve, equal_strength
 from tmmcalc.gears.radial import ratio_limits
-from tmmcalc.gears.train import Request, Variant
+from tmmcalc.gears.trains import Request, Variant
 from tmmcalc.report.drawing.labels import Labels, signed
 from tmmcalc.report.drawing.style import CURVES, INK
 from tmmcalc.report.numbers import number

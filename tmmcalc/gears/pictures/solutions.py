@@ -15,7 +15,7 @@ from tmmcalc.gears.advice import called, removals
 from tmmcalc.gears.columns import ratios
 from tmmcalc.gears.pictures.words import KINDS, layout_name, teeth_text
 from tmmcalc.gears.search.measures import coprime_meshes
-from tmmcalc.gears.train import Request, Variant
+from tmmcalc.gears.trains import Request, Variant
 from tmmcalc.report.drawing.labels import Labels, signed
 from tmmcalc.report.drawing.style import INK, MARK
 

@@ -17,7 +17,7 @@ from tmmcalc.gears.pictures.scheme import scheme_sheet
 from tmmcalc.gears.pictures.solutions import solutions_sheet
 from tmmcalc.gears.pictures.words import layout_name, ratio_text, teeth_text
 from tmmcalc.gears.search.measures import tooth_ratio
-from tmmcalc.gears.train import Trains, Variant
+from tmmcalc.gears.trains import Trains, Variant
 from tmmcalc.report.drawing.labels import signed
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import blank, settle

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tmmcalc.gears.proportion import equal_strength
 from tmmcalc.gears.selection.results import Guide
 from tmmcalc.gears.split import CRITERIA, best_split, equal_diameters
-from tmmcalc.gears.train import Request
+from tmmcalc.gears.trains import Request
 
 TIED = ("coaxial", "AA", "AI")  # layouts with a module ratio of equal strength
 

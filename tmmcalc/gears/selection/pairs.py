@@ -25,7 +25,7 @@ from tmmcalc.gears.selection.task import SelectionTask
 from tmmcalc.gears.sizing import Sized, first_sets, rows_of
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.task import StrengthTask
-from tmmcalc.gears.train import Request
+from tmmcalc.gears.trains import Request
 
 SERIES = "AIbar + AIbar"
 LAYOUT = "AIbar"

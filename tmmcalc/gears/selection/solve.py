@@ -26,7 +26,7 @@ from tmmcalc.gears.selection.results import MEASURES, Pairs, Pool, Selection, We
 from tmmcalc.gears.selection.task import ROW, WEIGHTED, SelectionTask
 from tmmcalc.gears.sizing import Sized, Sizing, rows_of
 from tmmcalc.gears.strength.explain import reason as why
-from tmmcalc.gears.train import Request, Trains
+from tmmcalc.gears.trains import Request, Trains
 
 
 def solve_selection(trains: Trains, sizing: Sizing, task: SelectionTask) -> Selection:

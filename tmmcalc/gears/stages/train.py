@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import said
 from tmmcalc.feasibility.tables.tasks.kept_rows import kept_rows
-from tmmcalc.gears.train import Request, Trains
+from tmmcalc.gears.trains import Request, Trains
 from tmmcalc.gears.wanted import NO_KEPT
 
 if TYPE_CHECKING:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any, get_type_hints
 import numpy as np
 
 from tmmcalc.core.conversion import plain, restore
-from tmmcalc.core.stage import Record, said
+from tmmcalc.core.stage import said
+from tmmcalc.core.stored import Record
 from tmmcalc.linkage.results import Kinematics, Method, Trace
 from tmmcalc.linkage.wanted import NO_CSV, is_long
 

@@ -18,7 +18,7 @@ from tmmcalc.core.errors import NoSolutionError, TmmError
 from tmmcalc.feasibility.judge import Feasibility, FeasibilityTask
 from tmmcalc.feasibility.rule import failing, may_hold
 from tmmcalc.feasibility.stages.candidates import of_ready
-from tmmcalc.feasibility.stages.feasibility import judged
+from tmmcalc.feasibility.stages.judged import judged
 from tmmcalc.linkage.synthesis.results import Design, Synthesis
 
 Another = Callable[[str, Sequence[str]], Mapping[str, Any]]  # solves stages of a spec by its text

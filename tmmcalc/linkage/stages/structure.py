@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.conversion import plain, restore
-from tmmcalc.core.stage import Record
+from tmmcalc.core.stored import Record
 from tmmcalc.linkage.structure import Structure, skeleton, solve_structure
 
 if TYPE_CHECKING:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmmcalc.core.records import record
-from tmmcalc.core.stage import Late, Table, Upstream, said
+from tmmcalc.core.stage import Upstream, said
+from tmmcalc.core.stored import Late, Table
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 

@@ -18,7 +18,6 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.records import record
 from tmmcalc.machine.motors.characteristics import N
-from tmmcalc.machine.motors.model import Interpolation
 
 INTERPOLATIONS = ("linear", "pchip")
 Piece = tuple[float, float, float, float]  # cubic by falling powers of omega - origin
@@ -74,9 +73,7 @@ class Table:
         return omega - self.edges[np.maximum(k - 1, 0)], self.columns[:, k]
 
 
-def table(
-    points: Sequence[tuple[float, float]], interpolation: Interpolation = "linear", nominal: float | None = None
-) -> Table:
+def table(points: Sequence[tuple[float, float]], interpolation: str = "linear", nominal: float | None = None) -> Table:
     """Characteristic through ``points`` (omega [rad/s], M [N*m]), ascending in omega.
 
     "linear" joins them by lines, "pchip" by monotone cubics (Fritsch and Carlson); beyond the ends the moment goes

@@ -9,7 +9,8 @@ import numpy as np
 
 from tmmcalc.core.conversion import restore
 from tmmcalc.core.records import record
-from tmmcalc.core.stage import Late, Record, Table, said
+from tmmcalc.core.stage import said
+from tmmcalc.core.stored import Late, Record, Table
 from tmmcalc.linkage.wanted import NO_CSV, is_long
 from tmmcalc.machine.wanted import shakes
 

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.core.stage import Table, said
+from tmmcalc.core.stage import said
+from tmmcalc.core.stored import Table
 from tmmcalc.machine.model import DriveShaft, FlywheelTask, Gears, MotionTask, MotorChoice, TransientTask
 from tmmcalc.machine.transient.columns import timed_columns
 from tmmcalc.machine.transient.timed import TimedMotions

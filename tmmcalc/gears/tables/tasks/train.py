@@ -13,7 +13,7 @@ from tmmcalc.gears.layouts import Layout, layout_of
 from tmmcalc.gears.model import Demands, Interval, Limits, TrainTask
 from tmmcalc.gears.radial import RadialShape, angle_ratios
 from tmmcalc.gears.strength.series import eighths
-from tmmcalc.gears.train import Request
+from tmmcalc.gears.trains import Request
 
 if TYPE_CHECKING:
     from tmmcalc.gears.room import GearTables

@@ -18,9 +18,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.pressureerrors import pressure_errors
 from tmmcalc.cams.program import Program
-from tmmcalc.cams.rounding import Errors
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import SingularityError
 from tmmcalc.core.numerics.panels import Panels, resolved
@@ -56,21 +54,6 @@ class Reached:
     def excess(self) -> float:
         """By how much |theta| is beyond the limit, negative if it is within; 0 without a limit."""
         return 0.0 if self.limit is None else abs(self.worst.value) - self.limit
-
-
-@record
-class Pressure:
-    """Stage ``cam_pressure``: theta over the turn."""
-
-    follower: Follower
-    phi: Values  # (n,) [rad]
-    theta: Values  # (n,) [rad]
-    labels: tuple[str, ...]  # of the positions
-    rise: Reached
-    back: Reached
-    verdict: str  # "ok" or "pressure_angle_exceeded"
-    notes: tuple[str, ...]
-    error: Errors  # estimates, relative: of theta, its extremes, the angles where it is exceeded
 
 
 def terms(follower: Follower, motion: Values, start: Values | float, offset: Values | float) -> tuple[Values, Values]:
@@ -135,20 +118,6 @@ def check_reach(program: Program, follower: Follower) -> None:
         limit=0.0 if low <= 0 else pi,
         remedy="keep psi between 0 and 180 deg: change start_angle, centre_distance, the stroke or the law",
     )
-
-
-def solve_pressure(task: CamTask, follower: Follower) -> Pressure:
-    """theta at the positions, its exact extremes on rise and return, and where the limits are exceeded.
-
-    Raises `SingularityError` for a follower that comes to the cam's axis.
-    """
-    at = task.positions
-    rise, back = reached(task, follower)
-    theta = pressure(follower, at.phi, task.motion)
-    notes = (*remarks("rise", rise), *remarks("return", back))
-    verdict = "pressure_angle_exceeded" if rise.exceeded or back.exceeded else "ok"
-    error = pressure_errors(task, follower, theta, (rise, back))
-    return Pressure(follower, at.phi, theta, at.labels, rise, back, verdict, notes, error)
 
 
 def reached(task: CamTask, follower: Follower, intervals: bool = True) -> tuple[Reached, Reached]:
@@ -230,14 +199,3 @@ def remarks(phase: str, on: Reached) -> list[str]:
         f"warning: on the {phase} |theta| reaches {np.degrees(abs(on.worst.value)):.6g} deg, beyond the limit of "
         f"{np.degrees(on.limit):.6g} deg, for phi from {where}"
     ]
-
-
-def pressure_columns(result: Pressure) -> dict[str, Values]:
-    """The table: positions, theta and the transmission angle by their headers."""
-    theta = np.degrees(result.theta)
-    return {
-        "i": np.array(result.labels),
-        "phi[deg]": np.degrees(result.phi),
-        "theta[deg]": theta,
-        "gamma[deg]": 90 - np.abs(theta),
-    }

@@ -3,27 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.pressure.angle import Reached, pressure
 from tmmcalc.cams.program import TURN, Program
 from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, again, chosen, nearer, relative, root_error, sides, steep
 from tmmcalc.cams.task import CamTask
 from tmmcalc.cams.wide import wide
-
-if TYPE_CHECKING:
-    from tmmcalc.cams.pressure import Reached
 
 BESIDE = 1e-6  # [rad] of the differences at the ends of an interval
 
 
 def pressure_errors(task: CamTask, follower: Follower, theta: Values, ends: tuple[Reached, Reached]) -> Errors:
     """Estimates of theta (n,) at the rows and of its extremes, relative to the largest, and of the intervals."""
-    from tmmcalc.cams.pressure import pressure
-
     program, rows = task.program, task.positions
     which = chosen(len(theta), theta, *steep(rows.phi, task.motion))
     phi, motion = again(program, rows, which)
@@ -34,8 +29,6 @@ def pressure_errors(task: CamTask, follower: Follower, theta: Values, ends: tupl
 
 def reached_errors(program: Program, follower: Follower, ends: tuple[Reached, Reached]) -> Errors:
     """Estimates of the extremes on rise and return, and of the intervals beyond a limit over a turn."""
-    from tmmcalc.cams.pressure import pressure
-
     extremes = [each for on in ends for each in (on.least, on.largest)]
     at = sides(program, np.array([each.phi for each in extremes]))
     phi, found = wide(at.phi), [each.value for each in extremes]
@@ -47,8 +40,6 @@ def reached_errors(program: Program, follower: Follower, ends: tuple[Reached, Re
 
 def _bounds(program: Program, follower: Follower, ends: tuple[Reached, Reached]) -> Iterator[float]:
     """By how much the ends of the intervals miss the limit, as angles; ends of a phase are exact."""
-    from tmmcalc.cams.pressure import pressure
-
     for on in ends:
         for phi in (each for interval in on.exceeded for each in interval):
             if on.limit is None or np.min(np.abs(program.edges - phi)) < 4 * BESIDE:

@@ -1,0 +1,53 @@
+"""The pressure angle over the turn of the cam, against its limits."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.pressure.angle import Reached, pressure, reached, remarks
+from tmmcalc.cams.pressure.errors import pressure_errors
+from tmmcalc.cams.rounding import Errors
+from tmmcalc.cams.task import CamTask
+from tmmcalc.core.records import record
+
+
+@record
+class Pressure:
+    """Stage ``cam_pressure``: theta over the turn."""
+
+    follower: Follower
+    phi: Values  # (n,) [rad]
+    theta: Values  # (n,) [rad]
+    labels: tuple[str, ...]  # of the positions
+    rise: Reached
+    back: Reached
+    verdict: str  # "ok" or "pressure_angle_exceeded"
+    notes: tuple[str, ...]
+    error: Errors  # estimates, relative: of theta, its extremes, the angles where it is exceeded
+
+
+def solve_pressure(task: CamTask, follower: Follower) -> Pressure:
+    """theta at the positions, its exact extremes on rise and return, and where the limits are exceeded.
+
+    Raises `SingularityError` for a follower that comes to the cam's axis.
+    """
+    at = task.positions
+    rise, back = reached(task, follower)
+    theta = pressure(follower, at.phi, task.motion)
+    notes = (*remarks("rise", rise), *remarks("return", back))
+    verdict = "pressure_angle_exceeded" if rise.exceeded or back.exceeded else "ok"
+    error = pressure_errors(task, follower, theta, (rise, back))
+    return Pressure(follower, at.phi, theta, at.labels, rise, back, verdict, notes, error)
+
+
+def pressure_columns(result: Pressure) -> dict[str, Values]:
+    """The table: positions, theta and the transmission angle by their headers."""
+    theta = np.degrees(result.theta)
+    return {
+        "i": np.array(result.labels),
+        "phi[deg]": np.degrees(result.phi),
+        "theta[deg]": theta,
+        "gamma[deg]": 90 - np.abs(theta),
+    }

@@ -1,0 +1,65 @@
+"""What is asked of a gear train by one layout and number of planets, and the tooth sets that there are."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Literal
+
+import numpy as np
+
+from tmmcalc.core.records import record
+from tmmcalc.gears.layouts import Layout
+from tmmcalc.gears.model import Interval, ToothSets, TrainTask
+from tmmcalc.gears.radial import RadialShape
+from tmmcalc.gears.search.relaxation import Relaxation
+from tmmcalc.gears.search.search import KEPT, Synthesis
+
+
+@record
+class Request:
+    """What is asked of one layout with one number of planets."""
+
+    task: TrainTask
+    kind: str  # of the ratio: u, i_1H, i_H1, i_14
+    nominal: Fraction  # ratio of that kind
+    admitted: Interval  # ratios of that kind
+    relative: bool = True  # whether the tolerance was put as a part of the ratio
+    method: Literal["complete", "textbook"] = "complete"
+    keep: int = KEPT  # most sets that are held
+    remarks: tuple[str, ...] = ()  # what is unusual about the task
+    radial: RadialShape | None = None  # of 2A-AA, if it is given
+
+    @property
+    def scheme(self) -> Layout:
+        """The layout itself."""
+        return self.task.scheme
+
+    @property
+    def title(self) -> str:
+        """The layout in a sentence, with the number of planets."""
+        parallel = "planets" if self.scheme.planetary else "layshafts"
+        branches = f" with {self.task.planets} {parallel if self.task.planets > 1 else parallel[:-1]}"
+        return f"{self.task.layout}{branches if self.scheme.branched else ''}"
+
+
+@record
+class Variant:
+    """The tooth sets of one layout with one number of planets."""
+
+    request: Request
+    synthesis: Synthesis
+    textbook: np.ndarray | None  # whether the textbook's program finds each set (n,); None: it has none for this task
+    relaxations: tuple[Relaxation, ...] = ()  # changes that would give sets, if there are none
+    error: float = 0.0  # of the operating angles, relative to the largest; 0: all are exactly that of the rack
+
+    @property
+    def sets(self) -> ToothSets:
+        """The sets that are held."""
+        return self.synthesis.sets
+
+
+@record
+class Trains:
+    """The variants in the order in which they were asked for."""
+
+    variants: tuple[Variant, ...]
