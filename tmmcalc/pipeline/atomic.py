@@ -50,9 +50,9 @@ def replace_file(path: Path, data: bytes, sealed: bool = False) -> bool:
 
 def remove_leftovers(folder: Path) -> None:
     """Remove the temporary files of killed runs; the caller must hold the lock of the folder."""
-    for name in os.listdir(folder):
-        if _LEFTOVER.fullmatch(name):
-            (folder / name).unlink(missing_ok=True)
+    for entry in folder.iterdir():
+        if _LEFTOVER.fullmatch(entry.name):
+            entry.unlink(missing_ok=True)
 
 
 def _holds(path: Path, data: bytes) -> bool:
