@@ -74,7 +74,7 @@ class Scene:
 
 def by_panel(values: Values, panels: int) -> Values:
     """Values (..., M) at the nodes of so many panels as those of every panel (..., K, N + 2)."""
-    return np.swapaxes(values.reshape(*values.shape[:-1], -1, panels), -1, -2)
+    return np.swapaxes(values.reshape(*values.shape[:-1], values.shape[-1] // panels, panels), -1, -2)
 
 
 def scene_of(task: CamTask, follower: Follower, phases: Phases = "turn", denser: int = 1) -> Scene:
