@@ -8,7 +8,7 @@ computation. Here all records share theirs, and a class only keeps the names of 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field
+from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field, fields, is_dataclass
 from inspect import get_annotations
 from typing import Any, NamedTuple, NoReturn, TypeVar, dataclass_transform
 
@@ -31,8 +31,8 @@ class _Late:
 
     def __get__(self, instance: object, owner: type[Any]) -> dict[str, Field[Any]]:
         found: Any = dataclass(init=False, repr=False, eq=False, match_args=False)(self.cls)
-        fields: dict[str, Field[Any]] = found.__dataclass_fields__
-        return fields
+        kept: dict[str, Field[Any]] = found.__dataclass_fields__
+        return kept
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
@@ -58,13 +58,21 @@ def record(cls: type[T]) -> type[T]:
     return cls
 
 
+def names_of(kind: type[Any]) -> tuple[str, ...] | None:
+    """Names of the fields of a record or another dataclass in their order; None of any other class."""
+    own: Names | None = getattr(kind, "__record__", None)
+    if own is not None:
+        return own.fields
+    return tuple(each.name for each in fields(kind)) if is_dataclass(kind) else None
+
+
 def _names(cls: type[Any]) -> Names:
-    fields = tuple(get_annotations(cls))
-    given = {name: cls.__dict__[name] for name in fields if name in cls.__dict__}
+    names = tuple(get_annotations(cls))
+    given = {name: cls.__dict__[name] for name in names if name in cls.__dict__}
     told = {name: value for name, value in given.items() if isinstance(value, Field)}
     defaults = {name: told[name].default if name in told else value for name, value in given.items()}
     return Names(
-        fields,
+        names,
         {name: value for name, value in defaults.items() if value is not MISSING},
         {name: each.default_factory for name, each in told.items() if each.default_factory is not MISSING},
     )
@@ -72,19 +80,19 @@ def _names(cls: type[Any]) -> Names:
 
 def _fill(self: Any, *args: Any, **named: Any) -> None:
     """Give every field its value; raise TypeError where one is missing, is given twice or is none of the record."""
-    fields, defaults, makers = self.__record__
+    names, defaults, makers = self.__record__
     values = self.__dict__
-    values.update(zip(fields, args, strict=False))
+    values.update(zip(names, args, strict=False))
     values.update(named)
-    if len(args) + len(named) != len(fields) or len(values) != len(fields):
-        for name in fields:
+    if len(args) + len(named) != len(names) or len(values) != len(names):
+        for name in names:
             if name in values:
                 continue
             if name not in defaults and name not in makers:
                 raise TypeError(f"{type(self).__qualname__}: field {name!r} is missing")
             values[name] = defaults[name] if name in defaults else makers[name]()
-    if len(values) != len(fields) or len(args) > len(fields) or not named.keys().isdisjoint(fields[: len(args)]):
-        raise TypeError(f"{type(self).__qualname__}: more is given than the fields {', '.join(fields)}")
+    if len(values) != len(names) or len(args) > len(names) or not named.keys().isdisjoint(names[: len(args)]):
+        raise TypeError(f"{type(self).__qualname__}: more is given than the fields {', '.join(names)}")
     if hasattr(self, "__post_init__"):
         self.__post_init__()
 

@@ -69,7 +69,7 @@ def crest(values: Values) -> Crest:
     found, (rows, panels, tops) = _begun(values, row, panel, node), _rivals(values, highest, panel)
     if not rows.size:
         return found
-    each = np.unique(rows)
+    each = rows[np.append(True, rows[1:] != rows[:-1])]  # np.unique imports the masked arrays
     rows, panels, tops = (np.append(old[each], new) for old, new in ((row, rows), (panel, panels), (node, tops)))
     high, _ = peak(_begun(values, rows, panels, tops))
     order = np.lexsort((high, rows))
