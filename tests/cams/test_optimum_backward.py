@@ -41,7 +41,7 @@ def test_extremes_take_the_sense_of_the_motion(offset):
     scene = scene_of(TASK, Follower("translating", START, offset))
     rows = np.flatnonzero(np.abs(scene.motion[1]) > 1e-9)
     assert np.array_equal(scene.sense[rows], np.sign(scene.motion[1][rows]))
-    each = scene.sense.reshape(scene.panels, -1)
+    each = scene.by_panel(scene.sense)
     assert np.array_equal(each.min(axis=1), each.max(axis=1))  # the friction turns between panels
     found = extremes(scene, np.array([START]), np.array([ROLLER]), np.array([TOP]))
     edges = np.concatenate((TASK.program.edges, [part.begin for part in TASK.backward]))

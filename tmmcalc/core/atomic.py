@@ -1,7 +1,8 @@
 """Files that are either old or new, never half of one.
 
-The new content goes to a temporary file in the same folder, is forced to the disk, and takes the name
-in one step. A file that has this content already is left alone, so its time stamp tells make the truth.
+The new content goes to a temporary file in the same folder and takes the name in one step, so a killed run leaves
+one of them. What could be damaged by a loss of power without being noticed is forced to the disk before. A file that
+has this content already is left alone, so its time stamp tells make the truth.
 """
 
 from __future__ import annotations
@@ -29,17 +30,18 @@ def blamed_on(path: Path, action: str) -> Iterator[None]:
         ) from error
 
 
-def replace_file(path: Path, data: bytes) -> bool:
+def replace_file(path: Path, data: bytes, sealed: bool = False) -> bool:
     """Give the file this content in one step; return False if it had it already and was not touched.
 
-    Raises UsageError if the file cannot be written; the old one is then still whole.
+    A ``sealed`` file is vouched for by a digest and is computed again where that does not fit: the system may take its
+    time to bring it to the disk. Raises UsageError if the file cannot be written; the old one is then still whole.
     """
     with blamed_on(path, "written"):
         if _holds(path, data):
             return False
         temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
         try:
-            _write_through(temporary, data)
+            _write(temporary, data, through=not sealed)
             temporary.replace(path)
         finally:
             temporary.unlink(missing_ok=True)
@@ -48,27 +50,18 @@ def replace_file(path: Path, data: bytes) -> bool:
 
 def remove_leftovers(folder: Path) -> None:
     """Remove the temporary files of killed runs; the caller must hold the lock of the folder."""
-    for entry in folder.glob(".*.tmp"):
+    for entry in folder.iterdir():
         if _LEFTOVER.fullmatch(entry.name):
             entry.unlink(missing_ok=True)
-
-
-def sync_folder(folder: Path) -> None:
-    """Force the names in a folder to the disk; Windows has no such call and does it by itself."""
-    if os.name == "posix":
-        handle = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(handle)
-        finally:
-            os.close(handle)
 
 
 def _holds(path: Path, data: bytes) -> bool:
     return path.is_file() and path.stat().st_size == len(data) and path.read_bytes() == data
 
 
-def _write_through(path: Path, data: bytes) -> None:
+def _write(path: Path, data: bytes, through: bool) -> None:
     with path.open("wb") as file:
         file.write(data)
-        file.flush()
-        os.fsync(file.fileno())
+        if through:
+            file.flush()
+            os.fsync(file.fileno())

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import fields, is_dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 from types import UnionType
 from typing import Any, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import names_of
 from tmmcalc.core.stored import Record
 
+PLAIN = frozenset((float, int, str, bool, type(None)))  # what TOML holds as it is
 LABELS = "labels"  # a field of this name is as long as the table: it goes to the arrays
 
 
@@ -40,7 +41,9 @@ def largest(errors: Sequence[Any]) -> dict[str, float]:
 
 def _check_finite(what: str, scalars: Any, arrays: Mapping[str, np.ndarray]) -> None:
     """Refuse NaN and inf, which would spread through every later stage without a word."""
-    bad = next((f"{path} is {value:g}" for path, value in _numbers(scalars) if not math.isfinite(value)), None)
+    bad = None
+    if not _finite(scalars):
+        bad = next(f"{path} is {value:g}" for path, value in _numbers(scalars) if not math.isfinite(value))
     if bad is None:
         bad = next((_first_bad(path, array, arrays) for path, array in arrays.items() if not _sound(array)), None)
     if bad is not None:
@@ -49,6 +52,15 @@ def _check_finite(what: str, scalars: Any, arrays: Mapping[str, np.ndarray]) -> 
             where=what,
             remedy="look for a quantity far from the sizes of a machine, such as a wrong unit or exponent",
         )
+
+
+def _finite(value: Any) -> bool:
+    """Whether all floats in nested plain values are finite."""
+    if isinstance(value, float):
+        return math.isfinite(value)
+    if isinstance(value, dict | list):
+        return all(map(_finite, value.values() if isinstance(value, dict) else value))
+    return True
 
 
 def _numbers(value: Any, path: str = "") -> Iterator[tuple[str, float]]:
@@ -83,10 +95,12 @@ def plain(value: Any, arrays: dict[str, np.ndarray] | None = None, path: str = "
 
     Fields that are None are left out, as TOML has no null; in a list an empty table stands for it.
     """
-    if is_dataclass(value) and not isinstance(value, type):
-        pairs = ((f.name, getattr(value, f.name)) for f in fields(value))
-        found = ((name, _part(name, v, arrays, f"{path}.{name}" if path else name)) for name, v in pairs)
-        return {name: v for name, v in found if v is not None}
+    kind = type(value)
+    if kind in PLAIN:
+        return value
+    names = names_of(kind)
+    if names is not None:
+        return _table(value, names, arrays, f"{path}." if path else "")
     if isinstance(value, dict):
         return {str(k): plain(v, arrays, f"{path}.{k}") for k, v in value.items() if v is not None}
     if isinstance(value, tuple | list):
@@ -96,39 +110,72 @@ def plain(value: Any, arrays: dict[str, np.ndarray] | None = None, path: str = "
     return [value.real, value.imag] if isinstance(value, complex) else value
 
 
-def _part(name: str, value: Any, arrays: dict[str, np.ndarray] | None, path: str) -> Any:
-    """A field of a record; None if it went to the arrays."""
-    if arrays is not None and isinstance(value, np.ndarray):
-        arrays[path] = value
-        return None
-    if arrays is not None and name == LABELS:
-        arrays[path] = np.array(value)
-        return None
-    return plain(value, arrays, path)
+def _table(value: Any, names: tuple[str, ...], arrays: dict[str, np.ndarray] | None, start: str) -> dict[str, Any]:
+    """The fields of a record that did not go to the arrays; ``start`` is what their paths begin with."""
+    found: dict[str, Any] = {}
+    for name in names:
+        part = getattr(value, name)
+        if arrays is not None and isinstance(part, np.ndarray):
+            arrays[start + name] = part
+        elif arrays is not None and name == LABELS:
+            arrays[start + name] = np.array(part)
+        elif part is not None:
+            found[name] = plain(part, arrays, start + name)
+    return found
 
 
 def restore(kind: Any, data: Any, arrays: Mapping[str, np.ndarray] | None = None, path: str = "") -> Any:
     """The record of type ``kind`` that ``plain`` turned into ``data`` and ``arrays``."""
-    if arrays and path in arrays:
+    return _read(_reader(kind), data, arrays or {}, path)
+
+
+Reader = Callable[[Any, Mapping[str, np.ndarray], str], Any]  # of data, arrays and the path
+
+
+def _read(reader: Reader | None, data: Any, arrays: Mapping[str, np.ndarray], path: str) -> Any:
+    """What stands in the arrays under the path, else the data; without ``reader`` they are the value itself."""
+    if path in arrays:
         return tuple(arrays[path].tolist()) if path.rpartition(".")[2] == LABELS else arrays[path]
-    origin, args = get_origin(kind), get_args(kind)
-    if is_dataclass(kind) and isinstance(kind, type):
-        hints, start = _hints(kind), f"{path}." if path else ""
-        return kind(**{name: restore(hint, data.get(name), arrays, f"{start}{name}") for name, hint in hints.items()})
-    if origin in (Union, UnionType):
-        inner = next(a for a in args if a is not type(None))
-        return None if data is None or data == {} else restore(inner, data, arrays, path)
-    if origin is tuple:
-        kinds = [args[0]] * len(data) if args[-1] is Ellipsis else args
-        return tuple(restore(a, v, arrays, f"{path}.{k}") for k, (a, v) in enumerate(zip(kinds, data, strict=True)))
-    if origin is dict:
-        return {k: restore(args[1], v, arrays, f"{path}.{k}") for k, v in data.items()}
-    if kind is Fraction:
-        return Fraction(data)
-    return complex(*data) if kind is complex else data
+    return data if reader is None else reader(data, arrays, path)
 
 
 @cache
-def _hints(kind: type) -> dict[str, Any]:
-    """Type hints of a record class; resolving them takes a millisecond, and a result holds many of one class."""
-    return get_type_hints(kind)
+def _reader(kind: Any) -> Reader | None:
+    """What reads a value of a type; None: it is stored as it is. A result holds many values of one type."""
+    origin, args = get_origin(kind), get_args(kind)
+    if isinstance(kind, type) and names_of(kind) is not None:
+        return partial(_record, kind)
+    if origin in (Union, UnionType):
+        return partial(_optional, next(a for a in args if a is not type(None)))
+    if origin is tuple:
+        return partial(_tuple, args)
+    if origin is dict:
+        return partial(_dict, args[1])
+    if kind is Fraction:
+        return lambda data, arrays, path: Fraction(data)
+    return (lambda data, arrays, path: complex(*data)) if kind is complex else None
+
+
+def _record(kind: Any, data: Any, arrays: Mapping[str, np.ndarray], path: str) -> Any:
+    start = f"{path}." if path else ""
+    return kind(**{name: _read(reader, data.get(name), arrays, start + name) for name, reader in _fields(kind)})
+
+
+@cache
+def _fields(kind: Any) -> tuple[tuple[str, Reader | None], ...]:
+    """Names and readers of the fields of a record; resolving their type hints takes a millisecond."""
+    return tuple((name, _reader(hint)) for name, hint in get_type_hints(kind).items())
+
+
+def _optional(inner: Any, data: Any, arrays: Mapping[str, np.ndarray], path: str) -> Any:
+    return None if data is None or data == {} else _read(_reader(inner), data, arrays, path)
+
+
+def _tuple(args: tuple[Any, ...], data: Any, arrays: Mapping[str, np.ndarray], path: str) -> Any:
+    kinds = [args[0]] * len(data) if args[-1] is Ellipsis else args
+    return tuple(_read(_reader(a), v, arrays, f"{path}.{k}") for k, (a, v) in enumerate(zip(kinds, data, strict=True)))
+
+
+def _dict(inner: Any, data: Any, arrays: Mapping[str, np.ndarray], path: str) -> Any:
+    reader = _reader(inner)
+    return {k: _read(reader, v, arrays, f"{path}.{k}") for k, v in data.items()}

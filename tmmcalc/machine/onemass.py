@@ -116,7 +116,7 @@ class OneMass:
             below, above = motor.slope(level * np.array([1 - BEND, 1 + BEND]))
             if abs(above - below) > BENT * abs(above + below):
                 found.append(level)
-        return np.unique(found)
+        return np.array(sorted(set(found)), float)  # np.unique imports the masked arrays
 
     def _static(self, panels: Panels) -> Rates:
         inertia, moment, viscous, quadratic = self._at_points(panels)

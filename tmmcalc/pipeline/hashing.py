@@ -13,12 +13,12 @@ from __future__ import annotations
 import hashlib
 import sys
 from collections.abc import Iterable, Mapping
-from dataclasses import fields, is_dataclass
 from enum import Enum
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc._version import __version__
+from tmmcalc.core.records import names_of
 
 if TYPE_CHECKING:
     from tmmcalc.core.stage import Stage
@@ -61,9 +61,8 @@ def _encoded(value: object) -> bytes:
         return _group(b"m", (_encoded(part) for item in value.items() for part in item))
     if isinstance(value, Fraction):
         return _group(b"q", (_encoded(value.numerator), _encoded(value.denominator)))
-    if is_dataclass(value) and not isinstance(value, type):
-        return _dataclass(value)
-    return _numpy(value)
+    names = names_of(type(value))
+    return _numpy(value) if names is None else _dataclass(value, names)
 
 
 def _atom(value: object) -> bytes:
@@ -85,10 +84,10 @@ def _atom(value: object) -> bytes:
     raise TypeError(f"{type(value).__qualname__} is not a plain value: it cannot be hashed")
 
 
-def _dataclass(value: Any) -> bytes:
+def _dataclass(value: Any, names: Iterable[str]) -> bytes:
     parts = [_encoded(type(value).__qualname__)]
-    for field in fields(value):
-        parts += _encoded(field.name), _encoded(getattr(value, field.name))
+    for name in names:
+        parts += _encoded(name), _encoded(getattr(value, name))
     return _group(b"d", parts)
 
 

@@ -38,9 +38,10 @@ def _plain_key(key: object, where: str) -> str:
 
 
 def _plain_value(value: Any, where: str) -> Any:
-    if type(value) in (bool, int, float, str):
+    kind = type(value)
+    if kind in (float, int, str, bool):
         return value
-    if isinstance(value, Mapping):
+    if kind is dict or isinstance(value, Mapping):
         return plain_table(value, where)
     if isinstance(value, (list, tuple)):
         return [_plain_value(item, f"{where}[{at}]") for at, item in enumerate(value)]

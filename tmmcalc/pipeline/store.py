@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
-from tmmcalc.core.atomic import blamed_on, remove_leftovers, replace_file, sync_folder
+from tmmcalc.core.atomic import blamed_on, remove_leftovers, replace_file
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import CSV_ROWS
@@ -109,8 +109,7 @@ class Store:
             self.folder.mkdir(parents=True, exist_ok=True)
             with locked(self.folder):
                 remove_leftovers(self.folder)
-                if self._replace(provenance.stage, contents):
-                    sync_folder(self.folder)
+                self._replace(provenance.stage, contents)
 
     def csv_differs(self, found: Found, csv: bool | None, columns: Sequence[str] = ()) -> bool:
         """Tell whether the CSV that this run is to have is not the one that is there."""
@@ -144,17 +143,14 @@ class Store:
                 return Damaged(f"{path}: {fault}")
         return Found(stored, data.get("npz"), self.path(stage, "csv").exists())
 
-    def _replace(self, stage: str, contents: dict[str, bytes | None]) -> bool:
-        """Write or remove the files in the given order; return whether any of them changed."""
-        changed = False
+    def _replace(self, stage: str, contents: dict[str, bytes | None]) -> None:
+        """Write or remove the files in the given order."""
         for kind, data in contents.items():
             path = self.path(stage, kind)
             if data is not None:
-                changed |= replace_file(path, data)
+                replace_file(path, data, sealed=True)
             elif path.exists():
                 path.unlink()
-                changed = True
-        return changed
 
 
 def csv_wanted(rows: int, csv: bool | None) -> bool:

@@ -53,8 +53,8 @@ def _cancelled(scene: Scene, least: Choice) -> Values:
 
 def _bent(task: CamTask, scene: Scene) -> float:
     """By what rounding of the motion moves dS + S'' [m] where it is least, at the nodes of its panel."""
-    nodes = scene.phi.reshape(scene.panels, -1)
-    found = (scene.motion[0] + scene.motion[2]).reshape(nodes.shape)
+    nodes = scene.by_panel(scene.phi)
+    found = scene.by_panel(scene.motion[0] + scene.motion[2])
     k = int(np.argmin(np.min(found, axis=1)))
     piece = task.program.piece(np.full(nodes.shape[1], np.mean(nodes[k])))
     exact = task.program.wider.at(wide(nodes[k]), piece)

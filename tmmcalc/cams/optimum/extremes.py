@@ -11,7 +11,7 @@ that the sizes give: products of small matrices. The limits do not enter: `margi
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.peaks import Crest, crest, peak
 from tmmcalc.cams.optimum.scene import Scene
 
+FUNCTIONS = ("-kappa", "kappa", "-A/R", "A/R", "-1/R", "-1/M_E^2", "-(1 - kappa r2)/R", "|M_T|", "|N1|")
 SIGNS = np.array([[-1.0], [1.0]])  # of the two rows of a least and a largest value
 CACHED = 48_000  # values of a function at a time: more would not stay in the cache
 
@@ -38,13 +39,16 @@ class Extremes(NamedTuple):
     pressed: Values  # (B,) R/(1 - kappa r2) [N], of which the contact stress is a root
 
 
-def extremes(scene: Scene, start: Values, roller: Values, top: Values) -> Extremes:
-    """The extremes at S0, r2, H2 (B,) [m]."""
-    parts = [_block(scene, start[part], roller[part], top[part]) for part in blocks(scene, len(start))]
+def extremes(scene: Scene, start: Values, roller: Values, top: Values, wanted: Mask | None = None) -> Extremes:
+    """The extremes at S0, r2, H2 (B,) [m]; those that are not ``wanted`` (9, B) of FUNCTIONS mean nothing."""
+    wanted = np.ones((len(FUNCTIONS), len(start)), bool) if wanted is None else wanted
+    own = blocks(scene, len(start))
+    parts = [_block(scene, start[part], roller[part], top[part], wanted[:, part]) for part in own]
     works = np.concatenate([part for part, _ in parts])
     best, _ = peak(Crest(*map(np.concatenate, zip(*(on for _, on in parts), strict=True))))
-    ends = np.cumsum([len(on.node) for _, on in parts])[:-1]
-    high = np.concatenate([part.reshape(9, -1) for part in np.split(best, ends)], axis=1)
+    ends, high = np.cumsum([len(on.node) for _, on in parts])[:-1], np.full(wanted.shape, -1.0)
+    for part, values in zip(own, np.split(best, ends), strict=True):
+        high[:, part][wanted[:, part]] = values
     smooth, contact = high[6] < 0, 1 / np.abs(high[4])
     return Extremes(
         works=works & (high[4] < 0),
@@ -81,8 +85,8 @@ def spun(scene: Scene, start: Values, roller: Values) -> Values:
     return found * rows.force
 
 
-def _block(scene: Scene, start: Values, roller: Values, top: Values) -> tuple[Mask, Crest]:
-    """Where few enough choices work at the nodes (B,), and the crests (9 B,) of the `_functions`."""
+def _block(scene: Scene, start: Values, roller: Values, top: Values, wanted: Mask) -> tuple[Mask, Crest]:
+    """Where few enough choices work at the nodes (B,), and the crests of the `_functions`."""
     length = guide_length(top, start, scene.stroke, roller, scene.guide.gap)
     room = length > 0
     inverse = np.where(room, 1 / np.where(room, length, 1.0), 0.0)
@@ -91,36 +95,48 @@ def _block(scene: Scene, start: Values, roller: Values, top: Values) -> tuple[Ma
     works = room & (np.min(useful, axis=1) > 0)
     if not works.all():  # forces as without friction, so that they stay finite
         useful = np.where(useful > 0, useful, np.abs(start[:, None] + scene.motion[0]))
-    found = _functions(scene, start, roller[:, None], inverse[:, None], useful)
-    return works, crest(found.reshape(-1, scene.panels, found.shape[-1] // scene.panels))
+    found = _functions(scene, start, roller[:, None], inverse[:, None], useful, wanted)
+    return works, crest(scene.by_panel(found))
 
 
-def _functions(scene: Scene, start: Values, roller: Values, inverse: Values, useful: Values) -> Values:
-    """-kappa, kappa, -A/R, A/R, -1/R, -1/M_E^2, -(1 - kappa r2)/R, |M_T|, |N1| (9, B, M).
+def _functions(scene: Scene, start: Values, roller: Values, inverse: Values, useful: Values, wanted: Mask) -> Values:
+    """FUNCTIONS (m, M), each of the choices for which it is ``wanted`` (9, B).
 
     R has a pole where the follower jams, 1/R has none.
     """
-    rows = scene.rows
-    slow, kappa = pitch(scene, start)
-    found = np.empty((9, *kappa.shape))
-    found[1] = kappa
-    growth = np.matmul(np.stack((start, np.ones_like(start)), axis=1), rows.growth, out=found[3])
-    growth *= useful
-    growth *= slow
-    growth *= slow
+    rows, (slow, kappa) = scene.rows, pitch(scene, start)
+    count = np.count_nonzero(wanted, axis=1)
+    found = np.empty((int(count.sum()), kappa.shape[1]))
+    at = np.split(found, np.cumsum(count)[:-1])
+    low, high, _, grow, force, shaft, press, guide = (_chosen(each) for each in (*wanted[:7], wanted[7] | wanted[8]))
+    at[1][...] = kappa[high]
+    np.negative(kappa[low], out=at[0])
+    growth = np.matmul(np.stack((start, np.ones_like(start)), axis=1)[grow], rows.growth, out=at[3])
+    growth *= useful[grow]
+    growth *= slow[grow]
+    growth *= slow[grow]
     if rows.spin is not None:
-        growth += rows.spin * useful * (1 - roller * slow)
-    np.negative(found[1:4:2], out=found[0:3:2])
+        growth += rows.spin * useful[grow] * (1 - roller[grow] * slow[grow])
+    np.negative(growth, out=at[2])
     slow *= useful
     slow *= rows.inverse
-    np.negative(slow, out=found[4])
-    kappa *= roller
-    kappa -= 1
-    np.multiply(slow, kappa, out=found[6])
-    slow *= slow
-    np.divide(slow, -(((scene.requirements.span or 1.0) / 4) ** 2) - rows.twist * slow, out=found[5])
-    across = rows.couple / useful
-    np.multiply(across, protrusion(scene.motion, scene.stroke, roller, scene.guide.gap), out=found[7])
-    np.multiply(found[7], inverse, out=found[8])
-    found[8] += across
+    np.negative(slow[force], out=at[4])
+    bent = kappa[press]
+    bent *= roller[press]
+    bent -= 1
+    np.multiply(slow[press], bent, out=at[6])
+    square = slow[shaft]
+    square *= square
+    np.divide(square, -(((scene.requirements.span or 1.0) / 4) ** 2) - rows.twist * square, out=at[5])
+    across = rows.couple / useful[guide]
+    moment = across * protrusion(scene.motion, scene.stroke, roller[guide], scene.guide.gap)
+    stem, edge = (_chosen(wanted[k, guide]) for k in (7, 8))
+    at[7][...] = moment[stem]
+    np.multiply(moment[edge], inverse[guide][edge], out=at[8])
+    at[8] += across[edge]
     return found
+
+
+def _chosen(wanted: Mask) -> Any:
+    """The rows that are wanted; of all of them no copy is needed."""
+    return slice(None) if wanted.all() else np.flatnonzero(wanted)

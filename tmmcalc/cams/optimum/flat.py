@@ -57,9 +57,9 @@ def chart(scene: Scene) -> FlatChart:
     slide = scene.motion[1]
     convexity = -(scene.motion[0] + scene.motion[2])
     length = -scene.load * np.abs(slide) / limit + 2 * scene.friction * slide
-    on = crest(np.stack((convexity, length)).reshape(2, scene.panels, -1))
+    on = crest(scene.by_panel(np.stack((convexity, length))))
     value, place = peak(on)
-    ends = scene.phi.reshape(scene.panels, -1)[on.panel]
+    ends = scene.by_panel(scene.phi)[on.panel]
     phi = (ends[:, 0] + place * (ends[:, -1] - ends[:, 0])).tolist()
     start = max(scene.limits.convex + float(value[0]), 0.0)
     height = start + scene.stroke + guide.gap + float(value[1])
@@ -207,7 +207,7 @@ def _carried(scene: Scene, start: float, height: float) -> Guided:
 
 
 def _peak(scene: Scene, values: Values) -> float:
-    return float(largest(values.reshape(1, scene.panels, -1))[0])
+    return float(largest(scene.by_panel(values.reshape(1, -1)))[0])
 
 
 def _check(

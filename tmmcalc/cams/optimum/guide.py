@@ -22,7 +22,7 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.extremes import blocks, pitch
 from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.peaks import largest
-from tmmcalc.cams.optimum.scene import Scene
+from tmmcalc.cams.optimum.scene import Scene, by_panel
 from tmmcalc.cams.strength.kernels import HERTZ, ROUNDING, WHOLE, concave_margin, convex_margin
 from tmmcalc.core.records import record
 
@@ -138,8 +138,8 @@ def solved(a: Values, b: Values, panels: int = 0) -> Range:
     none = np.any(b[:, np.flatnonzero(level)] < -SLACK, axis=1) | (high <= 0) | (high < low)
     least = 1 / np.where(none, 1.0, high)
     if panels:
-        left = np.where(a < 0, 1.0, b).reshape(len(b), panels, -1)
-        pull = np.maximum(a, 0.0).reshape(panels, -1) / np.where(left > 0, left, 1.0)
+        left = by_panel(np.where(a < 0, 1.0, b), panels)
+        pull = by_panel(np.maximum(a, 0.0), panels) / np.where(left > 0, left, 1.0)
         short, longest = largest(np.concatenate((-left, pull))).reshape(2, -1)
         none |= short > SLACK
         least = np.maximum(least, longest)

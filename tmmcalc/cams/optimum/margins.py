@@ -13,8 +13,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.optimum.extremes import Extremes, extremes
+from tmmcalc.cams.laws.law import Indices, Values
+from tmmcalc.cams.optimum.extremes import FUNCTIONS, Extremes, extremes
 from tmmcalc.cams.optimum.scene import Scene
 from tmmcalc.cams.strength.kernels import (
     BAD,
@@ -48,6 +48,8 @@ NAMES = {
     8: "pressure in the guide",
     9: "contact stress",
 }
+READ = ((2, 3, 4), (1,), (0,), (4,), (4, 5), (4, 7), (4, 8), (4, 6))  # FUNCTIONS that each of NUMBERS sets limits to
+BEHIND = np.array([[k in read for read in READ] for k in range(len(FUNCTIONS))])
 SLACK = 1e-12  # a margin this little below 0 is rounding
 
 
@@ -68,14 +70,14 @@ class Judged:
     stress: Values  # sigma_H (B,) [Pa]
 
 
-def margins(scene: Scene, start: Values, roller: Values, top: Values) -> Values:
-    """Margins (8, B) of the constraints NUMBERS at S0, r2, H2 (B,)."""
-    return judge(scene, start, roller, top).margin
+def margins(scene: Scene, start: Values, roller: Values, top: Values, row: Indices | None = None) -> Values:
+    """Margins (8, B) of the constraints NUMBERS at S0, r2, H2 (B,); with ``row`` (B,) that one alone is of each."""
+    return judge(scene, start, roller, top, row).margin
 
 
-def judge(scene: Scene, start: Values, roller: Values, top: Values) -> Judged:
-    """Margins and values at S0, r2, H2 (B,) [m]."""
-    on = extremes(scene, start, roller, top)
+def judge(scene: Scene, start: Values, roller: Values, top: Values, row: Indices | None = None) -> Judged:
+    """Margins and values at S0, r2, H2 (B,) [m]; with ``row`` (B,) of the one constraint that is meant at each."""
+    on = extremes(scene, start, roller, top, None if row is None else BEHIND[:, row])
     need, limits, guide = scene.requirements, scene.limits, scene.guide
     none, works, (bent, most) = np.zeros(len(start)), on.works, on.curvature
     pin = _pin(need, on.contact)

@@ -27,7 +27,7 @@ def pressing(loads: Loads, spring: SpringFound, at: Points) -> Values:
 
 
 def nodes(task: CamTask, loads: Loads, spring: SpringFound, rise: bool, widest: float) -> tuple[Values, Indices]:
-    """phi (M,) and piece of the program of every node, of the ``rise`` alone or of the turn.
+    """phi (M,) and piece of the program of every node, of the ``rise`` alone or of the turn, panel by panel.
 
     In a dwell in which nothing varies one panel stands for it.
     """

@@ -63,13 +63,13 @@ class Crest(NamedTuple):
 
 def crest(values: Values) -> Crest:
     """The crests of functions (B, K, N + 2) on K panels; the last goes on in the first."""
-    count, _, nodes = values.shape
-    row = np.arange(count)
-    panel, node = np.divmod(np.argmax(values.reshape(count, -1), axis=1), nodes)
-    found, (rows, panels, tops) = _begun(values, row, panel, node), _rivals(values, panel)
+    row, highest = np.arange(len(values)), np.max(values, axis=2)
+    panel = np.argmax(highest, axis=1)
+    node = np.argmax(values[row, panel], axis=1)
+    found, (rows, panels, tops) = _begun(values, row, panel, node), _rivals(values, highest, panel)
     if not rows.size:
         return found
-    each = np.unique(rows)
+    each = rows[np.append(True, rows[1:] != rows[:-1])]  # np.unique imports the masked arrays
     rows, panels, tops = (np.append(old[each], new) for old, new in ((row, rows), (panel, panels), (node, tops)))
     high, _ = peak(_begun(values, rows, panels, tops))
     order = np.lexsort((high, rows))
@@ -78,12 +78,14 @@ def crest(values: Values) -> Crest:
     return _begun(values, row, panel, node)
 
 
-def _rivals(values: Values, panel: Indices) -> tuple[Indices, Indices, Indices]:
-    """Function, panel and node (m,) of crests that may rise above the highest nodes, on panels (B,)."""
+def _rivals(values: Values, tops: Values, panel: Indices) -> tuple[Indices, Indices, Indices]:
+    """Function, panel and node (m,) of crests that may rise above the highest nodes.
+
+    ``tops`` (B, K) are the highest values of every panel, ``panel`` (B,) that of the highest of all.
+    """
     count, panels, nodes = values.shape
-    tops = np.maximum.reduceat(values.ravel(), np.arange(0, values.size, nodes)).reshape(count, panels)
     top = tops[np.arange(count), panel]
-    near = tops >= (top - RISE * (top - np.min(values.reshape(count, -1), axis=1)))[:, None]
+    near = tops >= (top - RISE * (top - np.min(values, axis=(1, 2))))[:, None]
     near[np.arange(count), panel] = False
     rows, others = np.nonzero(near)
     held = values[rows, others]

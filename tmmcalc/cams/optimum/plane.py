@@ -55,7 +55,7 @@ class Plane:
 
     def one(self, at: Values, row: Indices) -> Values:
         """The margin of row (n,) at points (2, n)."""
-        found: Values = self.held(*at)[row, np.arange(len(row))]
+        found: Values = margins(self.scene, at[0], at[1], np.full(len(row), self.height), row)[row, np.arange(len(row))]
         return found
 
     def grid(self, x: Values, y: Values) -> Values:

@@ -1,7 +1,8 @@
 """What the search for the best sizes starts from: motion, load and data of one mechanism at the nodes of its phases.
 
 None of it depends on S0, r2 or H2. A node stands in a panel of smooth motion, at a Gauss point or at an end; an end
-has the limit from inside its panel.
+has the limit from inside its panel. The first nodes of all panels come first, then the second ones and so on: what is
+largest in every panel is then found across the panels, in one pass along the memory.
 """
 
 from __future__ import annotations
@@ -48,7 +49,7 @@ class Rows:
 
 @record
 class Scene:
-    """M = K (N + 2) nodes in K panels."""
+    """M = (N + 2) K nodes in K panels."""
 
     follower: Follower  # its kind and offset alone are read
     phi: Values  # (M,) [rad]
@@ -66,6 +67,15 @@ class Scene:
     limits: AngleLimits
     requirements: Requirements
 
+    def by_panel(self, values: Values) -> Values:
+        """Values (..., M) at the nodes as those of every panel (..., K, N + 2)."""
+        return by_panel(values, self.panels)
+
+
+def by_panel(values: Values, panels: int) -> Values:
+    """Values (..., M) at the nodes of so many panels as those of every panel (..., K, N + 2)."""
+    return np.swapaxes(values.reshape(*values.shape[:-1], values.shape[-1] // panels, panels), -1, -2)
+
 
 def scene_of(task: CamTask, follower: Follower, phases: Phases = "turn", denser: int = 1) -> Scene:
     """The scene of a task; ``phases`` is what of the turn is examined: all of it, or as in the textbook the rise.
@@ -77,7 +87,7 @@ def scene_of(task: CamTask, follower: Follower, phases: Phases = "turn", denser:
     loads = loads_of(task, WHERE)
     spring = solve_spring(task, loads)
     widest = (WIDEST / SHARPER if follower.kind == "flat" else WIDEST) / denser
-    phi, piece = nodes(task, loads, spring, phases == "rise", widest)
+    phi, piece = (_across(each) for each in nodes(task, loads, spring, phases == "rise", widest))
     at = at_rows(task, loads, Positions(phi, piece, ()))
     sense = _from_inside(at.sense)
     load = -pressing(loads, spring, at)
@@ -173,8 +183,13 @@ def _rows(task: CamTask, loads: Loads, at: Points, force: Values, sense: Values,
     )
 
 
+def _across(values: Any) -> Any:
+    """What is given panel by panel (M,), in the order of the nodes."""
+    return values.reshape(-1, len(ended().points)).T.ravel()
+
+
 def _from_inside(values: Values) -> Values:
     """What is constant in a panel (M,), at its ends as inside."""
-    found = values.reshape(-1, len(ended().points)).copy()
-    found[:, 0], found[:, -1] = found[:, 1], found[:, -2]
+    found = values.reshape(len(ended().points), -1).copy()
+    found[0], found[-1] = found[1], found[-2]
     return found.ravel()

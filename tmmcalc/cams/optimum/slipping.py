@@ -60,4 +60,4 @@ def _pins(scene: Scene, least: Values, most: Values) -> list[Values]:
 
 
 def _largest(scene: Scene, values: Values) -> Values:
-    return largest(values.reshape(len(values), scene.panels, -1))
+    return largest(scene.by_panel(values))

@@ -27,6 +27,8 @@ from tmmcalc.cams.pressure.angle import reached
 from tmmcalc.cams.task import CamTask, Optimum
 from tmmcalc.core.errors import NoSolutionError, UsageError
 
+FEW = 24  # candidates that are judged at a time
+
 
 def solve_optimum(task: CamTask, follower: Follower, phases: Phases | None = None) -> CamOptimum:
     """The lowest mechanism, its blocking contours, what relaxing buys, and the options compared.
@@ -173,16 +175,28 @@ def _check(task: CamTask, follower: Follower) -> None:
 def _contours(scene: Scene, found: Found, known: Candidates, least: Choice, top: float | None) -> Iterator[Contour]:
     """At the height of the spec, if it is high enough, and at the least one in steps."""
     if top is not None:
-        start, roller = _feasible(scene, known, least, top)
-        if len(start):
-            yield contour(scene, top, (start, roller))
+        seeds = _feasible(scene, known, least, top)
+        if seeds[0].size:
+            yield contour(scene, top, seeds)
     if top is None or abs(top - found.height) > SLACK:
         yield contour(scene, found.height, (found.start, found.roller))
 
 
 def _feasible(scene: Scene, known: Candidates, least: Choice, top: float) -> tuple[Values, Values]:
-    """All candidates that are feasible at this height, and the sizes of the lowest mechanism if they are."""
+    """The outermost of what is feasible at this height: candidates, and the sizes of the lowest mechanism.
+
+    They span the box of all of it. From every side the first that holds is looked for, a few at a time.
+    """
     rows = np.flatnonzero((known.least <= top) & (known.most >= top))
     start, roller = np.append(known.start[rows], least.start), np.append(known.roller[rows], least.roller)
-    good = np.all(margins(scene, start, roller, np.full(len(start), top)) >= -SLACK, axis=0)
-    return start[good], roller[good]
+    holds, judged = np.zeros(len(start), bool), np.zeros(len(start), bool)
+    for inwards in (start, -start, roller, -roller):
+        order = np.argsort(inwards, kind="stable")
+        for first in range(0, len(order), FEW):
+            part = order[first : first + FEW]
+            new = part[~judged[part]]
+            judged[new] = True
+            holds[new] = np.all(margins(scene, start[new], roller[new], np.full(len(new), top)) >= -SLACK, axis=0)
+            if holds[part].any():
+                break
+    return start[holds], roller[holds]

@@ -14,5 +14,5 @@ def torques(scene: Scene, start: float, roller: float, top: float) -> tuple[floa
     on = carried(scene, *np.array([[start], [roller], [top]]))
     driving = cam_torque(on.contact, on.cosine, scene.motion)[0]
     rows = np.stack((scene.torque, -scene.torque, driving))
-    plus, minus, given = largest(rows.reshape(3, scene.panels, -1)).tolist()
+    plus, minus, given = largest(scene.by_panel(rows)).tolist()
     return max(plus, minus), given

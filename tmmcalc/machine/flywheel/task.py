@@ -100,7 +100,9 @@ def solve_flywheel(machine: Machine) -> Flywheel:
         time_constant=driver.time_constant if driver is not None else 0.0,
         sense=machine.sense,
     )
-    return flywheel_of(machine, comparison, _history(cycle, driver, delta, machine.at_hand))
+    required = comparison.required
+    stalls = required is not None and Trial(machine.at_hand.total, None) in required.trials
+    return flywheel_of(machine, comparison, () if stalls else _history(cycle, driver, delta, machine.at_hand))
 
 
 def flywheel_of(machine: Machine, comparison: Comparison, history: tuple[Trial, ...]) -> Flywheel:
