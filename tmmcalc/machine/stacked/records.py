@@ -23,7 +23,7 @@ from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.kinematics import crank_length
 from tmmcalc.linkage.results import ErrorEstimate, Kinematics, Trace
 from tmmcalc.linkage.rounding import between, choice, estimate, least_regularity
-from tmmcalc.linkage.stacked.dense import dense_of, looked_at
+from tmmcalc.linkage.stacked.dense import dense_of, evaluated
 from tmmcalc.linkage.stacked.ragged import Ragged
 from tmmcalc.linkage.stacked.reactions import reactions_of
 from tmmcalc.linkage.stacked.scene import Block
@@ -85,7 +85,7 @@ def _errors(block: Block, variants: Indices, x: Real, weakest: Sequence[Sequence
             estimate(own, row, lambda at, own=own: trace(own, at), weak)  # type: ignore[misc]
             for own, row, weak in zip(owns, x, weakest, strict=True)
         ]
-    regular = looked_at(
+    regular = evaluated(
         block,
         np.repeat(variants, x.shape[1]),
         x.ravel(),
