@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
+from tmmcalc.core.numerics.mesh import Mesh, laid
 from tmmcalc.core.numerics.panels import Panels
-from tmmcalc.linkage.stacked.ragged import Ragged, first
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.motors.characteristics import kloss, parabolic, straight
 from tmmcalc.machine.motors.gearing import reduced
@@ -30,12 +30,12 @@ MOTORS = {
 class Given(NamedTuple):
     """What `machines_of` reads of cycles."""
 
-    panels: Ragged
+    panels: Mesh
     values: np.ndarray
 
 
 def cycles() -> tuple[Given, list[Cycle]]:
-    on = first(PERIOD, BREAKS, PERIOD / 20)
+    on = laid(PERIOD, BREAKS, PERIOD / 20)
     load = (
         np.array(LOADS)[on.owner, None]
         * ((on.low >= BREAKS[on.owner, 0]) & (on.high <= BREAKS[on.owner, 1] + 1e-12))[:, None]

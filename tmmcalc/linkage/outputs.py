@@ -9,24 +9,27 @@ are refined the same way, never read off the grid.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.core.numerics.extrema import around, refine, turning, with_turning_points
-from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.numerics.extrema import around, maxima, refine, with_turning_points
+from tmmcalc.core.numerics.roots import Indices, bracketed
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.results import DeadCentre, Extreme, OutputSummary
-from tmmcalc.linkage.survey import Survey, along_motion
+from tmmcalc.linkage.survey import Evaluate, Survey, alone, along_motion
 from tmmcalc.linkage.trace import continuous
 
 STILL = 1e-12  # an output whose rate is below this, against the size of the mechanism, does not move
 EQUAL = 1e-9  # strokes that differ by less [rad] count as equal
 CONSTANT = 1e-13  # a rate that varies less, against its largest value, is constant
 CANDIDATES = 2  # local extrema refined in the search for the global one
+SIDES = np.array([-1.0, 1.0])  # the least and the largest
 
 Coordinates = tuple[Real, Real, Real]
 Extremes = tuple[tuple[Extreme, Extreme], tuple[Extreme, Extreme]]  # of velocity and acceleration
@@ -167,9 +170,18 @@ def summarise(chain: Chain, output: Output, dense: Survey, start: float) -> Outp
         ordered = order_from_working(chain, output, centres, values, gain)
         centres = along_motion(chain, ordered, start)
         values = values_at(chain, output, centres, dense)
-    return summary_of(
-        chain, output, (centres, values), stroke, dense.full, _extremes(chain, output, dense, samples, start)
-    )
+    drive = chain.mechanism.input
+    extremes = extremes_of(
+        chain,
+        alone(chain),
+        lambda own, configuration: coordinate_of(own, output, configuration),
+        dense.x[None],
+        (samples[1][None], samples[2][None]),
+        np.array([start]),
+        (np.array([drive.speed]), np.array([drive.acceleration])),
+        full=dense.full,
+    )[0]
+    return summary_of(chain, output, (centres, values), stroke, dense.full, extremes)
 
 
 def summary_of(
@@ -206,49 +218,77 @@ def stroke_of(values: Real, gain: float) -> float | None:
     return float(np.max(np.abs(np.diff(np.append(values, values[0] + gain))))) if gain else float(np.ptp(values))
 
 
-def _extremes(chain: Chain, output: Output, dense: Survey, samples: Coordinates, start: float) -> Extremes:
-    """Smallest and largest velocity and acceleration in time, at the exact input coordinates.
+def _highest(samples: Real, full: bool) -> tuple[Indices, NDArray[np.bool_]]:
+    """Where the highest local maxima of samples (..., m) stand, (..., CANDIDATES), and which of them there are.
 
-    What does not change over the range is said to stand at position 0.
+    Samples without a local maximum have one guess, the highest of them.
     """
-    drive, x, periodic = chain.mechanism.input, dense.x, dense.full
-
-    def in_time(rate: Real, rate2: Real) -> tuple[Real, Real]:
-        return rate * drive.speed, rate2 * drive.speed**2 + rate * drive.acceleration
-
-    in_range = in_time(samples[1], samples[2])
-    guesses = [
-        (kind, sign, i) for kind in (0, 1) for sign in (-1, 1) for i in _candidates(in_range[kind], sign, periodic)
-    ]
-    kinds, signs, rows = np.array(guesses).T
-
-    def f(at: Real, which: np.ndarray) -> Real:
-        _, rate, rate2 = coordinate_of(chain, output, chain.evaluate(at))
-        return np.where(kinds[which] == 0, *in_time(rate, rate2))
-
-    at, values = refine(f, *around(x, rows, periodic))
-    sampled_values = np.where(kinds == 0, in_range[0][rows], in_range[1][rows])
-    at_end = ((rows == 0) | (rows == len(x) - 1)) & (signs * sampled_values >= signs * values)
-    if not periodic:
-        at, values = np.where(at_end, x[rows], at), np.where(at_end, sampled_values, values)
-
-    if periodic:
-        at = along_motion(chain, at, start)
-
-    def best(kind: int, sign: int) -> Extreme:
-        if np.ptp(in_range[kind]) <= CONSTANT * np.max(np.abs(in_range[kind])):
-            return Extreme(float(in_range[kind][0]), start)
-        own = np.flatnonzero((kinds == kind) & (signs == sign))
-        k = own[np.argmax(sign * values[own])]
-        return Extreme(float(values[k]), float(at[k]))
-
-    return (best(0, -1), best(0, 1)), (best(1, -1), best(1, 1))
+    inside = samples[..., :-1] if full else samples
+    score = np.where(maxima(inside, full), inside, -np.inf)
+    rows = np.empty((*score.shape[:-1], CANDIDATES), np.intp)
+    found = np.empty(rows.shape, bool)
+    for k in range(CANDIDATES):
+        rows[..., k] = np.argmax(score, axis=-1)
+        found[..., k] = np.take_along_axis(score, rows[..., k, None], -1)[..., 0] > -np.inf
+        np.put_along_axis(score, rows[..., k, None], -np.inf, -1)
+    rows[..., 0] = np.where(found[..., 0], rows[..., 0], np.argmax(samples, axis=-1))
+    found[..., 0] = True
+    return rows, found
 
 
-def _candidates(values: Real, sign: int, periodic: bool) -> list[int]:
-    """Indices of the highest local extrema, the ends included on an open range."""
-    inside = values[:-1] if periodic else values
-    found = turning(inside, sign, periodic)
-    if not found.size:
-        found = np.array([int(np.argmax(sign * values))])
-    return list(found[np.argsort(-sign * inside[found])][:CANDIDATES])
+def extremes_of(
+    chain: Chain,
+    evaluate: Evaluate,
+    coordinate: Callable[[Chain, Configuration], Coordinates],
+    x: Real,
+    samples: tuple[Real, Real],
+    start: Real,
+    drive: tuple[Real, Real],
+    *,
+    full: bool,
+) -> list[Extremes]:
+    """Smallest and largest velocity and acceleration in time of an output of V variants, at exact input coordinates.
+
+    ``samples`` (V, m) of its first and second derivative stand at x (V, m), ``drive`` are speeds and accelerations (V,)
+    of the input. The highest local extremes of the samples are refined, the ends among them on an open range. What does
+    not change over the range is said to stand at ``start`` (V,), position 0.
+    """
+    speed, acceleration = drive
+
+    def in_time(rate: Real, rate2: Real, w: Real, eps: Real) -> Real:
+        return np.stack((rate * w, rate2 * w**2 + rate * eps))
+
+    sampled = in_time(*samples, speed[:, None], acceleration[:, None])
+    sided = SIDES[:, None, None] * sampled[:, None]  # (kind, side, V, m)
+    rows, guessed = _highest(sided, full)
+    kind, side, variant, _ = np.nonzero(guessed)
+    row = rows[guessed]
+
+    def rates(at: Real, which: Indices) -> Real:
+        def of_kind(own: Chain, configuration: Configuration, part: Indices) -> Real:
+            its = which[part]
+            both = in_time(*coordinate(own, configuration)[1:], speed[variant[its]], acceleration[variant[its]])
+            return np.asarray(both[kind[its], np.arange(len(its))])
+
+        return evaluate(at, variant[which], of_kind, 2)
+
+    at, values = refine(rates, *around(x, row, full, variant))
+    values = SIDES[side] * values
+    if full:
+        at = along_motion(chain, at, start[variant])
+    else:
+        ends = sided[kind, side, variant, row]
+        higher = ((row == 0) | (row == x.shape[1] - 1)) & (ends >= values)
+        at, values = np.where(higher, x[variant, row], at), np.where(higher, ends, values)
+    found, place = np.full(guessed.shape, -np.inf), np.empty(guessed.shape)
+    found[guessed], place[guessed] = values, at
+    best = np.argmax(found, axis=-1)[..., None]
+    value, place = (np.take_along_axis(part, best, -1)[..., 0] for part in (found, place))
+    still = (np.ptp(sampled, axis=2) <= CONSTANT * np.max(np.abs(sampled), axis=2))[:, None]
+    value = np.where(still, sampled[:, None, :, 0], SIDES[:, None] * value)
+    place = np.where(still, start, place)
+
+    def extreme(v: int, kind: int, side: int) -> Extreme:
+        return Extreme(float(value[kind, side, v]), float(place[kind, side, v]))
+
+    return [((extreme(v, 0, 0), extreme(v, 0, 1)), (extreme(v, 1, 0), extreme(v, 1, 1))) for v in range(len(x))]

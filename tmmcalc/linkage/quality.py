@@ -10,18 +10,20 @@ off the grid.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from tmmcalc.core.errors import SingularityError
-from tmmcalc.core.numerics.extrema import around, refine, turning
+from tmmcalc.core.numerics.extrema import around, maxima, refine
+from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Real, square
 from tmmcalc.linkage.assembly import coordinate
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.results import Extreme, Grade, GroupQuality
 from tmmcalc.linkage.steps import Step
-from tmmcalc.linkage.survey import Survey, along_motion
+from tmmcalc.linkage.survey import Evaluate, Survey, alone, along_motion
 
 SINGULAR = 1e-6  # regularity of a dead point: below it velocities have no trustworthy digits
 NEARLY_SINGULAR = 0.05  # amplification above 20
@@ -39,7 +41,11 @@ class Measure(NamedTuple):
 
     k: int
     regularity: bool
-    reach: float  # largest distance of the pivots of an RPR dyad [m]
+    reach: float | Real  # largest distance of the pivots of an RPR dyad [m], of one variant or of each
+
+    def of(self, variants: Indices) -> Measure:
+        """The measure of rows (m,) that are of these variants of a stack."""
+        return self._replace(reach=self.reach[variants]) if isinstance(self.reach, np.ndarray) else self
 
     def __call__(self, chain: Chain, configuration: Configuration, x: Real) -> Real:
         """The squared sine (n,) of a configuration at the input coordinates x (n,)."""
@@ -52,61 +58,85 @@ class Measure(NamedTuple):
         return np.broadcast_to(sine2, x.shape)
 
 
-def measures_of(chain: Chain, configuration: Configuration) -> list[Measure]:
-    """Transmission of every dyad; its regularity is the same number but for RPR."""
-    measures = []
-    for k, (step, placed) in enumerate(zip(chain.steps, configuration.placed, strict=True)):
-        measures.append(Measure(k, not step.group.kind, 0.0))
+def kinds_of(chain: Chain) -> list[tuple[int, bool]]:
+    """Groups and whether their regularity is meant, or their transmission: the same number but for RPR."""
+    found = []
+    for k, step in enumerate(chain.steps):
+        found.append((k, not step.group.kind))
         if step.group.kind == "RPR":
-            measures.append(Measure(k, True, float(np.max(np.abs(placed.q)))))
-    return measures
+            found.append((k, True))
+    return found
 
 
 def assess(chain: Chain, dense: Survey, start: float) -> tuple[GroupQuality, ...]:
     """Transmission and regularity of every dyad over the surveyed range, which begins at ``start``."""
-    measures = measures_of(chain, dense.configuration)
+    pivots = dense.configuration.placed
+    measures = [
+        Measure(k, regularity, float(np.max(np.abs(pivots[k].q))) if regularity and chain.steps[k].group.kind else 0.0)
+        for k, regularity in kinds_of(chain)
+    ]
     squares = np.array([measure(chain, dense.configuration, dense.x) for measure in measures])
-    minima = _minima(chain, dense, measures, squares, start)
-    return tuple(quality_of(chain, k, measures, squares, minima) for k in range(len(chain.steps)))
+    squares = squares.reshape(len(measures), 1, len(dense.x))
+    return assessed(chain, alone(chain), measures, dense.x[None], squares, np.array([start]), full=dense.full)[0]
+
+
+def assessed(
+    chain: Chain,
+    evaluate: Evaluate,
+    measures: Sequence[Measure],
+    x: Real,
+    squares: Real,
+    start: Real,
+    *,
+    full: bool,
+) -> list[tuple[GroupQuality, ...]]:
+    """Transmission and regularity of every dyad of V variants, from samples of their ``measures``.
+
+    ``squares`` (M, V, m) stand at x (V, m), whose ranges begin at ``start`` (V,) and are ``full`` turns or not; of the
+    ``chain`` is taken what is the same for all.
+    """
+    minima = _minima(chain, evaluate, measures, x, squares, start, full=full)
+    return [
+        tuple(quality_of(chain, k, measures, squares[:, v], own) for k in range(len(chain.steps)))
+        for v, own in enumerate(minima)
+    ]
 
 
 def _minima(
-    chain: Chain, dense: Survey, measures: list[Measure], squares: Real, start: float
-) -> list[list[tuple[float, float]]]:
-    """All local minima (squared sine, place) of every measure, the least first; the ends of a range among them."""
-    guesses = [
-        (m, int(j))
-        for m, row in enumerate(squares)
-        if np.ptp(row) > CONSTANT
-        for j in turning(row[:-1] if dense.full else row, -1, dense.full)
-    ]
-    found: list[list[tuple[float, float]]] = [[] for _ in measures]
-    if not guesses:
+    chain: Chain, evaluate: Evaluate, measures: Sequence[Measure], x: Real, squares: Real, start: Real, *, full: bool
+) -> list[list[list[tuple[float, float]]]]:
+    """All local minima (squared sine, place) of every measure of every variant, open ends among them.
+
+    The least stands first; of those that rounding alone tells apart the first in place.
+    """
+    varies = np.ptp(squares, axis=2) > CONSTANT
+    inside = squares[..., :-1] if full else squares
+    owner, variant, row = np.nonzero(maxima(-inside, full) & varies[..., None])
+    found: list[list[list[tuple[float, float]]]] = [[[] for _ in measures] for _ in x]
+    if not owner.size:
         return found
-    owner, row = np.array(guesses).T
 
-    def f(at: Real, which: np.ndarray) -> Real:
-        configuration = chain.evaluate(at, order=0)
-        rows = np.array([measure(chain, configuration, at) for measure in measures])
-        return rows[owner[which], np.arange(len(at))]
+    def squared_sine(at: Real, which: Indices) -> Real:
+        def of_owner(own: Chain, configuration: Configuration, rows: Indices) -> Real:
+            its = which[rows]
+            every = [measure.of(variant[its])(own, configuration, at[rows]) for measure in measures]
+            return np.asarray(np.array(every)[owner[its], np.arange(len(its))])
 
-    at, sine2 = refine(f, *around(dense.x, row, dense.full))
-    better = squares[owner, row] < sine2
-    at, sine2 = np.where(better, dense.x[row], at), np.where(better, squares[owner, row], sine2)
-    if dense.full:
-        at = along_motion(chain, at, start)
-    for m, place, value in zip(owner, at, sine2, strict=True):
-        found[m].append((max(float(value), 0.0) + 0.0, float(place)))
-    return [least_first(minima) for minima in found]
+        return evaluate(at, variant[which], of_owner, 0)
 
-
-def least_first(minima: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Minima (squared sine, place), the least first; of those that rounding alone tells apart the first in place."""
-    return sorted(minima, key=lambda minimum: (round(minimum[0], 12), minimum[1]))
+    at, sine2 = refine(squared_sine, *around(x, row, full, variant))
+    sampled = squares[owner, variant, row]
+    better = sampled < sine2
+    at, sine2 = np.where(better, x[variant, row], at), np.where(better, sampled, sine2)
+    if full:
+        at = along_motion(chain, at, start[variant])
+    for m, v, place, value in zip(owner.tolist(), variant.tolist(), at.tolist(), sine2.tolist(), strict=True):
+        found[v][m].append((max(value, 0.0) + 0.0, place))
+    return [[sorted(each, key=lambda minimum: (round(minimum[0], 12), minimum[1])) for each in own] for own in found]
 
 
 def quality_of(
-    chain: Chain, k: int, measures: list[Measure], squares: Real, minima: list[list[tuple[float, float]]]
+    chain: Chain, k: int, measures: Sequence[Measure], squares: Real, minima: list[list[tuple[float, float]]]
 ) -> GroupQuality:
     """The quality of group ``k`` from the ``minima`` of all measures; of those without ``squares`` (M, m) tell it."""
     rows = [m for m, measure in enumerate(measures) if measure.k == k]

@@ -1,12 +1,18 @@
-"""The survey: a dense sample of the asked range, from which extremes and dead points are refined."""
+"""The survey: a dense sample of the asked range, from which extremes and dead points are refined.
+
+What is refined is refined for V variants of a mechanism at once, whose rows stand one behind the other; one mechanism
+by itself is such a stack of one. How rows are evaluated is the only thing that differs: `Evaluate`.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
@@ -16,6 +22,16 @@ STEPS = 360  # one a degree on a full turn
 SWIFT = 1.0  # a link that turns more in one step [rad] gets that step halved
 HALVINGS = 12
 SAME = 1e-9  # angles nearer than this [rad] to a whole turn before position 0 are position 0
+
+Quantity = Callable[[Chain, Configuration, Indices], Real]
+"""(chain of some rows, their configuration, their numbers) -> values (..., rows)."""
+Evaluate = Callable[[Real, Indices, Quantity, int], Real]
+"""(input coordinates (m,), their variants (m,), a quantity, order of the derivatives it needs) -> values (..., m)."""
+
+
+def alone(chain: Chain) -> Evaluate:
+    """How the only variant of a stack of one is evaluated."""
+    return lambda x, _, quantity, order: quantity(chain, chain.evaluate(x, order=order), np.arange(len(x)))
 
 
 class Survey(NamedTuple):
@@ -33,12 +49,14 @@ class Survey(NamedTuple):
 
     def tracks(self) -> tuple[Real, Real]:
         """Input coordinates (k,) and continuous angles (L, k); a full turn with the turns before and after it."""
-        if not self.full:
-            return self.x, self.angles
-        turns = np.array([-TURN, 0.0, TURN])
-        gain = (self.angles[:, -1] - self.angles[:, 0])[:, None, None] * np.array([-1, 0, 1])[:, None]
-        angles = (self.angles[:, None, :-1] + gain).reshape(len(self.links), -1)
-        return (self.x[:-1] + turns[:, None]).ravel(), angles
+        return three_turns(self.x, self.angles) if self.full else (self.x, self.angles)
+
+
+def three_turns(x: Real, angles: Real) -> tuple[Real, Real]:
+    """Coordinates (k,) and continuous angles (L, k) over a full turn, given at x (m,), and those before and after."""
+    turns = np.array([-1, 0, 1])[:, None]
+    gain = (angles[:, -1] - angles[:, 0])[:, None, None] * turns
+    return (x[:-1] + TURN * turns).ravel(), (angles[:, None, :-1] + gain).reshape(len(angles), -1)
 
 
 def survey(chain: Chain, low: float, high: float, start: float | None = None) -> Survey:
@@ -81,8 +99,8 @@ def _counted(chain: Chain, links: tuple[int, ...], angles: Real, x: Real, start:
     return counted
 
 
-def along_motion(chain: Chain, x: Real, start: float) -> Real:
-    """The same crank angles (m,), counted from ``start`` along the motion within one turn."""
+def along_motion(chain: Chain, x: Real, start: float | Real) -> Real:
+    """The same crank angles (m,), counted from ``start``, one or (m,), along the motion within one turn."""
     sense = math.copysign(1.0, chain.mechanism.input.speed)
     along = np.mod((x - start) * sense, TURN)
     return start + sense * np.where(along > TURN - SAME, along - TURN, along)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.core.numerics.roots import Indices, Problems, Values, bracketed
 
@@ -91,27 +92,36 @@ def _interpolate(values: Values, at: Values, t: Values, weights: Values) -> Valu
 
 def turning(values: Values, sign: int, periodic: bool) -> Indices:
     """Indices of local maxima (``sign`` +1) or minima (-1) of sampled values (n,); a plateau counts once."""
-    v = sign * values
-    before, after = np.roll(v, 1), np.roll(v, -1)
-    if not periodic:
-        before, after = before.copy(), after.copy()
-        before[0] = after[-1] = -np.inf
-    return np.flatnonzero((v >= before) & (v > after))
+    return np.flatnonzero(maxima(sign * values, periodic))
 
 
-def around(x: Values, at: Indices, periodic: bool) -> tuple[Values, Values]:
+def maxima(values: Values, periodic: bool) -> NDArray[np.bool_]:
+    """Which samples (..., n) are local maxima; a plateau counts once."""
+    if periodic:
+        before, after = np.roll(values, 1, axis=-1), np.roll(values, -1, axis=-1)
+    else:
+        beyond = np.full((*values.shape[:-1], 1), -np.inf)
+        before = np.concatenate((beyond, values[..., :-1]), axis=-1)
+        after = np.concatenate((values[..., 1:], beyond), axis=-1)
+    return np.asarray((values >= before) & (values > after))
+
+
+def around(x: Values, at: Indices, periodic: bool, row: Indices | int = 0) -> tuple[Values, Values]:
     """Centre and radius (m,) of the interval around each turning sample ``x[at]`` that holds the true extremum.
 
     It reaches the farther neighbour; on an open range (not ``periodic``) it is the last cell for a sample at
-    an end. A periodic ``x`` repeats its first sample, a period later, as its last.
+    an end. A periodic ``x`` repeats its first sample, a period later, as its last. Of several ranges (V, n) ``row``
+    (m,) tells that of each sample.
     """
-    gap = np.diff(x)
+    x = np.atleast_2d(x)
+    gap, here = np.diff(x), x[row, at]
     if periodic:
-        return x[at], np.maximum(gap[at - 1], gap[at])
-    before, after = gap[np.maximum(at, 1) - 1], gap[np.minimum(at, len(gap) - 1)]
-    radius = np.minimum(np.maximum(before, after), np.minimum(x[at] - x[0], x[-1] - x[at]))
-    end = (at == 0) | (at == len(x) - 1)
-    centre = np.where(at == 0, x[at] + after / 2, np.where(end, x[at] - before / 2, x[at]))
+        return here, np.maximum(gap[row, at - 1], gap[row, at])
+    last = x.shape[1] - 1
+    before, after = gap[row, np.maximum(at, 1) - 1], gap[row, np.minimum(at, last - 1)]
+    radius = np.minimum(np.maximum(before, after), np.minimum(here - x[row, 0], x[row, last] - here))
+    end = (at == 0) | (at == last)
+    centre = np.where(at == 0, here + after / 2, np.where(end, here - before / 2, here))
     return centre, np.where(end, before / 2, radius)
 
 

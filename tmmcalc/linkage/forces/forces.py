@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.core.numerics.panels import Panels, panels
+from tmmcalc.core.numerics.mesh import Mesh, laid
+from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
+from tmmcalc.linkage.forces.between import PARTS, Sample, resolved, sample_of
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
-from tmmcalc.linkage.forces.kinks import cut, kinks
-from tmmcalc.linkage.forces.maxima import Held, held, maxima, pairs_of, unresolved
+from tmmcalc.linkage.forces.maxima import Held, held, maxima, pairs_of
 from tmmcalc.linkage.forces.results import Forces, Mean
 from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.loading import GearDrive, Loading
@@ -29,11 +30,8 @@ Flags = NDArray[np.bool_]
 Named = Callable[[NDArray[np.intp]], list[str]]
 Seen = list[tuple[Real, "dict[str, Solution]"]]  # angles (n,) and how friction came out there; empty if nothing rubs
 
-PARTS = 16  # of a turn, or of the range: no panel on which maxima are sought is wider
-QUARTERS = np.array([0.25, 0.5, 0.75])
 ROUNDING = 1e-15
 MARGIN = 4.0  # what stays in equilibrium may still be wrong, by the condition of a group
-ROUNDS = 8  # of cutting them finer: a pole of the force a millionth of a turn beside the path is resolved
 
 
 def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics) -> Forces:
@@ -45,14 +43,25 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
     statics = compile_statics(scene)
     breaks, turning = scene.breaks(reversals(statics))
     theta, side, labels = rows_of(scene, kinematics, np.sort(turning))
-    dense = _panels(scene, [*breaks, *turning])
+    period = scene.travel.period
+    on = laid(period, np.array([[*breaks, *turning]]), (TURN if scene.chain.turns else period) / PARTS)
     seen: Seen = []
-    rows, over = _solved(statics, theta, side, labels, dense, seen)
-    dense, functions, resolved = _resolved(statics, dense, over, seen)
+    rows, over = _solved(statics, theta, side, labels, on, seen)
+
+    def sampled(new: Mesh) -> Sample:
+        theta = new.x.ravel()
+        more, solutions = stacked(statics, theta, np.ones(len(theta)), checked=False)
+        _noted(statics, seen, theta, solutions, lambda at: scene.travel.named(theta[at]))
+        return sample_of(new, (statics, more))
+
+    mesh, values, clear = resolved(on, sample_of(on, (statics, over)), sampled, period)
+    functions = held(statics, values)
     grades = (*scene.grades, *_grades(scene, seen, labels))
     passes = max((s.passes for _, solutions in seen[:1] for s in solutions.values()), default=0)
     error = _amplified(seen, kinematics.error.acceleration)
-    return forces_of(statics, rows, theta, labels, (dense, functions, resolved), error, passes, grades)
+    return forces_of(
+        statics, rows, theta, labels, (mesh.panels_of(0)[0], functions, bool(clear[0])), error, passes, grades
+    )
 
 
 def forces_of(
@@ -141,13 +150,8 @@ def _drive_kind(scene: Scene) -> Literal["coupling", "gear", "slider"]:
     return "gear" if isinstance(scene.loading.drive, GearDrive) else "coupling"
 
 
-def _panels(scene: Scene, edges: Iterable[float]) -> Panels:
-    whole = TURN if scene.chain.turns else scene.travel.period
-    return panels(0.0, scene.travel.period, edges, whole / PARTS)
-
-
 def _solved(
-    statics: Statics, theta: Real, side: Real, labels: tuple[str, ...], on: Panels, seen: Seen
+    statics: Statics, theta: Real, side: Real, labels: tuple[str, ...], on: Mesh, seen: Seen
 ) -> tuple[Stack, Stack]:
     """Reactions at the rows and on the panels, in one run; how friction came out is noted in ``seen``."""
     n, between = len(theta), on.x.ravel()
@@ -160,32 +164,6 @@ def _solved(
     over = {name: solution.rows(slice(n, None)) for name, solution in solutions.items()}
     _noted(statics, seen, between, over, lambda at: named(between[at]))
     return everything.columns(slice(n)), everything.columns(slice(n, None))
-
-
-def _resolved(statics: Statics, on: Panels, over: Stack, seen: Seen) -> tuple[Panels, Held, bool]:
-    """Cut those panels that do not resolve the maximum that they may hold: in quarters, and at kinks of friction.
-
-    And whether all maxima are resolved then.
-    """
-    functions = held(statics, on, over)
-    for _ in range(ROUNDS):
-        rough = unresolved(on, functions.values)
-        if not rough.any():
-            return on, functions, True
-        quarters = on.edges[:-1][rough, None] + on.width[rough, None] * QUARTERS
-        finer = cut(on, [*quarters.ravel().tolist(), *kinks(on, over.faces, rough)])
-        if not finer.fresh.any():
-            break
-        on, over = finer.panels, over.with_cut(finer, _over(statics, finer.theta, seen))
-        functions = held(statics, on, over)
-    return on, functions, False
-
-
-def _over(statics: Statics, theta: Real, seen: Seen) -> Stack:
-    """Reactions at theta (n,) between the positions."""
-    over, solutions = stacked(statics, theta, np.ones(len(theta)), checked=False)
-    _noted(statics, seen, theta, solutions, lambda at: statics.scene.travel.named(theta[at]))
-    return over
 
 
 def rows_of(scene: Scene, kinematics: Kinematics, turning: Real) -> tuple[Real, Real, tuple[str, ...]]:

@@ -7,15 +7,11 @@ everything is smooth. Only panels with a kink are cut.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from itertools import pairwise
-from typing import Any, NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.numerics.gauss import rule
-from tmmcalc.core.numerics.panels import Panels
+from tmmcalc.core.numerics.mesh import Mesh
 from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.forces.edges import edge_reactions
@@ -24,8 +20,6 @@ from tmmcalc.linkage.forces.wrench import Slideway
 
 SIDE = 8  # points of the polynomial that locates a kink
 NEWTON = 6
-SLIVER = 1e-6  # part of the range: a kink so near to an edge does not show, and may be what it was put for
-SAME = 1e-9  # part of the range: an edge so near to a kink stands at it
 NOISE = 1e-9  # part of its largest value below which the sign of a force says nothing
 
 Flags = NDArray[np.bool_]
@@ -53,85 +47,24 @@ def pins(statics: Statics, state: State, n: int) -> Plane:
     return np.array(found).reshape(len(found), n)
 
 
-class Cut(NamedTuple):
-    """Panels with further edges: ``fresh`` (K,) tells the new ones, ``kept`` (K_0,) the old ones that are left."""
+def kinks(on: Mesh, forces: Real | Plane, largest: Real) -> tuple[Indices, Real]:
+    """Panels (m,) and places (m,) inside them where forces (F, P, N) on faces or in pins pass zero.
 
-    panels: Panels
-    fresh: Flags
-    kept: Flags
-
-    @property
-    def theta(self) -> Real:
-        """Points (m,) of the fresh panels."""
-        return self.panels.x[self.fresh].ravel()
-
-    def merged(self, old: Any, new: Any) -> Any:
-        """Values (..., n) at the points of all panels, from those at the old ones and at the fresh ones."""
-        points = np.repeat(self.fresh, self.panels.order)
-        result = np.empty((*old.shape[:-1], len(points)), old.dtype)
-        result[..., points] = new
-        result[..., ~points] = old[..., np.repeat(self.kept, self.panels.order)]
-        return result
-
-
-def cut(panels: Panels, places: list[float], fixed: Iterable[float] | None = None) -> Cut:
-    """The panels with an edge at every place, but for places at an edge or at another place.
-
-    Edges that are not ``fixed`` (None: all are) move to a place that is near to them: most were put for it, by a guess.
-    What is near to a place of the same pass is another kink, and gets its own edge.
+    ``largest`` are the sizes (F, V) of which a small part is noise. The force in a pin seldom passes zero itself, but
+    turns by more than a right angle as it passes by.
     """
-    old, span = panels.edges, float(panels.edges[-1] - panels.edges[0])
-    edges = old.tolist()
-    held = set(edges) if fixed is None else {edges[0], edges[-1], *fixed}
-    taken = set[float]()
-    for place in sorted(places):
-        k = int(np.searchsorted(edges, place))
-        near = k if edges[k] - place < place - edges[k - 1] else k - 1
-        gap = abs(edges[near] - place)
-        apart = SAME if edges[near] in taken else SLIVER
-        if gap > apart * span:
-            edges.insert(k, place)
-        elif gap > SAME * span and edges[near] not in held:
-            edges[near] = place
-        else:
-            place = edges[near]
-        taken.add(place)
-    finer = Panels(np.array(edges), panels.order)
-    before, after = (list(pairwise(each)) for each in (old.tolist(), edges))
-    known, left = set(before), set(after)
-    return Cut(finer, np.array([p not in known for p in after]), np.array([p in left for p in before]))
-
-
-def kinks(on: Panels, values: Real | Plane, where: Flags | bool = True) -> list[float]:
-    """Places of the kinks in the panels of ``where`` (K,), by default in all.
-
-    ``values`` (F, n) are the forces on faces, or in pins, at the points of the panels.
-    """
-    if not len(values):
-        return []
-    forces = values.reshape(-1, *on.x.shape)
-    looked = np.flatnonzero(np.broadcast_to(where, on.count))
-    panel, place = passing(forces[:, looked], np.max(np.abs(forces), axis=(1, 2))[:, None])
-    panel = looked[panel]
-    found: list[float] = (on.edges[panel] + on.width[panel] * place).tolist()
-    return found
-
-
-def passing(forces: Real | Plane, largest: Real) -> tuple[Indices, Real]:
-    """Panels (m,) and places (m,) in them, between 0 and 1, where forces (F, K, N) at Gauss points pass zero.
-
-    ``largest`` are the sizes (F, 1) or (F, K) of which a small part is noise. The force in a pin seldom passes zero
-    itself, but turns by more than a right angle as it passes by.
-    """
+    if not len(forces):
+        return np.zeros(0, np.intp), np.zeros(0)
     low, high = rule(forces.shape[-1]).ends
     v = np.concatenate(((forces @ low)[..., None], forces, (forces @ high)[..., None]), axis=-1)
     size = np.abs(v)
-    loud = np.maximum(size[..., :-1], size[..., 1:]) > NOISE * largest[..., None]
+    loud = np.maximum(size[..., :-1], size[..., 1:]) > NOISE * largest[:, on.owner, None]
     force, panel, cell = np.nonzero(turned(v[..., :-1], v[..., 1:]) & loud)
     step = v[force, panel, cell + 1] - v[force, panel, cell]
     place = _zeros(np.asarray((np.conj(step)[:, None] * forces[force, panel]).real), cell)
     inside = (place > 0) & (place < 1)
-    return panel[inside], place[inside]
+    panel, place = panel[inside], place[inside]
+    return panel, on.low[panel] + on.width[panel] * place
 
 
 def turned(before: Real | Plane, after: Real | Plane) -> Flags:

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.numerics.peaks import peaks
@@ -19,12 +18,7 @@ from tmmcalc.linkage.loads.travel import EDGE
 from tmmcalc.linkage.model import Joint
 from tmmcalc.linkage.results import Extreme
 
-MARGIN = 4.0  # a panel may hold a value higher than its points by that many times what it leaves out
-RESOLVED = 1e-8  # last coefficients of a panel, against the largest value, that need no halving
-NOISE = 1e-9  # a function below this part of the largest is rounding
 DRIVE = 1  # row of the drive; the one before it is the drive turned round
-
-Flags = NDArray[np.bool_]
 
 
 class Maxima(NamedTuple):
@@ -54,40 +48,27 @@ class Held(NamedTuple):
         return np.asarray(self.values[DRIVE])
 
 
-def held(statics: Statics, dense: Panels, over: Stack) -> Held:
-    """Drive both ways, forces, couples and edge reactions; ``over`` has one column a point."""
-    rows, couples, pressures = functions_of(statics, over)
-    return Held(rows.reshape(len(rows), *dense.x.shape), couples, pressures)
-
-
-def functions_of(statics: Statics, over: Stack) -> tuple[Real, dict[int, int], dict[int, int]]:
-    """The functions (F, n) whose maxima are asked for, and the rows of couples and edges."""
+def functions_of(statics: Statics, over: Stack) -> Real:
+    """The functions (F, n) whose maxima are asked for: drive both ways, forces, couples and edge reactions."""
     rows: list[Real] = [-over.drive, over.drive, *np.abs(over.reaction)]
-    couples, pressures = {}, {}
     for j, joint in enumerate(statics.joints):
         if joint.kind == "prismatic":
-            couples[j] = len(rows)
             rows.append(np.abs(over.couple[j]))
             if length := length_of(statics, joint):
-                pressures[j] = len(rows)
                 ahead, behind = edge_reactions(over.normal[j], over.couple[j], length)
                 rows.append(np.maximum(np.abs(ahead), np.abs(behind)))
-    return np.array(rows), couples, pressures
+    return np.array(rows)
 
 
-def unresolved(dense: Panels, values: Real) -> Flags:
-    """Panels (K,) that may hold the maximum of a function (F, K, N) and leave something of it out."""
-    high = np.max(np.abs(values), axis=2)
-    return open_maxima(high, dense.tail(values), np.max(high, axis=1)[:, None])
-
-
-def open_maxima(high: Real, tail: Real, top: Real) -> Flags:
-    """Panels (K,) that may hold a maximum ``top`` (F, 1) or (F, K) and leave something of it out.
-
-    ``high`` (F, K) are the largest values at the points of each, ``tail`` (F, K) what each leaves out.
-    """
-    counts = (high + MARGIN * tail >= top) & (top > NOISE * np.max(top, axis=0))
-    return np.asarray(np.any(counts & (tail > RESOLVED * top), axis=0))
+def held(statics: Statics, values: Real) -> Held:
+    """These functions (F, K, N) on panels, with the numbers of their rows."""
+    couples, pressures, row = {}, {}, 2 + len(statics.joints)
+    for j, joint in enumerate(statics.joints):
+        if joint.kind == "prismatic":
+            couples[j], row = row, row + 1
+            if length_of(statics, joint):
+                pressures[j], row = row, row + 1
+    return Held(values, couples, pressures)
 
 
 def maxima(statics: Statics, dense: Panels, functions: Held, resolved: bool = True) -> Maxima:
@@ -118,7 +99,7 @@ def _confirmed(statics: Statics, dense: Panels, functions: Held, at: Real) -> tu
     after = np.where(at < statics.scene.travel.period - EDGE, 1.0, -1.0)
     before = np.where(at > EDGE, -1.0, 1.0)
     exact, _ = stacked(statics, np.tile(at, 2), np.concatenate((after, before)), checked=False)
-    sides = functions_of(statics, exact)[0][each, [each, each + len(at)]]
+    sides = functions_of(statics, exact)[each, [each, each + len(at)]]
     points = functions.values.reshape(len(at), -1)
     best = np.argmax(points, axis=1)
     values = np.vstack((np.max(sides, axis=0), points[each, best]))

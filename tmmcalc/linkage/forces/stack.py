@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
-from tmmcalc.linkage.forces.kinks import Cut, faces
+from tmmcalc.linkage.forces.kinks import faces
 from tmmcalc.linkage.forces.verification import residuals, virtual_drive
 from tmmcalc.linkage.forces.wrench import Slideway
 from tmmcalc.linkage.loads.sources import Place
@@ -34,11 +34,6 @@ class Stack(NamedTuple):
     def columns(self, which: slice) -> Stack:
         """The same at some of the angles."""
         parts: list[Any] = [None if part is None else part[..., which] for part in self]
-        return Stack(*parts)
-
-    def with_cut(self, cut: Cut, fresh: Stack) -> Stack:
-        """The same on panels with further edges, with the values on the fresh ones."""
-        parts: list[Any] = [None if old is None else cut.merged(old, new) for old, new in zip(self, fresh, strict=True)]
         return Stack(*parts)
 
 

@@ -5,7 +5,6 @@ It has the places of the survey of one variant, so that the extremes of both are
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -16,14 +15,11 @@ from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.outputs import coordinate_of, default_outputs
-from tmmcalc.linkage.quality import Measure
+from tmmcalc.linkage.quality import Measure, kinds_of
 from tmmcalc.linkage.stacked.scene import Block
 from tmmcalc.linkage.stacked.settle import ROWS
-from tmmcalc.linkage.survey import STEPS
+from tmmcalc.linkage.survey import STEPS, Quantity
 from tmmcalc.linkage.trace import principal, unwrapped
-
-Look = Callable[[Chain, Configuration, Indices], Real]
-"""(chain of some rows, their configuration, the variant of each) -> values (..., rows)."""
 
 
 class Dense(NamedTuple):
@@ -43,7 +39,7 @@ def dense_of(block: Block, variants: Indices) -> Dense:
     start = np.broadcast_to(np.asarray(block.settled.start), block.size)[variants]
     x = _places(start, positive=bool(block.chain.tree.mechanism.input.speed > 0))
     own = block.chain(0)
-    kinds = _kinds(own)
+    kinds = kinds_of(own)
     outputs = default_outputs(own)
     reach = {k: np.empty(len(variants)) for k, regularity in kinds if regularity}
     squares = np.empty((len(kinds), *x.shape))
@@ -57,23 +53,23 @@ def dense_of(block: Block, variants: Indices) -> Dense:
             q = np.abs(configuration.placed[k].q)
             row[some] = np.max(np.broadcast_to(q, x[some].size).reshape(x[some].shape), axis=1)
         for m, (k, regularity) in enumerate(kinds):
-            measure = Measure(k, regularity, _repeated(reach[k][some], x.shape[1]) if regularity else 0.0)
+            measure = Measure(k, regularity, np.repeat(reach[k][some], x.shape[1]) if regularity else 0.0)
             squares[m, some] = measure(chain, configuration, x[some].ravel()).reshape(x[some].shape)
         for o, output in enumerate(default_outputs(chain)):
             for part, values in enumerate(coordinate_of(chain, output, configuration)):
                 coordinates[o, part, some] = np.broadcast_to(values, x[some].size).reshape(x[some].shape)
-    measures = tuple(Measure(k, regularity, reach[k] if regularity else 0.0) for k, regularity in kinds)  # type: ignore[arg-type]
+    measures = tuple(Measure(k, regularity, reach[k] if regularity else 0.0) for k, regularity in kinds)
     found = Dense(variants, x, start, measures, squares, outputs, coordinates)
     _count_turns(block, found)
     return found
 
 
-def looked_at(block: Block, variants: Indices, at: Real, look: Look, order: int = 2) -> Real:
-    """What a look tells at places (m,) of the variants (m,) of a block, in parts that stay in cache."""
+def evaluated(block: Block, variants: Indices, x: Real, quantity: Quantity, order: int = 2) -> Real:
+    """A quantity (..., m) at input coordinates x (m,) of the variants (m,) of a block, in parts that stay in cache."""
     parts = []
-    for some in _parts(len(at)):
-        chain = block.chain(variants[some])
-        parts.append(look(chain, chain.evaluate(at[some], order=order), np.arange(len(at))[some]))
+    for rows in np.split(np.arange(len(x)), range(ROWS, len(x), ROWS)):
+        chain = block.chain(variants[rows])
+        parts.append(quantity(chain, chain.evaluate(x[rows], order=order), rows))
     return np.concatenate(parts, axis=-1)
 
 
@@ -83,32 +79,13 @@ def values_at(block: Block, o: int, variants: Indices, at: Real) -> Real:
     def value(chain: Chain, configuration: Configuration, rows: Indices) -> Real:
         return np.broadcast_to(coordinate_of(chain, default_outputs(chain)[o], configuration)[0], rows.shape)
 
-    return looked_at(block, variants, at, value)
-
-
-def _parts(rows: int) -> Iterator[slice]:
-    return (slice(at, min(at + ROWS, rows)) for at in range(0, max(rows, 1), ROWS))
+    return evaluated(block, variants, at, value)
 
 
 def _places(start: Real, *, positive: bool) -> Real:
     """Places (V, m) of the survey of one turn of the motion from the ``start`` (V,)."""
     low, high = (start, start + TURN) if positive else (start - TURN, start)
     return np.ascontiguousarray(np.linspace(low, high, STEPS + 1, axis=1)) - TURN / STEPS / 2
-
-
-def _kinds(chain: Chain) -> list[tuple[int, bool]]:
-    """Groups and whether their regularity is meant, in the order of the measures of one variant."""
-    found = []
-    for k, step in enumerate(chain.steps):
-        found.append((k, False))
-        if step.group.kind == "RPR":
-            found.append((k, True))
-    return found
-
-
-def _repeated(values: Real, times: int) -> float:
-    rows: float = np.repeat(values, times)  # type: ignore[assignment]
-    return rows
 
 
 def _count_turns(block: Block, dense: Dense) -> None:

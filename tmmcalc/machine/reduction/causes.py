@@ -2,64 +2,93 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.numerics.mesh import Cut, Mesh
 from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Plane, Real
-from tmmcalc.linkage.forces.kinetostatics import State, Statics, compile_statics
-from tmmcalc.linkage.forces.kinks import Cut, faces, pins
+from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
+from tmmcalc.linkage.forces.kinks import faces, pins
 from tmmcalc.linkage.forces.verification import friction_power
 from tmmcalc.linkage.loads.scene import Scene
 from tmmcalc.linkage.loads.sources import Place, Source
 from tmmcalc.linkage.trace import BLOCK
 from tmmcalc.machine.reduction.inertia import reduced_inertia
 
+MOMENTS = 3  # rows of a sample before those of the causes
+
+Names = tuple[tuple[str, str, int], ...]
+Named = Callable[[NDArray[np.intp]], list[str]]
+
 
 class Sample(NamedTuple):
-    """Everything at n angles, along the motion: a positive moment drives."""
+    """Everything at n angles, or at the points of panels (P, N), along the motion: a positive moment drives."""
 
-    inertia: Real  # (n,)
-    slope: Real  # (n,) against theta
-    moments: Real  # (S, n) per power of the speed
-    idle: Real  # (n,) moment of friction without technological loads
+    rows: Real  # (3 + S, n) J [kg*m^2], dJ/dtheta, idle friction [N*m], moments of all causes per power of the speed
     faces: Real  # (F, n) forces whose signs the friction of sliders depends on, with the loads and without
     pins: Plane  # (P, n) forces whose sizes the friction in pins depends on, the same
-    stuck: bool  # whether friction locks the linkage somewhere without the loads
+    growth: Real  # (n,) largest growth of errors in the friction; infinite where friction locks the linkage
 
     @property
-    def rows(self) -> Real:
-        """The functions that are held on panels (3 + S, n)."""
-        return np.vstack((self.inertia, self.slope, self.idle, self.moments))
+    def inertia(self) -> Real:
+        """Reduced inertia (n,)."""
+        return self.rows[0]
+
+    @property
+    def slope(self) -> Real:
+        """Its derivative against theta (n,)."""
+        return self.rows[1]
+
+    @property
+    def idle(self) -> Real:
+        """Moment of friction without technological loads (n,)."""
+        return self.rows[2]
+
+    @property
+    def moments(self) -> Real:
+        """Moments of all causes (S, n), per power of the speed."""
+        return self.rows[MOMENTS:]
 
     def columns(self, which: slice) -> Sample:
         """The same at some of the angles."""
-        parts: tuple[Any, ...] = self[:-1]
-        inertia, slope, moments, idle, on_faces, in_pins = (part[..., which] for part in parts)
-        return Sample(inertia, slope, moments, idle, on_faces, in_pins, self.stuck)
+        parts: list[Any] = [part[..., which] for part in self]
+        return Sample(*parts)
 
-    def with_cut(self, cut: Cut, fresh: Sample) -> Sample:
-        """The same on panels with further edges, with the values on the fresh ones."""
-        parts = (cut.merged(old, new) for old, new in zip(self[:-1], fresh[:-1], strict=True))
-        inertia, slope, moments, idle, on_faces, in_pins = parts
-        return Sample(inertia, slope, moments, idle, on_faces, in_pins, self.stuck or fresh.stuck)
+    def over(self, on: Mesh) -> Sample:
+        """The same, at the points of panels one behind the other, in the shape of these."""
+        parts: list[Any] = [part.reshape(*part.shape[:-1], *on.x.shape) for part in self]
+        return Sample(*parts)
+
+    def with_cut(self, by: Cut, fresh: Sample) -> Sample:
+        """The same on panels some of which are cut, with the values on the fresh ones."""
+        return Sample(*(by.merged(old, new) for old, new in zip(self, fresh, strict=True)))
+
+
+def joined(parts: Sequence[Sample]) -> Sample:
+    """Samples one behind the other."""
+    columns: list[Any] = [np.concatenate(column, axis=-1) for column in zip(*parts, strict=True)]
+    return parts[0] if len(parts) == 1 else Sample(*columns)
 
 
 class Causes(NamedTuple):
-    """The sources of a scene, merged by name, and friction as the last if any pair rubs."""
+    """The sources of a scene, merged by name, and friction as the last if any pair rubs.
+
+    The rows of the scene are those of one linkage, or of several variants of it.
+    """
 
     scene: Scene
     statics: Statics
     quiet: Statics | None  # without technological loads; None if nothing rubs, or nothing but them is there
-    names: tuple[tuple[str, str, int], ...]  # name, kind, order in the speed of every contribution
+    names: Names  # name, kind, order in the speed of every contribution
 
     @property
     def orders(self) -> Indices:
         """Order in the speed of every contribution (S,)."""
-        return np.array([order for _, _, order in self.names], dtype=np.intp)
+        return orders_of(self.names)
 
     @property
     def powers(self) -> Real:
@@ -71,85 +100,93 @@ class Causes(NamedTuple):
         """Whether there is a technological load."""
         return any(kind == "load" for _, kind, _ in self.names)
 
-    def sampled(self, theta: Real, side: Real, named: Callable[[NDArray[np.intp]], list[str]]) -> Sample:
+    def sampled(self, theta: Real, side: Real, named: Named) -> Sample:
         """Everything at theta (n,), each from its side, in blocks that stay in cache; ``named`` tells locked rows."""
 
-        def named_from(first: int) -> Callable[[NDArray[np.intp]], list[str]]:
-            return lambda rows: named(rows + first)
+        def part(at: int) -> Sample:
+            its = side[at : at + BLOCK]
+            return self.at(self.scene.place(theta[at : at + BLOCK], its), its, lambda rows: named(rows + at))
 
-        parts = [
-            self.at(
-                self.scene.place(theta[at : at + BLOCK], side[at : at + BLOCK]), side[at : at + BLOCK], named_from(at)
-            )
-            for at in range(0, len(theta), BLOCK)
-        ]
-        if len(parts) == 1:
-            return parts[0]
-        inertia, slope, moments, idle, on_faces, in_pins = (
-            np.concatenate(column, axis=-1) for column in zip(*(part[:-1] for part in parts), strict=True)
-        )
-        return Sample(inertia, slope, moments, idle, on_faces, in_pins, any(part.stuck for part in parts))
-
-    def most(self, theta: Real) -> float:
-        """What the moment of a source could be over theta (n,) if its forces lay along the motion of their points."""
-        place, speed = self.scene.place(theta), self.scene.travel.speed
-        sizes = (abs(source.factor(speed)) * np.max(most_of(source, place)) for source in self.scene.sources)
-        return max(map(float, sizes), default=0.0)
+        return joined([part(at) for at in range(0, len(theta), BLOCK)])
 
     def along(self, theta: Real) -> Sample:
         """The same at theta (n,) between the positions."""
         return self.sampled(theta, np.ones(len(theta)), lambda rows: self.scene.travel.named(theta[rows]))
 
-    def at(self, place: Place, side: Real, named: Callable[[NDArray[np.intp]], list[str]]) -> Sample:
-        """Everything at one place, all of it at once."""
-        sense, n, kind = self.scene.travel.sense, len(place.theta), place.theta.dtype
-        bodies = self.scene.loading.heavy
-        inertia, slope = reduced_inertia(bodies, place.configuration, n) if bodies else np.zeros((2, n), kind)
-        moments = np.zeros((len(self.names), n), kind)
-        for source in self.scene.sources:
-            k = self.names.index((source.name, source.kind, source.order))
-            moments[k] += power_of(source, place) * (sense if source.order == 0 else 1.0)
+    def at(self, place: Place, side: Real, named: Named | None = None) -> Sample:
+        """Everything at one place, all of it at once.
+
+        With ``named``, which words rows, self-locking under the loads raises `NoSolutionError`.
+        """
+        scene, sense, n = self.scene, self.scene.travel.sense, len(place.theta)
+        rows = np.zeros((MOMENTS + len(self.names), n), place.theta.dtype)
+        if bodies := scene.loading.heavy:
+            rows[:2] = reduced_inertia(bodies, place.configuration, n)
+            rows[1] *= sense
+        known = {source: _known(source, place) for source in self.statics.sources}
+        for source in scene.sources:
+            k = MOMENTS + self.names.index((source.name, source.kind, source.order))
+            moment = sum(action.power(place.configuration) for action in known[source].actions(place))
+            rows[k] += moment * (sense if source.order == 0 else 1.0)
         if not self.statics.scales:
             none = np.zeros((0, n))
-            return Sample(inertia, slope * sense, moments, np.zeros(n), none, none + 0j, False)
-        from tmmcalc.linkage.forces.locking import refuse_locked  # only what rubs needs it
+            return Sample(rows, none, none + 0j, np.ones(n))
 
-        state = self.statics.solve(place, side)
-        refuse_locked(self.statics, state.solutions, named)
-        moments[-1] = self._lost(state, place)
-        on_faces, in_pins = faces(self.statics, state, n), pins(self.statics, state, n)
+        def rubbed(statics: Statics, named: Named | None) -> tuple[Real, Real, Plane, Real]:
+            """Moment of friction along the motion (n,), forces on faces and in pins, growth of errors (n,)."""
+            statics = statics._replace(sources=tuple(known[source] for source in statics.sources))
+            state = statics.solve(place, side)
+            if named is not None:
+                from tmmcalc.linkage.forces.locking import refuse_locked  # only what rubs needs it
+
+                refuse_locked(statics, state.solutions, named)
+            lost = np.asarray(sense * sum(friction_power(statics, state, place).values()))
+            growths = [np.where(found.locked, np.inf, found.amplification) for found in state.solutions.values()]
+            return lost, faces(statics, state, n), pins(statics, state, n), np.max(growths, axis=0)
+
+        rows[-1], on_faces, in_pins, growth = rubbed(self.statics, named)
         if self.quiet is None:
-            return Sample(inertia, slope * sense, moments, np.zeros(n), on_faces, in_pins, False)
-        state = self.quiet.solve(place, side)
-        stuck = any(solution.locked.any() for solution in state.solutions.values())
-        idle = self._lost(state, place)
-        on_faces = np.concatenate((on_faces, faces(self.quiet, state, n)))
-        in_pins = np.concatenate((in_pins, pins(self.quiet, state, n)))
-        return Sample(inertia, slope * sense, moments, idle, on_faces, in_pins, stuck)
+            return Sample(rows, on_faces, in_pins, growth)
+        rows[2], *forces, further = rubbed(self.quiet, None)
+        on_faces, in_pins = (np.concatenate(pair) for pair in zip((on_faces, in_pins), forces, strict=True))
+        return Sample(rows, on_faces, in_pins, np.maximum(growth, further))
 
-    def _lost(self, state: State, place: Place) -> Real:
-        """Moment of friction along the motion (n,)."""
-        return np.asarray(self.scene.travel.sense * sum(friction_power(self.statics, state, place).values()))
+    def most(self, theta: Real) -> float:
+        """What the moment of a source could be over theta (n,) if its forces lay along the motion of their points."""
+        return float(np.max(self.possible(theta), initial=0.0))
+
+    def possible(self, theta: Real) -> Real:
+        """The same at theta (n,)."""
+        place, speed, found = self.scene.place(theta), self.scene.travel.speed, np.zeros(len(theta))
+        motions = place.configuration.motions
+        for source in self.scene.sources:
+            actions = source.actions(place)
+            turning = sum(np.abs(action.moment * motions[action.link].omega) for action in actions)
+            pushing = sum(np.abs(action.force) * np.abs(action.at.v) for action in actions)
+            found = np.maximum(found, abs(source.factor(speed)) * (turning + pushing))
+        return found
 
 
-def power_of(source: Source, place: Place) -> Real:
-    """Moment of a source (n,), per power of the speed."""
-    return np.asarray(sum(action.power(place.configuration) for action in source.actions(place)))
+def _known(source: Source, place: Place) -> Source:
+    """A source whose actions at a place are computed once: for moments, and for friction with and without loads."""
+    actions = source.actions(place)
+    return source._replace(actions=lambda _: actions)
 
 
-def most_of(source: Source, place: Place) -> Real:
-    """What it could be (n,) if its forces lay along the motion of their points."""
-    motions = place.configuration.motions
-    turning = (np.abs(action.moment * motions[action.link].omega) for action in source.actions(place))
-    pushing = (np.abs(action.force) * np.abs(action.at.v) for action in source.actions(place))
-    return np.asarray(sum(turning) + sum(pushing))
+def orders_of(names: Names) -> Indices:
+    """Order in the speed of every contribution (S,)."""
+    return np.array([order for _, _, order in names], dtype=np.intp)
 
 
 def causes_of(scene: Scene) -> Causes:
     """The causes of a scene, in the order of its sources."""
-    statics = compile_statics(scene)
-    names = dict.fromkeys((source.name, source.kind, source.order) for source in scene.sources)
+    return causes_in(compile_statics(scene))
+
+
+def causes_in(statics: Statics) -> Causes:
+    """The same of a scene whose force analysis is compiled."""
+    names = dict.fromkeys((source.name, source.kind, source.order) for source in statics.scene.sources)
     friction = (("friction", "friction", 0),) if statics.scales else ()
     others = tuple(source for source in statics.sources if source.kind != "load")
     apart = bool(friction and others) and len(others) < len(statics.sources)
-    return Causes(scene, statics, statics._replace(sources=others) if apart else None, (*names, *friction))
+    return Causes(statics.scene, statics, statics._replace(sources=others) if apart else None, (*names, *friction))

@@ -27,7 +27,7 @@ from tmmcalc.linkage.results import Extreme, Kinematics
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.reduction.causes import Causes, Sample, causes_of
 from tmmcalc.machine.reduction.inertia import lumped, reduced_inertia, rods_of
-from tmmcalc.machine.reduction.mesh import first_of, refined
+from tmmcalc.machine.reduction.mesh import reduced
 from tmmcalc.machine.reduction.results import Contribution, Reduction, ReductionError, Rods
 from tmmcalc.machine.reduction.rounding import Solved, estimate
 from tmmcalc.machine.reduction.signs import wrong_signs
@@ -44,8 +44,7 @@ def solve_reduction(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
     scene = compile_scene(mechanism, taken, kinematics)
     causes = causes_of(scene)
     theta, labels = scene.travel.rows(kinematics)
-    nodes, first, sample, breaks = first_of(causes, theta, labels)
-    dense, values, tail, stuck, scale = refined(causes, first, sample, breaks)
+    nodes, dense, values, (tail, stuck, scale) = reduced(causes, theta, labels)
     found = Solved(theta, scene.travel.sides(theta), nodes, dense, values, tail)
     beside = loading.bodies if rods == "lumped" else static
     other = reduced_inertia(beside, scene.place(theta).configuration, len(theta))[0] if links else None
@@ -130,8 +129,7 @@ def solve_back(
     scene = compile_scene(mechanism, taken if rods == "lumped" else loading, kinematics)
     causes = _turned_back(causes_of(scene))
     try:
-        _, first, sample, breaks = first_of(causes, np.empty(0), ())
-        dense, values, tail, stuck, _ = refined(causes, first, sample, breaks)
+        _, dense, values, (tail, stuck, _) = reduced(causes, np.empty(0), ())
     except NoSolutionError as error:
         raise NoSolutionError(
             f"turned back, the input is held by friction: {error.message}",

@@ -17,9 +17,9 @@ import numpy as np
 
 from tmmcalc.core.numerics.extended import EPS, WIDER
 from tmmcalc.core.numerics.gauss import ORDER, rule
+from tmmcalc.core.numerics.mesh import SLIVER
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.forces.kinks import SLIVER
 from tmmcalc.linkage.results import ErrorEstimate
 from tmmcalc.linkage.rounding import MARGIN, choice, regularity_of
 from tmmcalc.machine.reduction.causes import Causes, Sample

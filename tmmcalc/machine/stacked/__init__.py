@@ -1,6 +1,9 @@
-"""Steady motions of many machines with motors at once.
+"""Reduced cycles and steady motions of many machines with motors at once; `linkage.stacked` says what differs and why.
 
-regimes.py   the machines of stacked cycles on their panels, and the regimes that they settle in
-figures.py   unevenness, mean and extreme speeds, power
-spots.py     speeds, moments and times at angles
+reduction.py  reduced moments and inertia of many variants on their panels
+records.py    results of single variants, cut out of those of many
+regimes.py    the machines of stacked cycles on their panels, and the regimes that they settle in
+searches.py   the regimes that a search for the flywheel asks for
+figures.py    unevenness, mean and extreme speeds, power
+spots.py      speeds, moments and times at angles
 """

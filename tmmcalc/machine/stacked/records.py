@@ -11,33 +11,28 @@ import numpy as np
 
 from tmmcalc.core.numerics.alike import alike, numbers, rebuilt
 from tmmcalc.core.numerics.extended import WIDER
-from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.forces.forces import ROUNDING, forces_of
 from tmmcalc.linkage.forces.kinetostatics import Statics
-from tmmcalc.linkage.forces.maxima import Held
+from tmmcalc.linkage.forces.maxima import held
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.kinematics import crank_length
 from tmmcalc.linkage.results import ErrorEstimate, Kinematics, Trace
 from tmmcalc.linkage.rounding import between, choice, estimate, least_regularity
-from tmmcalc.linkage.stacked.dense import dense_of, looked_at
-from tmmcalc.linkage.stacked.ragged import Ragged
+from tmmcalc.linkage.stacked.dense import dense_of, evaluated
 from tmmcalc.linkage.stacked.reactions import reactions_of
 from tmmcalc.linkage.stacked.scene import Block
 from tmmcalc.linkage.stacked.summaries import qualities_of, summaries_of
 from tmmcalc.linkage.stacked.tables import SAFE, jumps_alike, kinematics_of
 from tmmcalc.linkage.trace import trace
-from tmmcalc.machine.reduction.causes import Causes
-from tmmcalc.machine.reduction.causes import Sample as Nodes
+from tmmcalc.machine.reduction.causes import causes_in
 from tmmcalc.machine.reduction.inertia import lumped, reduced_inertia, rods_of
 from tmmcalc.machine.reduction.reduce import reduction_of
 from tmmcalc.machine.reduction.results import Reduction, Rods
 from tmmcalc.machine.reduction.rounding import unmeasured
-from tmmcalc.machine.stacked.causes import MOMENTS, sampled
-from tmmcalc.machine.stacked.reduction import AS_ALONE, Cycles, cycles_of
+from tmmcalc.machine.stacked.reduction import AS_ALONE, Cycles, cycles_of, sampled
 
 _STACKS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "s", "ds", "dds")
 
@@ -85,7 +80,7 @@ def _errors(block: Block, variants: Indices, x: Real, weakest: Sequence[Sequence
             estimate(own, row, lambda at, own=own: trace(own, at), weak)  # type: ignore[misc]
             for own, row, weak in zip(owns, x, weakest, strict=True)
         ]
-    regular = looked_at(
+    regular = evaluated(
         block,
         np.repeat(variants, x.shape[1]),
         x.ravel(),
@@ -119,11 +114,14 @@ def forces_records(block: Block, variants: Indices, kinematics: Sequence[Kinemat
         if not clear[k]:
             found.append(None)
             continue
-        own, panels, part = _own(block, v), *_panels(over.panels, k)
-        held = Held(over.values[:, part], over.couples, over.pressures)
+        own, (panels, part) = _own(block, v), over.panels.panels_of(k)
         error = max(kinematics[k].error.acceleration, ROUNDING) * float(growth[k])
         mine = rows.columns(slice(k * n, (k + 1) * n))
-        found.append(forces_of(own, _copied(mine), theta, labels, (panels, held, True), error, passes, ()))
+        found.append(
+            forces_of(
+                own, _copied(mine), theta, labels, (panels, held(own, over.values[:, part]), True), error, passes, ()
+            )
+        )
     return found
 
 
@@ -141,7 +139,7 @@ def reduction_records(
     statics = block.statics(np.repeat(variants, n))
     theta, labels = statics.scene.travel.rows(block.same.kinematics)
     side = statics.scene.travel.sides(theta)
-    nodes = sampled(block, np.repeat(variants, n), np.tile(theta, count), np.tile(side, count), cycles.names, idle=True)
+    nodes = sampled(block, np.repeat(variants, n), np.tile(theta, count), np.tile(side, count), idle=True)
     clear = cycles.clear & (np.max(nodes.growth.reshape(count, n), axis=1) < SAFE)
     others, links = _others(block, variants, theta)
     found: list[Reduction | None] = []
@@ -149,14 +147,12 @@ def reduction_records(
         if not clear[k]:
             found.append(None)
             continue
-        own, panels, part = _own(block, v), *_panels(cycles.panels, k)
-        causes = Causes(own.scene, own, None, cycles.names)
-        at = nodes.rows[:, k * n : (k + 1) * n]
-        node = Nodes(at[0], at[1], at[MOMENTS:], at[2], nodes.faces[:, :0], nodes.pins[:, :0], False)
+        own, (panels, part) = _own(block, v), cycles.panels.panels_of(k)
+        node = nodes.columns(slice(k * n, (k + 1) * n))
         rows = cycles.rows[:, part].copy()
         error = unmeasured(float(cycles.tail[k]), kinematics[k].error)
         rods = Rods("exact", links, None if others is None else others[k])
-        found.append(reduction_of(causes, (theta, labels, node), (panels, rows), error, rods, stuck=False))
+        found.append(reduction_of(causes_in(own), (theta, labels, node), (panels, rows), error, rods, stuck=False))
     return found, cycles
 
 
@@ -199,9 +195,3 @@ def _own(block: Block, variant: int) -> Statics:
     )
     scene = same.scene._replace(chain=chain, loading=loading, travel=travel, grades=())
     return same.statics._replace(scene=scene, pairs={pair.joint: pair for pair in loading.pairs})
-
-
-def _panels(on: Ragged, k: int) -> tuple[Panels, slice]:
-    """The panels of one variant, and their numbers."""
-    low, high = np.searchsorted(on.owner, (k, k + 1)).tolist()
-    return Panels(np.append(on.low[low:high], TURN)), slice(low, high)

@@ -25,7 +25,7 @@ from tmmcalc.machine.onemass import SPEEDS
 from tmmcalc.machine.steady import LOSS
 
 if TYPE_CHECKING:
-    from tmmcalc.linkage.stacked.ragged import Ragged
+    from tmmcalc.core.numerics.mesh import Mesh
     from tmmcalc.machine.motors.characteristics import Characteristic
 
 Flags = NDArray[np.bool_]
@@ -83,7 +83,7 @@ class Regimes(NamedTuple):
         return (self.driving + self.load - m.slope * self.omega * self.omega / 2) / m.inertia
 
 
-def machines_of(on: Ragged, values: Values, count: int, constant: Any, motor: Characteristic) -> Machines:
+def machines_of(on: Mesh, values: Values, count: int, constant: Any, motor: Characteristic) -> Machines:
     """The machines of ``count`` cycles on panels, from J, dJ/dtheta, moment, moment per speed (4, P, N).
 
     ``constant`` (V,) or one number is their further inertia [kg*m^2].
