@@ -14,10 +14,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tmmcalc.core.atomic import replace_file
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.stored import Record, Table
 from tmmcalc.pipeline import content, manifest
-from tmmcalc.pipeline.atomic import replace_file
 from tmmcalc.pipeline.manifest import Manifest, Provenance
 from tmmcalc.pipeline.plain import plain_record, plain_table
 from tmmcalc.pipeline.store import CSV_ROWS, Damaged, Found, Missing, Store
