@@ -5,6 +5,9 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 DEMO   := demo.out
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
+# empty, whatever it is outside: without kept bytecode each process of the tests would compile all modules anew
+export PYTHONDONTWRITEBYTECODE :=
+PYTEST := $(BIN)/python -m pytest -n 2 --dist worksteal
 
 .PHONY: demo test slow estimates lint bench accuracy format schema clean
 
@@ -16,14 +19,14 @@ demo: $(VENV)/.run
 	$(BIN)/tmmcalc forces configs/shaper.toml -o $(DEMO)
 
 test: $(VENV)/.dev
-	$(BIN)/python -m pytest -n 2 -m "not slow"
+	$(PYTEST) -m "not slow"
 
 slow: $(VENV)/.dev
-	$(BIN)/python -m pytest -n 2 -m slow
+	$(PYTEST) -m slow
 
 # every estimate of an error against the truth over all its random scenes, of which `make slow` takes a part: an hour
 estimates: $(VENV)/.dev
-	ESTIMATES=1 $(BIN)/python -m pytest -n 2 -m slow -k "estimate or bound or sizes or frequencies"
+	ESTIMATES=1 $(PYTEST) -m slow -k "estimate or bound or sizes or frequencies"
 
 lint: $(VENV)/.dev
 	$(BIN)/ruff check .

@@ -13,6 +13,9 @@ from reference import Angle, Array, NoPositionError, Placements, System
 
 from tmmcalc.linkage.model import Link, Mechanism
 
+CLOSED = 1e-13  # scaled closure error of a start that is at a variant
+STUCK = 1e6  # damping of a start that no step brings nearer
+
 
 def initial_guess_from(
     mechanism: Mechanism, coordinate: float, sketch: Mapping[str, complex] | None = None, *, starts: int = 120
@@ -75,15 +78,18 @@ def fitted(link: Link, known: list[str], sketch: Mapping[str, complex], angle: A
 
 
 def relax(system: System, q: Array, coordinate: Array, iterations: int = 80) -> tuple[Array, Array]:
-    """Levenberg-Marquardt on every start; the bodies and their largest scaled closure errors."""
-    damping = np.full(len(q), 1e-2)
+    """Levenberg-Marquardt on every start that still moves; the bodies and their largest scaled closure errors."""
+    q, damping = q.copy(), np.full(len(q), 1e-2)
     error = system.residual(q, coordinate) / system.row_scale
     for _ in range(iterations):
-        trial = q - damped_step(system, q, error, damping)
-        trial_error = system.residual(trial, coordinate) / system.row_scale
-        better = np.sum(trial_error**2, axis=1) < np.sum(error**2, axis=1)
-        q, error = np.where(better[:, None, None], trial, q), np.where(better[:, None], trial_error, error)
-        damping = np.clip(np.where(better, damping / 8, damping * 5), 1e-14, 1e6)
+        going = np.flatnonzero((np.max(np.abs(error), axis=1) > CLOSED) & (damping < STUCK))
+        if not going.size:
+            break
+        trial = q[going] - damped_step(system, q[going], error[going], damping[going])
+        trial_error = system.residual(trial, coordinate[going]) / system.row_scale
+        better = np.sum(trial_error**2, axis=1) < np.sum(error[going] ** 2, axis=1)
+        q[going[better]], error[going[better]] = trial[better], trial_error[better]
+        damping[going] = np.clip(np.where(better, damping[going] / 8, damping[going] * 5), 1e-14, STUCK)
     return q, np.max(np.abs(error), axis=1)
 
 

@@ -15,7 +15,7 @@ times the condition of the question, not of the linear solve.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -78,37 +78,6 @@ class Distance:
     turns: bool
     driven: bool = False  # c is the input coordinate, else 0
 
-    def geometry(self, q: Array) -> tuple[Array, Array, Array, Array]:
-        """Weight in the frame, arms of both points, their difference."""
-        (s, g), (p_s, p_g) = self.bodies, self.points
-        a_s, a_g = p_s * turn(q[:, s, 2]), p_g * turn(q[:, g, 2])
-        weight = self.weight * (turn(q[:, g, 2]) if self.turns else np.ones_like(a_g))
-        delta = q[:, s, 0] - q[:, g, 0] + 1j * (q[:, s, 1] - q[:, g, 1]) + a_s - a_g
-        return weight, a_s, a_g, delta
-
-    def residual(self, q: Array, coordinate: Array) -> Array:
-        weight, _, _, delta = self.geometry(q)
-        return dot(weight, delta) - (coordinate if self.driven else 0)
-
-    def row(self, q: Array) -> Array:
-        (s, g), (weight, a_s, a_g, delta) = self.bodies, self.geometry(q)
-        row = np.zeros_like(q)
-        row[:, s] += np.stack([weight.real, weight.imag, dot(weight, 1j * a_s)], axis=-1)
-        row[:, g] -= np.stack([weight.real, weight.imag, dot(weight, 1j * a_g)], axis=-1)
-        if self.turns:
-            row[:, g, 2] += dot(1j * weight, delta)
-        return row
-
-    def second_order(self, q: Array, v: Array) -> Array:
-        """Right side of the acceleration equation: the velocity terms, moved over."""
-        (s, g), (weight, a_s, a_g, delta) = self.bodies, self.geometry(q)
-        w_s, w_g = v[:, s, 2], v[:, g, 2]
-        right = dot(weight, w_s**2 * a_s - w_g**2 * a_g)
-        if self.turns:
-            rate = v[:, s, 0] - v[:, g, 0] + 1j * (v[:, s, 1] - v[:, g, 1]) + 1j * (w_s * a_s - w_g * a_g)
-            right = right - 2 * w_g * dot(1j * weight, rate) + w_g**2 * dot(weight, delta)
-        return right
-
 
 @dataclass(frozen=True)
 class Angle:
@@ -118,23 +87,66 @@ class Angle:
     offset: float
     driven: bool = False
 
-    def residual(self, q: Array, coordinate: Array) -> Array:
-        s, g = self.bodies
-        if self.driven:
-            return q[:, s, 2] - coordinate
-        open_ = q[:, s, 2] - q[:, g, 2] - self.offset
-        whole = TWO_PI.astype(q.dtype)
-        closed: Array = open_ - whole * np.round(open_ / whole)
-        return closed
 
-    def row(self, q: Array) -> Array:
-        row = np.zeros_like(q)
-        row[:, self.bodies[0], 2] += 1
-        row[:, self.bodies[1], 2] -= 1
-        return row
+class Distances:
+    """All equations of distance of a mechanism at once; ``rows`` are their places among all equations."""
+
+    def __init__(self, equations: Sequence[Distance | Angle]) -> None:
+        chosen = {k: eq for k, eq in enumerate(equations) if isinstance(eq, Distance)}
+        self.rows = np.array([*chosen], dtype=int)
+        self.s, self.g = np.array([eq.bodies for eq in chosen.values()], dtype=int).reshape(-1, 2).T
+        self.p_s, self.p_g = np.array([eq.points for eq in chosen.values()], dtype=complex).reshape(-1, 2).T
+        self.weight = np.array([eq.weight for eq in chosen.values()], dtype=complex)
+        self.turns = np.array([eq.turns for eq in chosen.values()], dtype=bool)
+        self.driven = np.array([eq.driven for eq in chosen.values()], dtype=bool)
+
+    def geometry(self, q: Array) -> tuple[Array, Array, Array, Array]:
+        """Weights in the frame, arms of both points, their difference, each (n, distances)."""
+        s, g = q[:, self.s], q[:, self.g]
+        with_g = turn(g[..., 2])
+        a_s, a_g = self.p_s * turn(s[..., 2]), self.p_g * with_g
+        weight = self.weight * np.where(self.turns, with_g, 1)
+        delta = s[..., 0] - g[..., 0] + 1j * (s[..., 1] - g[..., 1]) + a_s - a_g
+        return weight, a_s, a_g, delta
+
+    def residual(self, q: Array, coordinate: Array) -> Array:
+        weight, _, _, delta = self.geometry(q)
+        return dot(weight, delta) - np.where(self.driven, coordinate[:, None], 0)
+
+    def derivatives(self, q: Array) -> tuple[Array, Array]:
+        """Derivatives by the coordinates of body s and of body g, each (n, distances, 3)."""
+        weight, a_s, a_g, delta = self.geometry(q)
+        by_s = np.stack([weight.real, weight.imag, dot(weight, 1j * a_s)], axis=-1)
+        by_g = np.stack([weight.real, weight.imag, dot(weight, 1j * a_g)], axis=-1)
+        by_g[..., 2] -= np.where(self.turns, dot(1j * weight, delta), 0)
+        return by_s, -by_g
 
     def second_order(self, q: Array, v: Array) -> Array:
-        return np.zeros_like(q[:, 0, 0])
+        """Right side of the acceleration equation: the velocity terms, moved over."""
+        weight, a_s, a_g, delta = self.geometry(q)
+        v_s, v_g = v[:, self.s], v[:, self.g]
+        w_s, w_g = v_s[..., 2], v_g[..., 2]
+        rate = v_s[..., 0] - v_g[..., 0] + 1j * (v_s[..., 1] - v_g[..., 1]) + 1j * (w_s * a_s - w_g * a_g)
+        turning = w_g**2 * dot(weight, delta) - 2 * w_g * dot(1j * weight, rate)
+        return dot(weight, w_s**2 * a_s - w_g**2 * a_g) + np.where(self.turns, turning, 0)
+
+
+class Angles:
+    """All equations of angles of a mechanism at once; ``rows`` are their places among all equations."""
+
+    def __init__(self, equations: Sequence[Distance | Angle]) -> None:
+        chosen = {k: eq for k, eq in enumerate(equations) if isinstance(eq, Angle)}
+        self.rows = np.array([*chosen], dtype=int)
+        self.s, self.g = np.array([eq.bodies for eq in chosen.values()], dtype=int).reshape(-1, 2).T
+        self.offset = np.array([eq.offset for eq in chosen.values()])
+        self.driven = np.array([eq.driven for eq in chosen.values()], dtype=bool)
+
+    def residual(self, q: Array, coordinate: Array) -> Array:
+        open_ = q[:, self.s, 2] - q[:, self.g, 2] - self.offset
+        whole = TWO_PI.astype(q.dtype)
+        closed = open_ - whole * np.round(open_ / whole)
+        left: Array = np.where(self.driven, q[:, self.s, 2] - coordinate[:, None], closed)
+        return left
 
 
 def turn(angle: Array) -> Array:
@@ -160,6 +172,7 @@ class System:
         self.equations = [eq for joint in mechanism.joints for eq in self._joint(joint)] + [self._driver()]
         if len(self.equations) != 3 * len(mechanism.links):
             raise ValueError(f"{len(self.equations)} equations for {len(mechanism.links)} moving links")
+        self.distances, self.angles = Distances(self.equations), Angles(self.equations)
         lengths = [self.size if isinstance(eq, Distance) else 1.0 for eq in self.equations]
         self.row_scale = np.array(lengths)
         self.body_scale = np.array([self.size, self.size, 1.0])
@@ -182,12 +195,24 @@ class System:
 
     def residual(self, q: Array, coordinate: Array) -> Array:
         """Closure errors (n, 3 links)."""
-        return np.stack([eq.residual(q, coordinate) for eq in self.equations], axis=-1)
+        left = np.empty((len(q), len(self.equations)), dtype=q.dtype)
+        for kind in (self.distances, self.angles):
+            left[:, kind.rows] = kind.residual(q, coordinate)
+        return left
 
     def jacobian(self, q: Array) -> Array:
         """Derivatives of the closure errors (n, 3 links, 3 links)."""
-        rows = np.stack([eq.row(q)[:, :-1] for eq in self.equations], axis=1)
-        return rows.reshape(*rows.shape[:2], -1)
+        matrix = np.zeros((len(q), len(self.equations), *q.shape[1:]), dtype=q.dtype)
+        far, near = self.distances, self.angles
+        matrix[:, far.rows, far.s], matrix[:, far.rows, far.g] = far.derivatives(q)
+        matrix[:, near.rows, near.s, 2], matrix[:, near.rows, near.g, 2] = 1, -1
+        return matrix[:, :, :-1].reshape(*matrix.shape[:2], -1)
+
+    def second_order(self, q: Array, v: Array) -> Array:
+        """Right sides of the acceleration equations (n, 3 links)."""
+        right = np.zeros((len(q), len(self.equations)), dtype=q.dtype)
+        right[:, self.distances.rows] = self.distances.second_order(q, v)
+        return right
 
     def scaled(self, matrix: Array) -> Array:
         """The Jacobian in lengths of one mechanism size: comparable rows and columns."""
@@ -215,7 +240,7 @@ class System:
         right = np.zeros(matrix.shape[:2], dtype=q.dtype)
         right[:, -1] = 1
         v = self.refined(matrix, right)
-        return v, self.refined(matrix, np.stack([eq.second_order(q, v) for eq in self.equations], axis=-1))
+        return v, self.refined(matrix, self.second_order(q, v))
 
     def polished(self, q: Array, coordinate: Array) -> Array:
         """Newton's method in extended precision until the correction stagnates."""
@@ -274,18 +299,17 @@ def bodies_of(system: System, start: Placements, coordinate: float) -> Array:
 def follow(system: System, q: Array, coordinate: Array, max_step: float) -> Array:
     """Positions (n, links + 1, 3) along the coordinates: predictor of second order, Newton as corrector."""
     q = newton(system, q, coordinate[0], iterations=50)
-    at, found = float(coordinate[0]), [q]
+    at, found, sense = float(coordinate[0]), [q], determinant_sign(system, q)
     for target in coordinate[1:]:
         while at != target:
-            at, q = advance(system, at, q, float(target), max_step)
+            at, q = advance(system, at, q, float(target), max_step, sense)
         found.append(q)
     return np.concatenate(found)
 
 
-def advance(system: System, at: float, q: Array, target: float, max_step: float) -> tuple[float, Array]:
-    """One accepted step towards the target: short enough that the branch cannot be left unseen."""
+def advance(system: System, at: float, q: Array, target: float, max_step: float, sense: float) -> tuple[float, Array]:
+    """One accepted step towards the target: short enough that the branch, with its sense, cannot be left unseen."""
     v, a = system.rates(q)
-    sense = determinant_sign(system, q)
     step = float(np.clip(target - at, -max_step, max_step))
     while True:
         nearer = target if step == target - at else at + step

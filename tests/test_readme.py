@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import doctest
-import os
 import re
 import shlex
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
 import tmmcalc
+from tmmcalc.cli import main
 
 ROOT = Path(__file__).parent.parent
 BLOCK = re.compile(r"```console\n(.*?)```", re.DOTALL)
@@ -30,25 +29,26 @@ def sessions(document: Path) -> list[list[tuple[str, str]]]:
 
 
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.name)
-def test_console_blocks(document: Path, tmp_path: Path) -> None:
+def test_console_blocks(
+    document: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     """Commands of a document run in one folder, one after the other; ``...`` stands for anything."""
-    environment = {**os.environ, "COLUMNS": "80"}
     (tmp_path / "configs").symlink_to(ROOT / "configs")
+    monkeypatch.setenv("COLUMNS", "80")
+    monkeypatch.chdir(tmp_path)
     for command, shown in (pair for session in sessions(document) for pair in session):
         argv = shlex.split(command)
         if argv[0] != "tmmcalc":
             continue
-        done = subprocess.run(
-            [sys.executable, "-m", "tmmcalc", *argv[1:]],
-            cwd=tmp_path,
-            env=environment,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT if "error:" in shown else subprocess.PIPE,
-            text=True,
-        )
-        assert (done.returncode != 0) == ("error:" in shown), f"$ {command}: exit code {done.returncode}\n{done.stderr}"
-        same = doctest.OutputChecker().check_output(shown, done.stdout, doctest.ELLIPSIS)
-        assert same, f"$ {command}\nshown:\n{shown}\nprinted:\n{done.stdout}"
+        monkeypatch.setattr(sys, "argv", argv)
+        with pytest.raises(SystemExit) as ended:
+            main()
+        out, err = capsys.readouterr()
+        wrong = "error:" in shown
+        assert bool(ended.value.code) == wrong, f"$ {command}: exit code {ended.value.code}\n{err}"
+        printed = out + err if wrong else out
+        same = doctest.OutputChecker().check_output(shown, printed, doctest.ELLIPSIS)
+        assert same, f"$ {command}\nshown:\n{shown}\nprinted:\n{printed}"
 
 
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.name)

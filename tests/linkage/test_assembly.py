@@ -7,8 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from properties import examples
 from random_mechanisms import build
 from transforms import moved, scaled
 
@@ -36,7 +37,7 @@ from tmmcalc.linkage.structure import solve_structure
 from tmmcalc.linkage.variants import given_variants
 
 TURN = 2 * math.pi
-STABLE = settings(derandomize=True, deadline=None, max_examples=150, database=None)
+STABLE = examples(150, derandomize=True, database=None)
 
 
 def chain_of(mechanism: Mechanism) -> Chain:

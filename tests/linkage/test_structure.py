@@ -6,15 +6,16 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from properties import examples
 from random_mechanisms import KINDS, RandomMechanism, build, scenes
 from transforms import renumbered, swapped
 
 from tmmcalc import StructureError, solve_structure
 from tmmcalc.linkage.model import Input, Joint, Link, Mechanism
 
-STABLE = settings(derandomize=True, deadline=None, max_examples=60, database=None)
+STABLE = examples(60, derandomize=True, database=None)
 CHAIN = st.lists(st.sampled_from(KINDS), min_size=1, max_size=8)
 
 

@@ -9,8 +9,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from properties import examples
 from scipy.optimize import brentq
 from scipy.special import ellipe
 
@@ -145,7 +146,7 @@ def test_without_any_constant_inertia() -> None:
 
 
 @given(st.lists(st.floats(-50, 50), min_size=4, max_size=4), st.floats(0.0, 100.0), st.floats(5.0, 50.0))
-@settings(max_examples=40, deadline=None)
+@examples(40)
 def test_any_load_is_balanced_or_refused_with_the_inertia_that_would_do(
     waves: list[float], constant: float, speed: float
 ) -> None:

@@ -13,8 +13,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from properties import examples
 
 from machine.motion import (
     CASES,
@@ -483,7 +484,7 @@ def test_a_guess_saves_work_and_changes_nothing() -> None:
     st.floats(0.01, 1e3),
     st.sampled_from(["line", "parabola", "kloss", "series"]),
 )
-@settings(max_examples=25, deadline=None)
+@examples(25)
 def test_energy_balance_and_change_of_units(waves: list[float], constant: float, kind: str) -> None:
     """Work over the cycle is zero; masses and forces in other units change nothing but the scale."""
 

@@ -11,8 +11,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from properties import examples
 
 from tmmcalc.core.atomic import replace_file
 from tmmcalc.core.errors import UsageError
@@ -78,7 +79,7 @@ PLAIN = st.recursive(
 )
 
 
-@settings(max_examples=150, deadline=None)
+@examples(150)
 @given(st.dictionaries(st.text("ab-_é.\n", max_size=3), PLAIN, max_size=4))
 def test_any_scalars_come_back_exactly(scalars: dict):
     text = manifest.written(Manifest(ORIGIN, plain_record(Record(scalars)), {}, None))

@@ -5,8 +5,9 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from properties import examples
 
 from tmmcalc.spec.source import Source
 
@@ -128,7 +129,7 @@ def leaves(value: Any, path: tuple[str | int, ...] = ()) -> Iterator[tuple[str |
         yield from leaves(item, (*path, key))
 
 
-@settings(max_examples=400, deadline=None)
+@examples(400)
 @given(documents())
 def test_every_path_has_the_line_of_its_key(text: str) -> None:
     try:

@@ -15,6 +15,7 @@ from drawing import drawn
 pytest.importorskip("matplotlib")
 
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -71,6 +72,7 @@ def line(number: str, title: str, value: float) -> ContourLine:
 def sheet_of(name: str) -> tuple[PairContour, Figure, Axes, Axes]:
     pair = pair_of(name)
     figure = blocking_figure(Blocking((pair,), ()))
+    FigureCanvasAgg(figure)  # keeps the renderer by which texts are measured, else each is measured by one of its own
     plane, key = figure.axes
     return pair, figure, plane, key
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from hypothesis import settings
 from hypothesis import strategies as st
+from properties import examples
 
 from tmmcalc.gears.network.model import Body, Mesh, Network
 
-EXAMPLES = settings(derandomize=True, deadline=None, max_examples=60, database=None)
+EXAMPLES = examples(60, derandomize=True, database=None)
 TEETH = st.integers(12, 120)
 ETA = st.floats(0.9, 1.0)
 SIGN = st.sampled_from((-1, 1))

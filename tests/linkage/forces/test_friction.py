@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from properties import examples
 
 from linkage.forces.checking import check
 from linkage.forces.newton_euler import placements
@@ -29,7 +30,7 @@ from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Assembly, Grid, Input, Link, Mechanism
 
 EXTREME = {case["id"]: case for case in CASES["dyn-friction-extreme"]["inputs"]["cases"]}
-EXAMPLES = settings(derandomize=True, deadline=None, max_examples=25, database=None)
+EXAMPLES = examples(25, derandomize=True, database=None)
 
 
 def steep(tan: float, sense: float = 1.0) -> Mechanism:

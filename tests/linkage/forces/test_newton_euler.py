@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from properties import examples
 from random_mechanisms import KINDS, RandomMechanism, build, scenes
 from reference import NoPositionError
 
@@ -23,7 +24,7 @@ from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
-EXAMPLES = settings(derandomize=True, deadline=None, max_examples=20, database=None)
+EXAMPLES = examples(20, derandomize=True, database=None)
 
 
 def solved(scene: RandomMechanism, friction: float, seed: int) -> tuple[Mechanism, Loading, Forces] | None:

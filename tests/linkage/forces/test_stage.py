@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
+from properties import examples
 from random_mechanisms import RandomMechanism, scenes
 from transforms import moved, renumbered, scaled, swapped, with_axes
 
@@ -44,7 +45,7 @@ from tmmcalc.linkage.results import Extreme
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.machine.reduction.reduce import solve_reduction
 
-EXAMPLES = settings(derandomize=True, deadline=None, max_examples=15, database=None)
+EXAMPLES = examples(15, derandomize=True, database=None)
 
 
 def shaper_loading(friction: float = 0.1) -> Loading:

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from properties import examples
 from scipy.optimize import brentq, minimize_scalar
 
 import tmmcalc
@@ -71,7 +72,7 @@ def test_every_input_set_of_a_slider_crank_finds_it_again(keys: tuple[str, ...])
     assert found.residual < 1e-9
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(st.floats(0.05, 0.8), st.floats(0.01, 0.9), st.floats(1.001, 1.6))
 def test_a_slider_crank_of_stroke_ratio_and_lambda(lam: float, stroke: float, ratio: float) -> None:
     psi = math.pi * (ratio - 1) / (ratio + 1)
@@ -142,7 +143,7 @@ def test_rotating_slotted_link_with_an_offset_guide(guide: float) -> None:
     assert best.check("nu_max").achieved == pytest.approx(RAD(15), abs=1e-12)
 
 
-@settings(max_examples=6, deadline=None)
+@examples(6)
 @given(st.floats(15, 100), st.floats(1.0, 1.5))
 def test_crank_rocker_has_the_best_transmission(swing: float, ratio: float) -> None:
     """Brute force over the pivot's place on the circle from which the chord is seen under the overlap angle."""
@@ -232,7 +233,7 @@ def test_a_slider_that_turns_back_before_its_slotted_link() -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(st.integers(0, 10**6))
 def test_random_slotted_links_and_crank_rockers_meet_their_targets(seed: int) -> None:
     """Sizes from micrometres to hundreds of metres; stroke and time ratio of the ready spec, read as any other."""

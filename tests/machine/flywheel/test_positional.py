@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
+from properties import examples
 
 from machine.flywheel.scenes import CASES, TURN, brute_delta, press, press_cycle
 from tmmcalc.core.errors import UsageError
@@ -183,7 +184,7 @@ class TestLaws:
             positional_flywheels(cycle, 0.0, 0.04)[0].inertia, rel=1e-13
         )
 
-    @settings(max_examples=25, deadline=None)
+    @examples(25)
     @given(
         st.lists(st.floats(-100, 100), min_size=6, max_size=6),
         st.floats(0.005, 0.5),

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from linkage.forces.loadings import random_loading, reversed_input
 from linkage.forces.newton_euler import motions
@@ -19,6 +19,7 @@ from linkage.forces.worked import press, press_loading
 from linkage.loads.test_indicator import AREA, BACK, FOUR, engine, expected_work, gas
 from linkage.scenes import crank_slider, driven_rod, four_bar, full_turn, part, shaper, with_grid, with_input
 from linkage.test_properties import regular
+from properties import examples
 from random_mechanisms import RandomMechanism, scenes
 from reference import NoPositionError
 from scipy.integrate import quad
@@ -49,7 +50,7 @@ from tmmcalc.machine.reduction.inertia import reduced_inertia, rods_of
 from tmmcalc.machine.reduction.reduce import solve_reduction
 from tmmcalc.machine.reduction.results import Reduction
 
-EXAMPLES = settings(derandomize=True, deadline=None, max_examples=20, database=None)
+EXAMPLES = examples(20, derandomize=True, database=None)
 TURN = 2 * np.pi
 
 
