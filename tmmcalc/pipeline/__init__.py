@@ -1,10 +1,10 @@
-"""Stages by name: which of them run and why, how they are stored, when a stored one is still valid.
+"""The stages of a scene run in order: loaded where their files are valid, computed where not.
 
-stage.py     what a stage is, and the record and table that it leaves
-stages.py    the registry, in the order of the pipeline
-plan.py      which stages a scene and a target need, with the reason
 hashing.py   one hash of everything that a result depends on
 store.py     OUT/<stage>.toml, .npz, .csv: atomic, verified, locked
+archive.py   the output folder of one run
 runner.py    load or compute each stage in turn
+summary.py   the document of a whole run
+why.py       what decided the plan, what would bring a stage in
 depfile.py   a Makefile rule for the files of a run
 """
