@@ -71,16 +71,12 @@ class TieDown:
     error: float = 0.0  # of the forces, relative to the largest
 
 
-def preload_of(thread: Thread) -> float:
-    """P0 = M/(d2 tan(lambda + rho')) [N] (8).
+def thread_preload(thread: Thread) -> np.floating[Any]:
+    """P0 = M/(d2 tan(lambda + rho')) [N] (8), of extended numbers too.
 
-    >>> round(preload_of(Thread(30.0, 0.014701, 0.0433, 0.2049)), 2)
+    >>> round(float(thread_preload(Thread(30.0, 0.014701, 0.0433, 0.2049))), 2)
     8052.38
     """
-    return float(_preload(thread))
-
-
-def _preload(thread: Thread) -> np.floating[Any]:
     return thread.moment / (thread.diameter * np.tan(thread.lead + thread.friction_angle))
 
 
@@ -120,7 +116,7 @@ def solve_tie_down(task: TieDownTask) -> TieDown:
 
 def _forces(task: TieDownTask) -> Values:
     """F, G, P0, R, dR, vertical, balanced, best elevation (8,), in the numbers of the task."""
-    preload = task.preload if task.thread is None else _preload(task.thread)
+    preload = task.preload if task.thread is None else thread_preload(task.thread)
     push, own = _loads(task)
     mu, sine, cosine = task.friction, np.sin(task.elevation), np.cos(task.plan)
     along = np.cos(task.elevation) * cosine

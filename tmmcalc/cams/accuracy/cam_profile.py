@@ -51,10 +51,6 @@ def _sample(program: Program, count: int) -> tuple[Sample, Values]:
     return (phi[inside], low[inside]), np.full(int(inside.sum()), step)
 
 
-def _frames(rim: Rim, at: Sample) -> Frame:
-    return rim.at(*at)
-
-
 def _exact(rim: Rim, at: Sample) -> Frame:
     phi = wide(at[0])
     return frame(wide(rim.follower), phi, rim.program.wider.at(phi, at[1]))
