@@ -224,16 +224,18 @@ def _highest(samples: Real, full: bool) -> tuple[Indices, NDArray[np.bool_]]:
     Samples without a local maximum have one guess, the highest of them.
     """
     inside = samples[..., :-1] if full else samples
-    score = np.where(maxima(inside, full), inside, -np.inf)
-    rows = np.empty((*score.shape[:-1], CANDIDATES), np.intp)
+    score = np.where(maxima(inside, full), inside, -np.inf).reshape(-1, inside.shape[-1])
+    each = np.arange(len(score))
+    rows = np.empty((len(score), CANDIDATES), np.intp)
     found = np.empty(rows.shape, bool)
     for k in range(CANDIDATES):
-        rows[..., k] = np.argmax(score, axis=-1)
-        found[..., k] = np.take_along_axis(score, rows[..., k, None], -1)[..., 0] > -np.inf
-        np.put_along_axis(score, rows[..., k, None], -np.inf, -1)
-    rows[..., 0] = np.where(found[..., 0], rows[..., 0], np.argmax(samples, axis=-1))
-    found[..., 0] = True
-    return rows, found
+        rows[:, k] = highest = score.argmax(axis=1)
+        found[:, k] = score[each, highest] > -np.inf
+        score[each, highest] = -np.inf
+    rows[:, 0] = np.where(found[:, 0], rows[:, 0], samples.argmax(axis=-1).ravel())
+    found[:, 0] = True
+    shape = *samples.shape[:-1], CANDIDATES
+    return rows.reshape(shape), found.reshape(shape)
 
 
 def extremes_of(
@@ -282,8 +284,8 @@ def extremes_of(
         at, values = np.where(higher, x[variant, row], at), np.where(higher, ends, values)
     found, place = np.full(guessed.shape, -np.inf), np.empty(guessed.shape)
     found[guessed], place[guessed] = values, at
-    best = np.argmax(found, axis=-1)[..., None]
-    value, place = (np.take_along_axis(part, best, -1)[..., 0] for part in (found, place))
+    value, best = np.max(found, axis=-1), np.argmax(found, axis=-1)[..., None]
+    place = np.take_along_axis(place, best, -1)[..., 0]
     still = (np.ptp(sampled, axis=2) <= CONSTANT * np.max(np.abs(sampled), axis=2))[:, None]
     value = np.where(still, sampled[:, None, :, 0], SIDES[:, None] * value)
     place = np.where(still, start, place)

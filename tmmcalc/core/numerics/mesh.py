@@ -121,20 +121,20 @@ def laid(period: float, breaks: Values, widest: float) -> Mesh:
 
     Breaks nearer to each other than the narrowest panel count as one.
     """
-    least, count = NARROWEST * period, len(breaks)
-    edges = np.concatenate((np.zeros((count, 1)), np.sort(breaks, axis=1), np.full((count, 1), period)), axis=1)
+    least = NARROWEST * period
+    edges = np.empty((len(breaks), breaks.shape[1] + 2))
+    edges[:, 0], edges[:, 1:-1], edges[:, -1] = 0.0, np.sort(breaks, axis=1), period
     edges[edges > period - least] = period
-    for k in range(1, edges.shape[1]):
-        near = edges[:, k] - edges[:, k - 1] <= least
-        edges[near, k] = edges[near, k - 1]
-    width = np.diff(edges, axis=1)
+    apart = edges[:, 1:] - edges[:, :-1] > least
+    edges[:, 1:] = np.maximum.accumulate(np.where(apart, edges[:, 1:], 0.0), axis=1)  # an edge nearer than that is lost
+    width = edges[:, 1:] - edges[:, :-1]
     parts = np.ceil(width / widest - 1e-9).astype(int)
-    piece = np.repeat(np.arange(parts.size), parts.ravel())
-    number = np.arange(len(piece)) - np.repeat(np.cumsum(parts) - parts.ravel(), parts.ravel())
-    start, step = edges[:, :-1].ravel()[piece], (width / np.maximum(parts, 1)).ravel()[piece]
-    low = start + step * number
-    high = np.where(number + 1 == parts.ravel()[piece], edges[:, 1:].ravel()[piece], start + step * (number + 1))
-    return Mesh(piece // parts.shape[1], low, high)
+    count, step = parts.ravel(), (width / np.maximum(parts, 1)).ravel()
+    before = count.cumsum() - count
+    low = edges[:, :-1].ravel().repeat(count) + step.repeat(count) * (np.arange(count.sum()) - before.repeat(count))
+    high = np.append(low[1:], 0.0)
+    high[high == 0.0] = period
+    return Mesh(np.arange(len(breaks)).repeat(parts.sum(axis=1)), low, high)
 
 
 def _inserted(mesh: Mesh, panel: Indices, place: Values) -> Cut:

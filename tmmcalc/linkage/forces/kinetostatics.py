@@ -7,7 +7,7 @@ until its group is solved. Where a rubbing pair stands still, its friction takes
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -210,8 +210,11 @@ def _wrench(action: Action, factor: float, pole: complex) -> Wrench:
     return Wrench(force, moment)
 
 
-def compile_statics(scene: Scene, with_inertia: bool = True) -> Statics:
-    """The force analysis of a scene; loads of inertia are left out of a static one."""
+def compile_statics(scene: Scene, with_inertia: bool = True, scales: dict[str, Any] | None = None) -> Statics:
+    """The force analysis of a scene; loads of inertia are left out of a static one.
+
+    ``scales`` are the largest relative rates in the rubbing joints, one or a row each, where they are known.
+    """
     keep_pages()
     chain, travel, loading = scene.chain, scene.travel, scene.loading
     heavy = loading.heavy if with_inertia else ()
@@ -219,8 +222,9 @@ def compile_statics(scene: Scene, with_inertia: bool = True) -> Statics:
     pairs = {pair.joint: pair for pair in loading.pairs}
     plans = tuple(plan_of(chain.mechanism, group, pairs) for group in reversed(chain.structure.groups))
     driver = post_of(chain.input_joint, chain.structure.input_link, pairs)
-    posts = (*(() if chain.structure.driven else (driver,)), *(post for plan in plans for post in plan.posts))
-    scales = {post.joint.name: scale_of(post.joint, scene) for post in posts if post.coefficient > 0}
+    if scales is None:
+        posts = (*(() if chain.structure.driven else (driver,)), *(post for plan in plans for post in plan.posts))
+        scales = {post.joint.name: scale_of(post.joint, scene) for post in posts if post.coefficient > 0}
     return Statics(scene, (*scene.sources, *dynamic), pairs, scales, plans, driver)
 
 

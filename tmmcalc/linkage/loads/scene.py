@@ -69,7 +69,14 @@ def compile_scene(mechanism: Mechanism, loading: Loading, kinematics: Kinematics
     """The scene of a mechanism whose kinematics is solved; raises `NoSolutionError` for a load without a place."""
     compiled = chain_of(mechanism, kinematics)
     travel = travel_of(compiled, kinematics, loading.loads)
-    dense = surveyed(compiled, travel)
+    return scene_of(compiled, loading, travel, surveyed(compiled, travel), kinematics)
+
+
+def scene_of(compiled: Chain, loading: Loading, travel: Travel, dense: Survey, kinematics: Kinematics) -> Scene:
+    """The scene of a compiled chain, whose rows may be those of several variants.
+
+    Of the survey and of the kinematics is taken what is the same for all.
+    """
     acting = [load for load in loading.loads if load.factor]
     windows = {load.name: window_of(compiled, kinematics, travel, load) for load in acting if _placed(load)}
     parts = [_part(compiled, kinematics, travel, dense, load, windows, acting) for load in acting]

@@ -13,15 +13,11 @@ from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, compile_chain
-from tmmcalc.linkage.forces.cut import plan_of, post_of
 from tmmcalc.linkage.forces.forces import rows_of
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
 from tmmcalc.linkage.loading import Constant, Loading, Polynomial, Tabulated, Viscous
-from tmmcalc.linkage.loads.scene import Scene, compile_scene
-from tmmcalc.linkage.loads.sources import Source, inertia, resisting, springs, technological, weights
+from tmmcalc.linkage.loads.scene import Scene, compile_scene, scene_of
 from tmmcalc.linkage.loads.travel import EDGE
-from tmmcalc.linkage.loads.values import value_of
-from tmmcalc.linkage.loads.windows import handed_over, window_of
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.stacked.settle import ROWS, Settled, settle
@@ -118,21 +114,8 @@ class Block(NamedTuple):
         drive = chain.mechanism.input
         start: Any = at_rows(self.settled.start, rows)
         travel = same.scene.travel._replace(start=start, speed=drive.speed, acceleration=drive.acceleration)
-        scene = same.scene._replace(chain=chain, loading=loading, travel=travel)
-        sources = tuple(_sources(scene, same.kinematics))
-        scene = scene._replace(sources=sources)
-        dynamic = [inertia(loading.heavy, travel.speed, travel.acceleration)] if loading.heavy else []
-        pairs = {pair.joint: pair for pair in loading.pairs}
-        scales: Any = at_rows(self.settled.scales, rows)
-        groups = reversed(chain.structure.groups)
-        return Statics(
-            scene,
-            (*sources, *dynamic),
-            pairs,
-            scales,
-            tuple(plan_of(chain.mechanism, group, pairs) for group in groups),
-            post_of(chain.input_joint, chain.structure.input_link, pairs),
-        )
+        scene = scene_of(chain, loading, travel, same.scene.survey, same.kinematics)
+        return compile_statics(scene, scales=at_rows(self.settled.scales, rows))
 
 
 def block_of(
@@ -145,29 +128,3 @@ def block_of(
     kinematics = same.kinematics
     chain = Rows(compile_chain(mechanism, kinematics.structure, kinematics.variants))
     return Block(same, count, Rows(loading), chain, settle(chain, count, same.rubbing, tracked, told))
-
-
-def _sources(scene: Scene, kinematics: Kinematics) -> Iterator[Source]:
-    """The sources of load of a scene, in their usual order."""
-    chain, travel, loading = scene.chain, scene.travel, scene.loading
-    acting = [load for load in loading.loads if load.factor]
-    windows = {
-        load.name: window_of(chain, kinematics, travel, load) for load in acting if not isinstance(load.law, Viscous)
-    }
-    yield from weights(loading)
-    for load in acting:
-        if isinstance(load.law, Viscous):
-            yield resisting(load)
-            continue
-        window = windows[load.name]
-        value = value_of(chain, kinematics, travel, scene.survey, load, window)
-        beside = [o for o in acting if o.name in windows and (o.link, o.kind) == (load.link, load.kind)]
-        inside = handed_over(travel, window, [windows[o.name] for o in beside if o is not load])
-        yield technological(load, _acting(inside, load.factor, value.at))
-    for spring in loading.springs:
-        yield from springs(spring, scene.survey)
-
-
-def _acting(inside: Any, factor: Any, value: Any) -> Any:
-    """The value of a load where it acts."""
-    return lambda place: np.where(inside(place), factor * value(place), 0.0)
