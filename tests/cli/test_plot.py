@@ -18,7 +18,7 @@ pytest.importorskip("matplotlib")
         (("forces", "--positions", "3"), "--positions cannot be used with the picture of forces"),
         (("forces", "--positions", "3"), "its own flags: --polygons"),
         (("reduction", "--positions", "1", "--polygons", "3"), "--positions and --polygons cannot be used"),
-        (("force",), "pictures: kinematics, forces, reduction"),
+        (("force",), "pictures: synthesis, kinematics, forces, reduction"),
         (("forces", "--polygons", "1:3"), "names 3 positions"),
         (("forces", "--polygons", "77"), "no position is called '77'"),
         (("kinematics", "--polygons", "77"), "no position is called '77'"),

@@ -33,7 +33,7 @@ ELSEWHERE = {  # cases of stages with tests of their own
         f"L-{name}": SYNTHESIS
         for name in ("SYN-SC-EX1", "SYN-SC-02", "SYN-SLOT-EX2", "SYN-SLOT-03", "SYN-ROT-01", "OUT-01")
     },
-    "KIN-S04": "report/test_pictures.py",
+    "KIN-S04": "linkage/facts/test_pictures.py",
     **{f"F-SR{kind}-0{number}": FORCES for kind in (1, 2, 3) for number in (1, 2, 3)},
     **{f"F-{name}": FORCES for name in ("WL1-01", "WL1-02", "WL1-03", "WL2-01")},
     **{f"A-{name}": LOOPS for name in ("C4-MECH-12", "C4-RANGE", "C4-MODES", "C3-MODES", "C3-MECH-12")},

@@ -18,6 +18,7 @@ from tmmcalc.machine.tables.transmission import TransmissionTable
 from tmmcalc.project import Spec, load_spec, parse_spec, templates
 from tmmcalc.project import wording as wording_module
 from tmmcalc.project.loader import LARGEST_FILE
+from tmmcalc.project.root import ENTRIES
 
 
 def test_every_ready_spec_loads() -> None:
@@ -166,16 +167,17 @@ def test_a_good_spec_loads_nothing_that_only_faults_need(shaper: str) -> None:
 
 
 def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
-    names = {
-        f"tmmcalc.project.{table}"
-        for table in (*LATE, *LATER, "constraints", "files", "loading", "linkage", "machine", "balancing")
-    }
-    names |= {f"tmmcalc.project.checks.{table}" for table in (*LATE, *LATER, "feasibility") if table != "drive"}
+    late = [entry for name, entry in ENTRIES.items() if name in (*LATE, *LATER, "constraints", "feasibility")]
+    names = {f"{entry.home}.tables.{entry.name}" for entry in late}
+    names |= {f"{entry.home}.tables.checks.{check}" for entry in late for check in entry.checks}
+    names |= {f"tmmcalc.linkage.tables.tasks.{task}" for task in ("mechanism", "loading")}
+    names |= {f"tmmcalc.machine.tables.tasks.{task}" for task in ("machine", "balance")}
+    assert len(names) > len(late) + 20
     assert not names & loaded_by(shaper)
     assert names & loaded_by(f"{shaper}\n[reduction]\n") == {"tmmcalc.machine.tables.reduction"}
-    of_a_machine = {f"tmmcalc.project.{table}" for table in LATE if table != "torque"}
+    of_a_machine = {f"{ENTRIES[name].home}.tables.{name}" for name in LATE if name != "torque"}
     assert of_a_machine <= loaded_by(shaper + MACHINE + ENGINE + ROTOR + TRAIN)
-    alone = {f"tmmcalc.project.{part}torque" for part in ("", "checks.")}
+    alone = {f"tmmcalc.machine.tables.{part}torque" for part in ("", "checks.")}
     assert names & loaded_by(TORQUE) >= alone
 
 

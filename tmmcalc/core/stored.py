@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Any, overload
@@ -87,3 +87,12 @@ def matches(header: str, pattern: str) -> bool:
     (True, True, False)
     """
     return header == pattern or fnmatchcase(header.partition("[")[0], pattern)
+
+
+def estimates(error: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
+    """Quantities and their estimated relative errors; what else stands there says how they were found."""
+    for name, value in error.items():
+        if isinstance(value, Mapping):
+            yield from ((f"{name}.{inner}", size) for inner, size in estimates(value))
+        elif isinstance(value, float):
+            yield name, value

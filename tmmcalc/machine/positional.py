@@ -14,7 +14,6 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.onemass import check_inertia
 from tmmcalc.machine.regime import Regime
-from tmmcalc.machine.resisted import resisted
 from tmmcalc.machine.unresisted import WHERE, free
 
 BALANCED = 1e-6  # work that a given driving moment may leave over, against the work of all moments
@@ -54,6 +53,8 @@ def positional(
             where=WHERE,
             remedy="leave the moment out, or give it as a motor's constant characteristic",
         )
+    from tmmcalc.machine.resisted import resisted  # late: few machines have resistances
+
     return resisted(cycle, constant_inertia, mean, sense)
 
 

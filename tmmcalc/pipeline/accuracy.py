@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.stored import estimates
 from tmmcalc.pipeline.outcome import Outcome
-from tmmcalc.report.errors import estimates
 
 
 def check_accuracy(outcome: Outcome, tolerance: float) -> None:

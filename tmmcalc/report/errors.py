@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from tmmcalc.core.stored import estimates
 from tmmcalc.report.document import Document, Fact
 
 FEW = 6  # errors that are all told; of more the largest
@@ -20,15 +21,6 @@ def with_errors(document: Document, error: Mapping[str, Any]) -> Document:
     fact = Fact("error estimate", _text(told), {"error": told})
     at = own[0] if own else len(document.facts)
     return replace(document, facts=(*document.facts[:at], fact, *document.facts[at + 1 :]))
-
-
-def estimates(error: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
-    """Quantities and their estimated relative errors; what else stands there says how they were found."""
-    for name, value in error.items():
-        if isinstance(value, Mapping):
-            yield from ((f"{name}.{inner}", size) for inner, size in estimates(value))
-        elif isinstance(value, float):
-            yield name, value
 
 
 def _text(told: Mapping[str, float]) -> str:

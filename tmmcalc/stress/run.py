@@ -11,9 +11,9 @@ from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.plan import known_stage
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import resolve
+from tmmcalc.core.stored import estimates
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.runner import run
-from tmmcalc.report.errors import estimates
 from tmmcalc.rooms import STAGES
 from tmmcalc.stress.compare import Alignment, Difference, difference, not_finite
 from tmmcalc.stress.ladders import LADDERS

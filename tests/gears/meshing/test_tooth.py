@@ -24,7 +24,7 @@ from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.meshing.tooth import profile_columns, solve_profiles
 from tmmcalc.gears.meshing.tracks import Bow, Cubics, Line
-from tmmcalc.gears.stages import profile as stage
+from tmmcalc.rooms import STAGES
 
 M = 0.005
 SHAPED = Cutter(25, 0.05, 0.2)
@@ -292,9 +292,13 @@ def test_columns_and_points() -> None:
 
 def test_record_of_the_stage_and_back() -> None:
     found = profiles(*MESHES, points=7)
-    again = stage.load(stage.dump(found))
+    declared = STAGES["profile"]
+    again = declared.load(declared.dump(found))
     assert again.remarks == found.remarks
     for one, other in zip(found.wheels, again.wheels, strict=True):
         for name in one.__dataclass_fields__:
             assert np.array_equal(getattr(one, name), getattr(other, name)), name
-    assert stage.table(again).columns[0].tolist() == stage.table(found).columns[0].tolist()
+    one, other = (declared.table(each) for each in (again, found))
+    assert one is not None
+    assert other is not None
+    assert one.columns[0].tolist() == other.columns[0].tolist()

@@ -453,7 +453,7 @@ def test_oscillating_cylinder_of_twelve_positions() -> None:
 def test_no_case_of_forces_is_forgotten() -> None:
     """Every verified case of the two files that speaks of forces is named in this file or beside it."""
     here = Path(__file__).parent
-    beside = (here / "test_friction.py", here.parent / "reduction" / "test_cases.py")
+    beside = (here / "test_friction.py", here.parents[1] / "machine" / "reduction" / "test_cases.py")
     told = "".join(file.read_text() for file in (Path(__file__), *beside))
     forces = ("press-ideal", "press-friction", "press-friction-iterations", "press-reduced", "vengine-table31")
     others = ("shaper-reduced", "fourbar-forces", "friction-extreme", "reduced-inertia-press", "gear-driven-crank")

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import tmmcalc
+from tmmcalc.core.told import facts
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask
-from tmmcalc.feasibility.stages.feasibility import facts
 from tmmcalc.linkage.stages.synthesis import table
 from tmmcalc.linkage.synthesis.dwell.criteria import rated
 from tmmcalc.linkage.synthesis.dwell.kept import BARRIER, OF, Rule, told_columns, told_values
