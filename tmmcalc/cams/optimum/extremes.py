@@ -43,7 +43,7 @@ class Extremes(NamedTuple):
 def extremes(scene: Scene, start: Values, roller: Values, top: Values, wanted: Mask | None = None) -> Extremes:
     """The extremes at S0, r2, H2 (B,) [m]; those that are not ``wanted`` (9, B) of FUNCTIONS mean nothing."""
     wanted = np.ones((len(FUNCTIONS), len(start)), bool) if wanted is None else wanted
-    own = blocks(scene, len(start), float(np.mean(wanted)))
+    own = blocks(scene, len(start), np.count_nonzero(wanted) / max(wanted.size, 1))
     parts = [_block(scene, start[part], roller[part], top[part], wanted[:, part]) for part in own]
     works = np.concatenate([part for part, _ in parts])
     best, _ = peak(Crest(*map(np.concatenate, zip(*(on for _, on in parts), strict=True))))
