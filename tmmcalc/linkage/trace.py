@@ -7,6 +7,7 @@ continuous against the survey of the range, whose steps are short enough that no
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import accumulate, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -16,8 +17,8 @@ from tmmcalc.linkage import solvers
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.results import Trace
 
-# rows: temporaries of 64 kB stay in cache, and below the 128 kB at which malloc maps fresh pages for every one
-BLOCK = 4096
+# rows: temporaries of 115 kB stay in cache, and below the 128 kB at which malloc maps fresh pages for every one
+BLOCK = 7200
 TURN = 2 * np.pi
 SEAM = 1e-9  # an angle that exceeds -pi by less [rad] is pi
 
@@ -75,19 +76,24 @@ def _stacks(what: Layout, x: Real, make: Callable[..., Real]) -> tuple[Plane, Re
     One large piece gets huge pages from the system, many smaller ones are paid for page by page.
     """
     n, counts = len(x), (2 * len(what.points), len(what.links), len(what.joints))
-    memory = make(3 * n * sum(counts), x.dtype)
-    ends = 3 * n * np.cumsum(counts)
-    r, angle, s = (part.reshape(3, -1, n) for part in np.split(memory, ends[:-1]))
-    return r.reshape(3, -1, 2 * n).view(np.result_type(x.dtype, np.complex64)), angle, s
+    memory = make((3 * sum(counts), n), x.dtype)
+    ends = [3 * k for k in accumulate(counts, initial=0)]
+    r, angle, s = (memory[a:b].reshape(3, k, n) for (a, b), k in zip(pairwise(ends), counts, strict=True))
+    return r.reshape(3, len(what.points), 2 * n).view(np.result_type(x.dtype, np.complex64)), angle, s
 
 
 def _store(configuration: Configuration, what: Layout, r: Plane, angle: Real, s: Real, order: int) -> None:
     motions = configuration.motions
     for row, (_, link, p) in enumerate(what.points):
-        point = motions[link].point(p)
-        r[0, row] = point.r
-        if order:
-            r[1, row], r[2, row] = point.v, point.a
+        motion = motions[link]
+        d = p - motion.base
+        states = ((motion.r, motion.u), (motion.v, motion.u1), (motion.a, motion.u2))
+        for k, (at, turn) in enumerate(states if order else states[:1]):  # as `LinkMotion.point`, written in place
+            if d == 0:
+                r[k, row] = at
+            else:
+                np.multiply(d, turn, out=r[k, row])
+                r[k, row] += at
     _store_angles(configuration, what, angle, order)
     for row, joint in enumerate(what.joints):
         slide = configuration.slides[joint]

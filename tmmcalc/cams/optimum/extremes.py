@@ -22,6 +22,7 @@ from tmmcalc.cams.optimum.scene import Scene
 
 FUNCTIONS = ("-kappa", "kappa", "-A/R", "A/R", "-1/R", "-1/M_E^2", "-(1 - kappa r2)/R", "|M_T|", "|N1|")
 SIGNS = np.array([[-1.0], [1.0]])  # of the two rows of a least and a largest value
+LEAST_SHARE = 0.25  # of the functions: what all of them read takes as much room
 CACHED = 48_000  # values of a function at a time: more would not stay in the cache
 
 
@@ -42,7 +43,7 @@ class Extremes(NamedTuple):
 def extremes(scene: Scene, start: Values, roller: Values, top: Values, wanted: Mask | None = None) -> Extremes:
     """The extremes at S0, r2, H2 (B,) [m]; those that are not ``wanted`` (9, B) of FUNCTIONS mean nothing."""
     wanted = np.ones((len(FUNCTIONS), len(start)), bool) if wanted is None else wanted
-    own = blocks(scene, len(start))
+    own = blocks(scene, len(start), np.count_nonzero(wanted) / max(wanted.size, 1))
     parts = [_block(scene, start[part], roller[part], top[part], wanted[:, part]) for part in own]
     works = np.concatenate([part for part, _ in parts])
     best, _ = peak(Crest(*map(np.concatenate, zip(*(on for _, on in parts), strict=True))))
@@ -63,9 +64,9 @@ def extremes(scene: Scene, start: Values, roller: Values, top: Values, wanted: M
     )
 
 
-def blocks(scene: Scene, count: int) -> list[slice]:
-    """Parts of so many choices, each few enough."""
-    size = max(CACHED // len(scene.phi), 1)
+def blocks(scene: Scene, count: int, share: float = 1.0) -> list[slice]:
+    """Parts of so many choices, each few enough; ``share`` of the functions is wanted of them."""
+    size = max(int(CACHED / max(share, LEAST_SHARE)) // len(scene.phi), 1)
     return [slice(i, i + size) for i in range(0, max(count, 1), size)]
 
 

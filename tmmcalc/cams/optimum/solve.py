@@ -195,8 +195,9 @@ def _feasible(scene: Scene, known: Candidates, least: Choice, top: float) -> tup
         for first in range(0, len(order), FEW):
             part = order[first : first + FEW]
             new = part[~judged[part]]
-            judged[new] = True
-            holds[new] = np.all(margins(scene, start[new], roller[new], np.full(len(new), top)) >= -SLACK, axis=0)
+            if new.size:
+                judged[new] = True
+                holds[new] = np.all(margins(scene, start[new], roller[new], np.full(len(new), top)) >= -SLACK, axis=0)
             if holds[part].any():
                 break
     return start[holds], roller[holds]
