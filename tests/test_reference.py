@@ -232,6 +232,7 @@ def test_output_points_agree_with_the_textbook(
     assert_motion(shifted, columns, names, TEXTBOOK[case])
 
 
+@pytest.mark.slow
 def test_a_position_that_does_not_exist_is_reported() -> None:
     book = crank_slider("KIN-S22", 0.1, 0.09, 0.0)
     start = initial_guess_from(book.mechanism, 0.0, book.sketch)

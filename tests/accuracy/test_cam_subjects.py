@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from .scenes import errors_in, errors_of, series_of, studies_of
 
@@ -29,7 +30,7 @@ def test_law_by_points_beside_the_law_itself() -> None:
     assert all(a < b for a, b in zip(spline, table, strict=True))
 
 
-@pytest.mark.parametrize("name", ["cam-translating", "cam-flat", "cam-oscillating"])
+@sparing("name", ["cam-translating", "cam-flat", "cam-oscillating"], every=3)
 def test_envelopes_curvature_and_chords(name: str) -> None:
     found = studies_of(name, "cam_profile")
     for quantity in ("points of the working profile", "curvature"):
@@ -70,6 +71,7 @@ def test_least_start_distance_of_a_flat_face() -> None:
     assert errors_in(positions)[-1] < 1e-3 * errors_in(positions)[0]
 
 
+@pytest.mark.slow
 def test_lowest_mechanism_in_ever_finer_steps() -> None:
     (study,) = studies_of("cam-translating", "cam_optimum").values()
     exact, steps, grid = study.series

@@ -15,6 +15,7 @@ from tmmcalc.pipeline.runner import run
 from .scenes import CONFIGS, ONCE, errors_in, errors_of, series_of, studies_of
 
 
+@pytest.mark.slow
 def test_flywheel_under_a_motor() -> None:
     for study in solve_accuracy(load_spec(CONFIGS / "piston-pump.toml"), "flywheel", ONCE).studies:
         assert study.reference.error < 1e-12

@@ -91,6 +91,7 @@ def test_reduced_inertia_and_its_derivative() -> None:
     assert table.order == pytest.approx(2.0, abs=0.1)
 
 
+@pytest.mark.slow
 def test_steady_motion_by_every_method() -> None:
     (study,) = studies_of("shaper", "motion").values()
     assert study.reference.error < 1e-12
@@ -111,6 +112,7 @@ duration = "0.6 s"
 """
 
 
+@pytest.mark.slow
 def test_a_start_by_every_method() -> None:
     text = (CONFIGS / "shaper.toml").read_text(encoding="utf-8") + START
     (study,) = solve_accuracy(parse_spec(text), "transient", ONCE).studies

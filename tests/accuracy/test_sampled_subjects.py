@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from tmmcalc import load_spec
 from tmmcalc.accuracy.solve import solve_accuracy
@@ -46,6 +47,7 @@ def test_a_crest_between_all_nodes_is_told_in_the_error_of_the_reference() -> No
     assert found.short == pytest.approx(0.2)
 
 
+@pytest.mark.slow
 def test_a_stage_that_misses_its_maximum_is_told() -> None:
     """The places of the stage are moved; its own error tells, the tables are judged as before."""
     spec = load_spec(CONFIGS / "engine-compressor.toml")
@@ -73,7 +75,7 @@ def test_passes_of_friction_fall_by_the_loop_gain(name: str) -> None:
         assert passes.order is None
 
 
-@pytest.mark.parametrize("name", ["shaper", "press", "engine-compressor"])
+@sparing("name", ["shaper", "press", "engine-compressor"], every=3)
 def test_largest_reactions_off_a_table(name: str) -> None:
     study = studies_of(name, "forces")["largest reactions"]
     assert max(errors_of(study, "extremes")) < 1e-13
@@ -169,7 +171,7 @@ def test_largest_forces_of_a_cam(name: str) -> None:
     assert table[-1] < 1e-2 * table[0]
 
 
-@pytest.mark.parametrize("law", ["linear", "sine"])
+@sparing("law", ["linear", "sine"], every=2)
 def test_least_cam_under_a_rocker(law: str) -> None:
     (study,) = studies_of("cam-rocker-synthesis", "cam_synthesis", f'cam.law="{law}"').values()
     assert max(errors_of(study, "exact")) < 1e-14

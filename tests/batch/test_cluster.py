@@ -71,6 +71,7 @@ def solved(cluster: Cluster, task: Task, told: list[str]) -> Iterator[list[Row]]
     return solve_on(cluster.address, task, blocks, told.append)
 
 
+@pytest.mark.slow
 def test_a_worker_that_is_killed_in_the_middle_loses_no_point(cluster: Cluster, tmp_path: Path) -> None:
     task, rows, told = sweeptoy.task(tmp_path, 40, solver="slow"), list[Row](), list[str]()
     for some in solved(cluster, task, told):
@@ -82,6 +83,7 @@ def test_a_worker_that_is_killed_in_the_middle_loses_no_point(cluster: Cluster, 
     assert told == []  # the scheduler gives the work to the other worker
 
 
+@pytest.mark.slow
 def test_a_worker_that_comes_later_is_waited_for(cluster: Cluster, tmp_path: Path) -> None:
     for worker in cluster.workers:
         worker.kill()
@@ -117,6 +119,7 @@ def test_workers_without_the_program(cluster: Cluster, tmp_path: Path) -> None:
         list(solved(cluster, task, []))
 
 
+@pytest.mark.slow
 def test_the_command_gives_the_same_table(
     cluster: Cluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -52,6 +52,7 @@ def test_local_processes(tmp_path: Path) -> None:
     assert told == []
 
 
+@pytest.mark.slow
 def test_a_killed_process_loses_no_point(tmp_path: Path) -> None:
     task, told = sweeptoy.task(tmp_path, solver="killed_once"), list[str]()
     assert sorted_rows(by_processes(task, told)) == expected(task)
@@ -59,6 +60,7 @@ def test_a_killed_process_loses_no_point(tmp_path: Path) -> None:
     assert told[0].startswith("a process died")
 
 
+@pytest.mark.slow
 def test_a_point_that_kills_its_process_fails_alone(tmp_path: Path) -> None:
     task, told = sweeptoy.task(tmp_path, 12, solver="killed"), list[str]()
     rows = sorted_rows(by_processes(task, told))

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from sparing import sparing
 
 import tmmcalc
 from tmmcalc.batch import points, preparing, stacked, stacked_results
@@ -81,7 +82,7 @@ def column(rows: Sequence[Row], name: str) -> list[float]:
     return [dict(zip(row.names, row.values, strict=True))[name] for row in rows]
 
 
-@pytest.mark.parametrize("columns", [("forces.max(R_A)",), FACTS])
+@sparing("columns", [("forces.max(R_A)",), FACTS], every=2)
 def test_a_file_that_changes_between_two_sweeps_in_one_process(loaded: Path, columns: tuple[str, ...]) -> None:
     task = task_of(loaded, RANGE, None, (), columns)
     assert not isinstance(stacked.prepared(task), str)
@@ -124,8 +125,8 @@ def test_a_map_from_another_folder(loaded: Path, monkeypatch: pytest.MonkeyPatch
     assert folders == [os.fspath(loaded.parent)]
 
 
-@pytest.mark.parametrize("error", [ValueError("a slip"), ZeroDivisionError("by zero")])
-@pytest.mark.parametrize("where", ["stage", "told"])
+@sparing("error", [ValueError("a slip"), ZeroDivisionError("by zero")], every=2)
+@sparing("where", ["stage", "told"], every=2)
 def test_one_slip_fails_one_row(monkeypatch: pytest.MonkeyPatch, error: Exception, where: str) -> None:
     task, text = facts(), f"a fault of the program: {type(error).__name__}: {error}"
     if where == "stage":
@@ -162,6 +163,7 @@ def test_a_slip_in_the_points_that_are_tried_first(monkeypatch: pytest.MonkeyPat
     assert BROKEN not in {row.status for row in stacked.solve_points(task, range(2))}
 
 
+@pytest.mark.slow
 def test_a_fault_where_all_are_solved_together_does_not_hide(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(records, "forces_of", failing(KeyError("A3"), lambda *_: True, records.forces_of))
     found = swept(facts())
@@ -172,6 +174,7 @@ def test_a_fault_where_all_are_solved_together_does_not_hide(monkeypatch: pytest
     assert "limit position" not in said
 
 
+@pytest.mark.slow
 def test_what_asks_for_one_number_is_solved_alone_and_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(records, "forces_of", failing(SeveralError("float"), lambda *_: True, records.forces_of))
     found = swept(facts())
@@ -180,6 +183,7 @@ def test_what_asks_for_one_number_is_solved_alone_and_says_so(monkeypatch: pytes
     assert "fault" not in stacked.way(facts(), found.alone)
 
 
+@pytest.mark.slow
 def test_where_one_has_no_solution_the_others_stay_together(monkeypatch: pytest.MonkeyPatch) -> None:
     def odd(own: Any, *_: Any) -> bool:
         return bool(abs(own.scene.chain.mechanism.links[0].points["A"] - 0.2) < 1e-9)
@@ -192,7 +196,7 @@ def test_where_one_has_no_solution_the_others_stay_together(monkeypatch: pytest.
 
 
 @pytest.mark.parametrize("ends", ["0:0.3", "0.3:0"])
-@pytest.mark.parametrize("columns", [("forces.max(R_A)",), FACTS])
+@sparing("columns", [("forces.max(R_A)",), FACTS], every=2)
 def test_friction_from_nothing(ends: str, columns: tuple[str, ...]) -> None:
     task = task_of(SHAPER, [RANGE[0], f"mechanism.joints[name=A3].friction={ends}:17"], None, (), columns)
     rows = stacked.solve_points(task, range(17))
@@ -212,7 +216,7 @@ def test_friction_from_nothing(ends: str, columns: tuple[str, ...]) -> None:
         ("press", "mechanism.gravity", 5, ("reduction.*",)),  # another
     ],
 )
-@pytest.mark.parametrize("order", [1, -1])
+@sparing("order", [1, -1], every=2)
 def test_what_is_nothing_in_one_variant(name: str, key: str, end: float, columns: tuple[str, ...], order: int) -> None:
     ends = ":".join(["0", str(end)][::order])
     task = task_of(SHAPER.with_name(f"{name}.toml"), [RANGE[0], f"{key}={ends}:17"], None, (), columns)
@@ -226,6 +230,7 @@ def test_what_is_nothing_in_one_variant(name: str, key: str, end: float, columns
         assert all(abs(a - b) <= 1e-9 * max(abs(b), 1e-3 * largest) for a, b in values.values())
 
 
+@pytest.mark.slow
 def test_friction_that_only_some_have(tmp_path: Path) -> None:
     """Each of two joints rubs where the other does not: no variant has all the friction that there is."""
     keys = [f"mechanism.joints[name={name}].friction" for name in ("A3", "D0")]
@@ -237,6 +242,7 @@ def test_friction_that_only_some_have(tmp_path: Path) -> None:
     assert {row.alone for row in rows} == {"", stacked.UNLIKE}
 
 
+@pytest.mark.slow
 def test_yes_and_no_are_told_where_a_number_of_the_machine_varies() -> None:
     task = task_of(SHAPER, [RANGE[0], "motion.inertia=20:40:16"], None, (), ("flywheel.existing_suffices",))
     rows = stacked.solve_points(task, range(16))

@@ -38,6 +38,7 @@ def spec(tmp_path: Path) -> Path:
     return file
 
 
+@pytest.mark.slow
 def test_a_map_is_that_of_each_point(spec: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     over = [f"{CRANK}=180 mm:220 mm:4", "flywheel.inertia=120:250:4"]
     together = tmmcalc.map_feasibility(spec, over)

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from tmmcalc.batch import points, stacked
 from tmmcalc.batch.reading import task_of
@@ -67,7 +68,7 @@ def bare(names: set[str]) -> set[str]:
     return {name.rpartition("[")[0] if name.endswith("]") else name for name in names}
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("name", "keys", "sets"),
     [
         ("shaper", (CRANK, "mechanism.links[id=5].mass", "motor.power", SPEED), ("flywheel.delta=0.1",)),
@@ -79,6 +80,7 @@ def bare(names: set[str]) -> set[str]:
         ("trammel", (SPEED,), ()),
         ("extreme/inertia-huge", (CRANK, "mechanism.links[id=3].mass"), ()),  # neither weights nor loads
     ],
+    every=4,
 )
 def test_all_facts_are_those_of_each_variant(name: str, keys: tuple[str, ...], sets: tuple[str, ...]) -> None:
     file = CONFIGS / f"{name}.toml"
@@ -111,12 +113,13 @@ def test_variants_that_fail_tell_why() -> None:
     assert together == 1
 
 
+@pytest.mark.slow
 def test_all_stages_of_a_scene() -> None:
     task = task_of(SHAPER, [f"{CRANK}=*0.95:1.05:3", "mechanism.grid.positions=12"], None, (), ())
     assert compared(task, range(0, 3, 2)) == 2
 
 
-@pytest.mark.parametrize(
+@sparing(
     "columns",
     [
         ("reduction.max(J_red)", "reduction.size(M_red*)", "reduction.M_red_mean"),
@@ -124,19 +127,21 @@ def test_all_stages_of_a_scene() -> None:
         ("kinematics.vS_D_max", "forces.max(R_A)"),
         ("power.eta", "power.P_mean"),
     ],
+    every=4,
 )
 def test_what_is_asked_for_by_name(columns: tuple[str, ...]) -> None:
     task = task_of(SHAPER, [f"{CRANK}=*0.95:1.05:5"], None, (), columns)
     assert compared(task, range(0, 5, 2)) == 3
 
 
-@pytest.mark.parametrize(
+@sparing(
     "sets",
     [
         ("flywheel.inertia=0", "flywheel.delta=0.03"),  # searched for, and then in the motion
         ("flywheel.delta=0.08",),  # what is at hand does, on the verge of its panels
         ('flywheel.shaft="motor"', "flywheel.delta=0.02", "flywheel.inertia=0.4"),
     ],
+    every=3,
 )
 def test_flywheels_under_the_motor(sets: tuple[str, ...]) -> None:
     task = task_of(SHAPER, [f"{CRANK}=*0.97:1.03:5", *sets], None, ("flywheel", "motion"), ())

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from tmmcalc.batch import points, stacked
 from tmmcalc.batch.choice import chosen
@@ -70,6 +71,7 @@ def table(file: Path, count: int, keys: dict[str, tuple[float, float]], seed: in
     return file
 
 
+@pytest.mark.slow
 def test_random_variants_of_all_kinds_of_keys(tmp_path: Path) -> None:
     keys = {
         f"{CRANK}[mm]": (150, 250),
@@ -127,7 +129,7 @@ def test_numbers_that_are_not_affine_are_read() -> None:
     assert difference < SAME
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("name", "keys"),
     [
         ("crank-slider", ("mechanism.links[id=1].points.A[0]",)),
@@ -137,6 +139,7 @@ def test_numbers_that_are_not_affine_are_read() -> None:
         ("trammel", ("mechanism.input.speed",)),
         ("v-engine", ("mechanism.links[id=1].points.A[0]",)),
     ],
+    every=3,
 )
 def test_other_mechanisms(name: str, keys: tuple[str, ...]) -> None:
     file = CONFIGS / f"{name}.toml"

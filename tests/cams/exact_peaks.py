@@ -97,9 +97,11 @@ def _closer(program, f, sign, piece, begin, end, x, k):
     low, high = mpf(x[max(k - 1, 0)]), mpf(x[min(k + 1, GRID - 1)])
     low, high = max(low, begin), min(high, end)
     tried = [(g(each), each) for each in (low, mpf(x[k]), high)]
+    if _falls_from(max(tried), g, low, high):
+        return max(tried)
     phi, h = mpf(x[k]), (end - begin) * mpf(10) ** -12
     phi = min(max(phi, begin + 2 * h), end - 2 * h)
-    for _ in range(4):
+    for _ in range(6):
         left, here, right = g(phi - h), g(phi), g(phi + h)
         bend = left - 2 * here + right
         if bend >= 0:
@@ -111,8 +113,40 @@ def _closer(program, f, sign, piece, begin, end, x, k):
             return max(tried, key=lambda each: each[0])
     size = max(abs(each) for each, _ in tried)
     if max(each for each, _ in tried) - min(each for each, _ in tried) > mpf(10) ** -40 * size:
-        tried.append(_golden(g, low, high))
+        tried.append(_kink(g, low, high, size) or _golden(g, low, high))
     return max(tried, key=lambda each: each[0])
+
+
+def _falls_from(best, g, low, high):
+    """Whether the highest of the tried places is an end from which the function falls."""
+    (value, place), h = best, (high - low) * mpf(10) ** -15
+    return (place == low and g(low + h) < value) or (place == high and g(high - h) < value)
+
+
+def _kink(g, low, high, size):
+    """Where the tangents from both sides of a kink meet, again and again; None if they come to no such place."""
+    h = (high - low) * mpf(10) ** -15
+
+    def tangent(x, way):
+        value = g(x)
+        return x, value, (g(x + way * h) - value) / (way * h)
+
+    (a, at_a, up), (b, at_b, down) = tangent(low, 1), tangent(high, -1)
+    for _ in range(9):
+        if up <= 0 or down >= 0:
+            return None
+        x = (at_b - at_a + up * a - down * b) / (up - down)
+        if not a < x < b:
+            return None
+        value = g(x)
+        if abs(at_a + up * (x - a) - value) < mpf(10) ** -30 * size:
+            return value, x
+        right = (g(x + h) - value) / h
+        if right > 0:
+            a, at_a, up = x, value, right
+        else:
+            b, at_b, down = tangent(x, -1)
+    return None
 
 
 def _golden(g, low, high):

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from sparing import sparing
 
 import tmmcalc
 from cams.optimum_scene import roller_task
@@ -77,8 +78,8 @@ def varying(program: Program) -> Speed:
     return Speed(on, omega, omega * 100 * (-0.08 * np.sin(phi) + 0.06 * np.cos(2 * phi)))
 
 
-@pytest.mark.parametrize("kind", ["constant", "varying"])
-@pytest.mark.parametrize("zeta", [0.05, 0.4])
+@sparing("kind", ["constant", "varying"], every=2)
+@sparing("zeta", [0.05, 0.4], every=2, first=1)
 def test_steady_response_is_periodic_by_an_integrator(kind: str, zeta: float) -> None:
     task = roller_task()
     program = task.program
@@ -135,6 +136,7 @@ def test_resonance_and_missing_data_are_refused() -> None:
         solve_elastic(replace(task, elastic=Elastic(1e15, 0.1)), ROLLER)
 
 
+@pytest.mark.slow
 def test_result_round_trip_document_and_picture(tmp_path: Path) -> None:
     from drawing import draw_cam
 

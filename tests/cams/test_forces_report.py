@@ -4,6 +4,7 @@ import json
 from math import radians
 
 import pytest
+from sparing import sparing
 from typer.testing import CliRunner
 
 from tmmcalc.cams.facts.cam_forces import document as forces_document
@@ -131,7 +132,7 @@ def test_jamming_ends_with_its_code(tmp_path):
     assert "jams for phi from" in str(result.exception)
 
 
-@pytest.mark.parametrize(("task", "follower"), list(cams()), ids=["groove", "flat", "rocker"])
+@sparing(("task", "follower"), list(cams()), ids=["groove", "flat", "rocker"], every=3, first=1)
 def test_pictures(task, follower, tmp_path):
     pytest.importorskip("matplotlib")
     from drawing import draw_cam

@@ -131,6 +131,7 @@ def test_documents_print_what_was_found() -> None:
     assert indexing_document(alone, "x").table is None
 
 
+@pytest.mark.slow
 def test_pictures() -> None:
     pytest.importorskip("matplotlib")
     from cams.test_law_profile_pictures import texts

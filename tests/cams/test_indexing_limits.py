@@ -201,6 +201,7 @@ def test_the_tip_of_the_lobe_limits_the_roller_where_a_would_end_at_the_middle()
         assert working_tip(drive, 1e-12 * given.wheel, end) == pytest.approx(end, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_means_of_the_efficiency_by_quadrature() -> None:
     """The formulas (12) and (13) as they are printed, with sigma by the pole, integrated by another method."""
     for name in ("3-4-5", "ends"):

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower
@@ -42,7 +43,7 @@ def texts(figure):
     return " ".join(each.get_text() for each in figure.findobj(Text))
 
 
-@pytest.mark.parametrize("name", SCENES)
+@sparing("name", SCENES, every=5)
 def test_profiles(name, tmp_path: Path):
     program, follower, asked = SCENES[name]
     task = task_of(program, follower.kind, steps=6, **asked)
@@ -57,6 +58,7 @@ def test_profiles(name, tmp_path: Path):
     assert files[0].read_bytes() == files[1].read_bytes()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("program", "kind"), [(STEM, "translating"), (ROCKER, "oscillating")])
 def test_laws(program, kind, tmp_path: Path):
     task = task_of(program, kind, steps=6, loads=Loads(60.0))
@@ -88,7 +90,7 @@ SHORT = turn("cosine", rise=5, high=0, back=5)
 NAMED = {**SCENES, "face": (FACE, Follower("flat", 0.08), {}), "short": (SHORT, Follower("translating", 0.5), {})}
 
 
-@pytest.mark.parametrize("name", NAMED)
+@sparing("name", NAMED, every=4)
 def test_phases_are_named_clear_of_each_other_and_of_the_walls(name):
     program, follower, asked = NAMED[name]
     task = task_of(program, follower.kind, **asked)
@@ -104,7 +106,7 @@ def test_phases_are_named_clear_of_each_other_and_of_the_walls(name):
             assert not any(box.count_contains(on_paper) for box in found.values())
 
 
-@pytest.mark.parametrize("name", NAMED)
+@sparing("name", NAMED, every=4)
 def test_positions_are_numbered_as_in_the_tables_and_can_be_read(name):
     from matplotlib.text import Text
 
@@ -146,6 +148,7 @@ def test_short_phases_are_named_beside_each_other():
     assert all(box.x0 > frame.x0 - 1 and box.x1 < frame.x1 for box in found.values())
 
 
+@pytest.mark.slow
 def test_a_rocker_has_one_unit_for_its_angle_in_the_portrait():
     task = task_of(ROCKER, "oscillating")
     figure = law_figure(task, solve_law(task))
@@ -157,6 +160,7 @@ def test_a_rocker_has_one_unit_for_its_angle_in_the_portrait():
     assert [axes.get_ylabel().rpartition("$")[2] for axes in figure.axes] == [", °", "", ", 1/rad", ", 1/rad²", ""]
 
 
+@pytest.mark.slow
 def test_a_jump_at_the_begin_of_the_turn_is_drawn_over_the_frame():
     program = turn("cosine")
     axes = law_figure(task_of(program, steps=6), solve_law(task_of(program, steps=6))).axes[2]

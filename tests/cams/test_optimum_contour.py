@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from cams.optimum_scene import CASES, flat_task, roller_task
 from tmmcalc.cams.follower import Follower
@@ -175,7 +176,7 @@ def same(a: Any, b: Any) -> bool:
     return type(a) is type(b) and bool(a == b)
 
 
-@pytest.mark.parametrize("kind", ["translating", "flat"])
+@sparing("kind", ["translating", "flat"], every=2, first=1)
 def test_round_trip_documents_and_pictures(kind: str, tmp_path: Path) -> None:
     from drawing import draw_cam
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from cams.optimum_scene import CASES, flat_task, roller_task
 from tmmcalc.cams.facts.cam_optimum import document as optimum_document
@@ -91,7 +92,7 @@ def test_least_step_height_of_the_case(friction: float, key: str) -> None:
     assert np.round(1e3 * np.stack((found.start, found.roller), axis=1), 9).tolist() == points
 
 
-@pytest.mark.parametrize(("law", "spring"), [("cosine", None), ("shun", Spring("safety", safety=1.4))])
+@sparing(("law", "spring"), [("cosine", None), ("shun", Spring("safety", safety=1.4))], every=2, first=1)
 def test_no_lower_step_height_by_brute_force(law: str, spring: Spring | None) -> None:
     """Every step point at the least height and at all below it, with steps of 2 mm."""
     scene = scene_of(with_law(roller_task(spring=spring), law), ROLLER)
@@ -109,8 +110,8 @@ def test_no_lower_step_height_by_brute_force(law: str, spring: Spring | None) ->
         assert not np.any(np.all(margins(scene, start, roller, np.full(len(start), lower)) >= -1e-12, axis=0))
 
 
-@pytest.mark.parametrize("friction", [0.1, 0.0])
-@pytest.mark.parametrize("phases", ["turn", "rise"])
+@sparing("friction", [0.1, 0.0], every=2)
+@sparing("phases", ["turn", "rise"], every=2, first=1)
 def test_continuous_optimum_against_differential_evolution(friction: float, phases: Any) -> None:
     from scipy.optimize import differential_evolution
 
@@ -182,6 +183,7 @@ def test_what_is_taken_out_for_slip_slips_at_every_height() -> None:
     assert taken > 50
 
 
+@pytest.mark.slow
 def test_options_are_compared_each_with_its_spring() -> None:
     task = roller_task(spring=Spring("safety", safety=1.5), laws=("cosine", "const"), safeties=(1.3,))
     base, const, softer = solve_optimum(task, ROLLER).options  # the cam's own law is no option
@@ -223,6 +225,7 @@ def test_combined_options() -> None:
         solve_optimum(many, ROLLER)
 
 
+@pytest.mark.slow
 def test_an_option_without_solution_says_why() -> None:
     task = roller_task(contacts=(("wood", 1e7),))
     base, wood = solve_optimum(task, ROLLER).options
@@ -235,6 +238,7 @@ def test_no_more_options_than_the_spec_says() -> None:
     assert MOST == MOST_OPTIONS
 
 
+@pytest.mark.slow
 def test_refusals_name_the_constraints() -> None:
     with pytest.raises(NoSolutionError, match=r"5 \(roller on its pin\) and 8 \(pressure in the guide\)"):
         solve_optimum(roller_task(heights=(0.09, 0.1)), ROLLER)
@@ -281,6 +285,7 @@ def test_flat_contact_stress_asks_for_more_height() -> None:
         assert start + scene.stroke + found.least[0] > least.height - 1e-7
 
 
+@pytest.mark.slow
 def test_a_tiny_stroke_and_a_profile_without_concave_parts() -> None:
     task = roller_task(spring=Spring("safety", safety=1.5))
     convex = replace(task, limits=replace(task.limits, allow_concave=False))

@@ -40,6 +40,7 @@ def test_slip_of_a_roller_that_is_barely_pressed(law: str, least: float) -> None
     assert found.slip[0] == pytest.approx(judged.value, rel=1e-7)
 
 
+@pytest.mark.slow
 def test_all_margins_at_the_speed_of_the_machine() -> None:
     task = uneven(with_law(roller_task(spring=Spring("safety", safety=1.5), guide=0.24), "sine"))
     scene = scene_of(task, SIZES)

@@ -7,6 +7,7 @@ from math import degrees, radians
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 import tmmcalc
 from cams.optimum_scene import roller_task, turn
@@ -45,6 +46,7 @@ def far_task(step: float = 1e-3) -> CamTask:
     )
 
 
+@pytest.mark.slow
 def test_sizes_far_beyond_the_stroke_are_found() -> None:
     """More than twenty strokes away; the least by steps is the least by sizes, a step above it at most."""
     task = far_task(4e-3)
@@ -93,8 +95,8 @@ def test_a_roller_that_slips_everywhere_is_refused_soon() -> None:
     assert 0 < sum(seen) <= len(known.start)
 
 
-@pytest.mark.parametrize("offset", [0.006, -0.004])
-@pytest.mark.parametrize("sense", [1, -1])
+@sparing("offset", [0.006, -0.004], every=2)
+@sparing("sense", [1, -1], every=2)
 def test_the_offset_is_told(offset: float, sense: int) -> None:
     """In the user's sense, and with a note where the synthesis found it."""
     follower = Follower("translating", 0.06, sense * offset, sense=sense)
@@ -123,7 +125,7 @@ def test_pressure_angles_are_told_beside_their_limits() -> None:
         assert all(f"the {degrees(limit):.5g} deg of [cam.limits]" in note for note in notes)
 
 
-@pytest.mark.parametrize("law", ["cosine", "shun"])
+@sparing("law", ["cosine", "shun"], every=2)
 def test_torques_of_the_design_game_are_those_of_the_forces(law: str) -> None:
     """|T| of both signs without friction, and the largest driving torque with it, between the nodes too."""
     task = with_law(roller_task(spring=Spring("safety", safety=1.5), laws=("sine",)), law)

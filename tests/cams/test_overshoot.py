@@ -51,6 +51,7 @@ def test_a_rocker_across_the_line_of_centres_is_refused_at_both_ends():
         check_reach(program, Follower("oscillating", np.pi - high + 1e-4, **sizes))
 
 
+@pytest.mark.slow
 def test_of_many_faults_the_worst_is_named_and_the_rest_counted():
     program = cam(motion=MOTION).program
     follower = Follower("translating", 0.08, roller=0.06)

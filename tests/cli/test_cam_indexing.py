@@ -87,6 +87,7 @@ def test_files(cli: Cli) -> None:
     assert cli("cam", "indexing", "lantern.toml", "--compare", "--positions", "1").code == 2
 
 
+@pytest.mark.slow
 def test_pictures(cli: Cli) -> None:
     pytest.importorskip("matplotlib")
     assert cli("plot", "lantern.toml", "indexing", "-o", "a.svg", "--phase", "20 deg").code == 0

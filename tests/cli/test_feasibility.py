@@ -75,6 +75,7 @@ def test_gears_are_told_what_constraints_removed(cli: Cli) -> None:
     assert "light: mass is" in err
 
 
+@pytest.mark.slow
 def test_pictures(cli: Cli) -> None:
     pytest.importorskip("matplotlib")
     for spec, stage in (("f.toml", "feasibility"), ("f.toml", "synthesis")):

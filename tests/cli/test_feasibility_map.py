@@ -24,6 +24,7 @@ def spec(folder: Path) -> None:
     shutil.copy(CONFIGS / "feasibility.toml", folder / "f.toml")
 
 
+@pytest.mark.slow
 def test_every_point_is_what_the_command_says_of_its_spec(cli: Cli) -> None:
     code, out, err = cli(
         "feasibility", "f.toml", "-q", *RATIO, "--over", "synthesis.crank_rocker.swing=0.6,0.8", "-f", "csv"
@@ -71,6 +72,7 @@ def test_points_without_a_solution(cli: Cli) -> None:
     assert told["columns"]["fails"][1]
 
 
+@pytest.mark.slow
 def test_pictures(cli: Cli) -> None:
     pytest.importorskip("matplotlib")
     for flags, file in ((RATIO, "one.svg"), ((*RATIO, *SWING), "two.svg")):

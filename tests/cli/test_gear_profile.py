@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from .conftest import Cli
 
@@ -89,6 +90,7 @@ def test_tables_in_metres(cli: Cli, book: str) -> None:
     assert found["X_S[m]"][0] == ""
 
 
+@pytest.mark.slow
 def test_files_of_pairs_in_mesh(cli: Cli, three: str) -> None:
     flags = ("--svg", "a.svg", "--outline", "a.csv", "--phase", "5 deg")
     code, out, err = cli(*PROFILE, three, *flags)
@@ -241,7 +243,7 @@ def test_sound_wheels_are_drawn_and_the_others_named(cli: Cli, unsound: str) -> 
     assert not Path("one.svg").exists()
 
 
-@pytest.mark.parametrize("stage", ["pair", "profile"])
+@sparing("stage", ["pair", "profile"], every=2)
 def test_sheets_of_sound_wheels(cli: Cli, unsound: str, stage: str) -> None:
     pytest.importorskip("matplotlib")
     assert cli("plot", unsound, stage, "-o", "sheets.svg")[0] == 0

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from machines import spec_text
+from sparing import sparing
 
 from .conftest import Cli
 
@@ -97,8 +98,8 @@ def test_the_table_of_a_linkage(cli: Cli) -> None:
     assert [row[:2] for row in rows] == [["0", "0.0"], ["2", "60.0"], ["4", "120.0"]]
 
 
-@pytest.mark.parametrize(
-    ("spec", "stage"), [("press.toml", "transient"), ("press.toml", "balance"), ("engine.toml", "balance")]
+@sparing(
+    ("spec", "stage"), [("press.toml", "transient"), ("press.toml", "balance"), ("engine.toml", "balance")], every=3
 )
 def test_pictures(cli: Cli, spec: str, stage: str) -> None:
     pytest.importorskip("matplotlib")

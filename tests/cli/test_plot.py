@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from .conftest import Cli
 
@@ -40,7 +41,7 @@ def test_a_scene_without_loads_has_no_forces_to_draw(cli: Cli) -> None:
     assert "nothing acts on the links" in err
 
 
-@pytest.mark.parametrize("stage", ["kinematics", "forces", "reduction"])
+@sparing("stage", ["kinematics", "forces", "reduction"], every=3)
 def test_stages_that_the_shaper_has_are_drawn(cli: Cli, stage: str) -> None:
     assert cli("plot", "my.toml", stage, "-o", f"{stage}.svg", "-q") == (0, "", "")
     assert Path(f"{stage}.svg").read_bytes().startswith(b"<?xml")

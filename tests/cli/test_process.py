@@ -12,12 +12,14 @@ import time
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from .conftest import Cli, environment
 
 posix = pytest.mark.skipif(os.name != "posix", reason="needs pipes, terminals and signals of a Unix")
 
 
+@pytest.mark.slow
 def test_results_alone_go_to_standard_output(process: Cli) -> None:
     code, out, err = process("kinematics", "my.toml", "--format", "json", "--set", "mechanism.grid.positions=4")
     assert code == 0
@@ -48,7 +50,7 @@ def test_a_fault_of_the_user_shows_no_traceback(process: Cli, args: tuple[str, .
 
 
 @posix
-@pytest.mark.parametrize("args", [("kinematics", "my.toml", "-f", "csv", "-q"), ("schema",), ("check", "none.toml")])
+@sparing("args", [("kinematics", "my.toml", "-f", "csv", "-q"), ("schema",), ("check", "none.toml")], every=3)
 def test_a_reader_that_has_gone_is_no_fault(folder: Path, args: tuple[str, ...]) -> None:
     process = subprocess.Popen(
         [sys.executable, "-m", "tmmcalc", *args],
@@ -88,6 +90,7 @@ def test_interrupt(folder: Path) -> None:
     assert not (folder / "my.out" / "kinematics.csv").exists()
 
 
+@pytest.mark.slow
 def test_two_runs_at_once(folder: Path) -> None:
     runs = [
         subprocess.Popen(
@@ -131,6 +134,7 @@ def on_terminal(folder: Path, width: int, *args: str, **more: str) -> str:
     return shown.decode().replace("\r\n", "\n")
 
 
+@pytest.mark.slow
 @posix
 def test_a_terminal_shows_whole_numbers_in_its_width(folder: Path) -> None:
     """Columns that do not fit are left out; no digit of those that are shown is lost."""
@@ -141,6 +145,7 @@ def test_a_terminal_shows_whole_numbers_in_its_width(folder: Path) -> None:
     assert "…" not in shown
 
 
+@pytest.mark.slow
 @posix
 def test_colour_on_a_terminal_only_and_not_against_the_will(folder: Path) -> None:
     fault = ("check", "none.toml")
@@ -148,6 +153,7 @@ def test_colour_on_a_terminal_only_and_not_against_the_will(folder: Path) -> Non
     assert "\033" not in on_terminal(folder, 80, *fault, NO_COLOR="1")
 
 
+@pytest.mark.slow
 @posix
 def test_a_long_stage_shows_that_it_runs_and_a_short_one_does_not(folder: Path) -> None:
     show = ("--columns", "phi", "--positions", "0")

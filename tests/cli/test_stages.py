@@ -10,6 +10,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.plan import plan
 from tmmcalc.project import load_spec, parse_spec
@@ -89,7 +90,7 @@ def test_two_step_grid_by_override(cli: Cli) -> None:
 LINKAGES = sorted(file.stem for file in CONFIGS.glob("*.toml") if load_spec(file).mechanism is not None)
 
 
-@pytest.mark.parametrize("name", LINKAGES)
+@sparing("name", LINKAGES, every=4)
 def test_summary_of_every_ready_spec_fits_80_columns(cli: Cli, name: str) -> None:
     code, out, err = cli("kinematics", str(CONFIGS / f"{name}.toml"), "--no-store", "-q")
     assert (code, err) == (0, "")
@@ -295,6 +296,7 @@ def test_run_stops_where_asked(cli: Cli) -> None:
     assert sorted(file.name for file in Path("my.out").glob("*.toml")) == ["structure.toml"]
 
 
+@pytest.mark.slow
 def test_plot_writes_a_picture(cli: Cli) -> None:
     pytest.importorskip("matplotlib")
     assert cli("plot", "my.toml", "-q") == (0, "", "")

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from sparing import sparing
 
 from tmmcalc.stress import linkage, shipped
 from tmmcalc.stress.results import DISPUTED, FAULT, Ladder, Met, Rung, Stress
@@ -25,6 +26,7 @@ def test_ladders_of_a_spec(cli: Cli) -> None:
     assert "Traceback" not in out
 
 
+@pytest.mark.slow
 def test_json_and_csv_hold_every_stage_on_every_rung(cli: Cli) -> None:
     asked = ("stress", "my.toml", "--ladder", "scale", "--stage", "kinematics")
     _, out, _ = cli(*asked, "--format", "json")
@@ -39,7 +41,7 @@ def test_json_and_csv_hold_every_stage_on_every_rung(cli: Cli) -> None:
     assert {row["status"] for row in moving} == {"ok"}
 
 
-@pytest.mark.parametrize("suffix", ["svg", "png"])
+@sparing("suffix", ["svg", "png"], every=2)
 def test_picture(cli: Cli, suffix: str) -> None:
     code, _, err = cli("stress", "my.toml", "--ladder", "direction", "--stage", "kinematics", "--plot", f"a.{suffix}")
     assert code == 0
@@ -127,6 +129,7 @@ def test_a_folder_that_is_not_there(cli: Cli) -> None:
     assert "there is no folder nowhere" in err
 
 
+@pytest.mark.slow
 def test_a_fault_in_the_twin_alone_ends_with_exit_code_1(cli: Cli, monkeypatch: pytest.MonkeyPatch) -> None:
     def unwritten(document: object) -> None:
         raise ValueError("no such unit")
@@ -156,6 +159,7 @@ def test_disputed_results_are_told(cli: Cli, monkeypatch: pytest.MonkeyPatch) ->
     assert (row["status"], row["told"], row["skipped"]) == ("disputed", "no", "all (no result)")
 
 
+@pytest.mark.slow
 def test_the_table_on_top_has_what_is_lost_and_who_tells(cli: Cli) -> None:
     code, out, _ = cli("stress", "my.toml", "--ladder", "dead-point", "--stage", "kinematics")
     assert code == 0

@@ -138,6 +138,7 @@ def begun(folder: Path, *more: str) -> subprocess.Popen[bytes]:
     return process
 
 
+@pytest.mark.slow
 @posix
 @pytest.mark.parametrize("jobs", ["1", "2"])
 def test_a_killed_sweep_goes_on_to_the_same_bytes(cli: Cli, folder: Path, jobs: str) -> None:
@@ -156,6 +157,7 @@ def test_a_killed_sweep_goes_on_to_the_same_bytes(cli: Cli, folder: Path, jobs: 
     assert not Path("my.sweep.csv.part").exists()
 
 
+@pytest.mark.slow
 @posix
 @pytest.mark.parametrize("jobs", ["1", "2"])
 def test_an_interrupted_sweep_keeps_its_points(folder: Path, jobs: str) -> None:
@@ -168,6 +170,7 @@ def test_an_interrupted_sweep_keeps_its_points(folder: Path, jobs: str) -> None:
     assert left() == {"my.sweep.csv.part"}
 
 
+@pytest.mark.slow
 @posix
 def test_a_terminal_shows_how_far_a_sweep_is(folder: Path) -> None:
     shown = on_terminal(folder, 80, *MANY, "--columns", "vS_D_max")
@@ -271,6 +274,7 @@ def check_class(variants: int) -> None:
     assert {row["status"] for row in rows} == {"ok"}
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(shutil.which("make") is None, reason="needs make")
 def test_the_class_of_the_examples(folder: Path) -> None:
     a_class(2)

@@ -9,6 +9,7 @@ from io import StringIO
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from cli.conftest import CONFIGS, Cli
 
@@ -58,7 +59,7 @@ def test_the_numbers_for_programs(cli: Cli) -> None:
     assert found["press_straight_line"]
 
 
-@pytest.mark.parametrize("name", SPECS)
+@sparing("name", SPECS, every=5)
 def test_a_stored_result_is_the_computed_one(cli: Cli, name: str) -> None:
     first = cli(command(name), f"{name}.toml", "-o", "out", "-q", "--format", "json")
     assert first.code == 0
@@ -78,6 +79,7 @@ def test_all_stages_run(cli: Cli, name: str) -> None:
     assert command(name) in answer.out
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["tipper", "manipulator-direct"])
 def test_a_picture_is_drawn(cli: Cli, name: str) -> None:
     pytest.importorskip("matplotlib")
@@ -105,6 +107,7 @@ def test_what_cannot_be_is_told(cli: Cli) -> None:
     assert "no [unsteady]" in answer.err
 
 
+@pytest.mark.slow
 def test_no_scipy(cli: Cli) -> None:
     import subprocess
     import sys

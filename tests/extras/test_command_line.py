@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 from typer.testing import CliRunner
 
 import tmmcalc
@@ -50,7 +51,7 @@ def test_what_is_stored_is_what_was_found(command: str, tmp_path: Path) -> None:
     assert (tmp_path / f"{stage}.csv").exists() == (command not in ("tie-down", "bearing"))
 
 
-@pytest.mark.parametrize("command", ["contact", "reliability", "ball"])
+@sparing("command", ["contact", "reliability", "ball"], every=3)
 def test_columns_and_pictures(command: str, tmp_path: Path) -> None:
     done = RUNNER.invoke(
         app, ["extra", command, file_of(command), "--no-store", "-q", "--columns", "S" if command == "ball" else "x"]

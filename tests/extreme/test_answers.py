@@ -7,6 +7,7 @@ from typing import Any
 
 import mpmath
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.errors import TmmError
 from tmmcalc.pipeline.outcome import RunResult
@@ -35,7 +36,7 @@ def test_there_are_many_and_each_has_an_answer() -> None:
     assert not [name for name, value in PROVED.items() if bare.fullmatch(value.formula)]
 
 
-@pytest.mark.parametrize("name", MARKED)
+@sparing("name", MARKED, every=6)
 def test_scene_gives_its_known_answer(name: str) -> None:
     file = FOLDER / f"{name}.toml"
     wanted = expected(text(name))

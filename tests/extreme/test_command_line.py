@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cli.conftest import Cli
+from sparing import sparing
 
 from tmmcalc.project import templates
 from tmmcalc.stress.expected import expected
@@ -21,7 +22,7 @@ def test_scenes_are_ready_specs_that_tell_what_is_extreme(name: str) -> None:
     assert "# Expected: " in templates.text(f"extreme/{name}")
 
 
-@pytest.mark.parametrize("name", MARKED)
+@sparing("name", MARKED, every=6)
 def test_scene_on_the_command_line(cli: Cli, empty: Path, name: str) -> None:
     wanted = expected((FOLDER / f"{name}.toml").read_text(encoding="utf-8"))
     target = ("--to", wanted.target) if wanted.target else ()
@@ -78,7 +79,7 @@ PARAMETERS = [
 ]
 
 
-@pytest.mark.parametrize(("name", "override"), PARAMETERS)
+@sparing(("name", "override"), PARAMETERS, every=3)
 def test_sweep_leaves_numbers_only(name: str, override: str) -> None:
     """Eighteen orders of one quantity through all stages up to the flywheel: `solved` looks at every table."""
     for value in SWEEP:

@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 from scipy.integrate import quad
+from sparing import sparing
 
 from tmmcalc import NoSolutionError, UsageError
 
@@ -44,7 +45,7 @@ def test_inertia_ratios_without_loads(ratio: float) -> None:
     assert motion.regime.cycle_time == pytest.approx(time, rel=max(1e-11, motion.regime.error))
 
 
-@pytest.mark.parametrize("slip", [1e-5, 1e-4, 1e-3, 1e-2, 1e-1])
+@sparing("slip", [1e-5, 1e-4, 1e-3, 1e-2, 1e-1], every=5)
 def test_slip(slip: float) -> None:
     driven, load = motor(1100, 1500 * (1 - slip)), Pressed(Slider(), 2000)
     motion = solved("slip", f'motor.speed="{1500 * (1 - slip)!r} rpm"', target="motion").results["motion"]

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from tmmcalc.machine.transient.timed import TimedMotion
 
@@ -30,7 +31,7 @@ def swinging(motion: TimedMotion, stiffness: float) -> tuple[np.ndarray, np.ndar
     return speeds, CARRIED * (1 - np.cos(rate * motion.t))
 
 
-@pytest.mark.parametrize("stiffness", [1e3, 1e4, 1e5, 1e6])
+@sparing("stiffness", [1e3, 1e4, 1e5, 1e6], every=4)
 def test_shafts_that_swing(stiffness: float) -> None:
     motion = moved(f"shafts[name=shaft].stiffness={stiffness!r}")
     speeds, moment = swinging(motion, stiffness)

@@ -11,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from properties import examples
 from random_mechanisms import build
+from sparing import sparing
 from transforms import moved, scaled
 
 from linkage.scenes import (
@@ -129,7 +130,7 @@ def test_slotted_links_with_an_offset(l0: float, l1: float, h: float) -> None:
     same_angles(limits_of(domain_of(slotted(l0, l1, h))), expected, 1e-9)
 
 
-@pytest.mark.parametrize("seed", range(60))
+@sparing("seed", range(60), every=6)
 def test_chains_against_a_dense_scan(seed: int) -> None:
     """Chains of up to four dyads: the runs of a scan of 200 000 positions are the intervals."""
     scene = build(np.random.default_rng(seed), prismatic_input=False)
@@ -206,7 +207,7 @@ def test_a_short_interval_is_found_wherever_it_stands(nearness: float, place: fl
     same_angles(limits_of(domain), [place + half, place - half], 1e-3 * half)
 
 
-@pytest.mark.parametrize("nearness", [-1e-3, -1e-5, -1e-7, -1e-9])
+@sparing("nearness", [-1e-3, -1e-5, -1e-7, -1e-9], every=2)
 @pytest.mark.parametrize("place", PLACES)
 def test_a_crank_that_just_passes_turns_fully(nearness: float, place: float) -> None:
     """The regularity at the narrow place is the cosine of the rod's angle there, exactly, wherever it stands."""
@@ -233,7 +234,7 @@ def test_a_crank_that_just_passes_turns_fully(nearness: float, place: float) -> 
         slotted(0.1, 0.3, 0.2),  # l1 - l0 = h
     ],
 )
-@pytest.mark.parametrize("start", [0.0, 0.3, 1.7, math.radians(0.5), math.radians(270.5)])
+@sparing("start", [0.0, 0.3, 1.7, math.radians(0.5), math.radians(270.5)], every=5, first=1)
 def test_change_points_are_dead_points(mechanism: Mechanism, start: float) -> None:
     for place in (0.0, 0.77):
         with pytest.raises(SingularityError, match="dead point at angle_1 = ") as refused:

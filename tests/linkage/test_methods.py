@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from random_mechanisms import build
+from sparing import sparing
 
 from linkage.scenes import CONFIGS, bar, crank_slider, driven_rod, full_turn, part, pin, slide, with_output, yoke
 from tmmcalc import AssemblyError, Method, SingularityError, load_spec, solve_kinematics
@@ -17,7 +18,7 @@ from tmmcalc import AssemblyError, Method, SingularityError, load_spec, solve_ki
 SPECS = sorted(path for path in CONFIGS.glob("*.toml") if load_spec(path).mechanism is not None)
 
 
-@pytest.mark.parametrize("spec", SPECS, ids=lambda path: path.stem)
+@sparing("spec", SPECS, ids=lambda path: path.stem, every=6)
 def test_every_ready_spec_by_every_method(spec: Path) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -75,7 +76,7 @@ def test_a_group_that_hangs_on_the_frame_alone_stands_still() -> None:
     assert result.trace.r[result.trace.point_names.index("K"), 7] == pytest.approx(0.4 + 0.2j)
 
 
-@pytest.mark.parametrize("seed", range(60))
+@sparing("seed", range(60), every=6)
 def test_random_chains_over_wide_ranges_answer_or_say_why(seed: int) -> None:
     """A result without NaN, or an error of the tree; never a warning, never another exception."""
     with warnings.catch_warnings():

@@ -9,6 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 from random_mechanisms import build
+from sparing import sparing
 from transforms import scaled
 
 from linkage.scenes import (
@@ -204,7 +205,7 @@ def scanned(mechanism: Mechanism, result: Kinematics, output: Output) -> list[tu
     return [(float(values.min()), float(values.max())) for values in (v, a)]
 
 
-@pytest.mark.parametrize("config", TEN_KINDS)
+@sparing("config", TEN_KINDS, every=4)
 @pytest.mark.parametrize("eps", [0.0, 30.0])
 def test_extremes_of_the_ready_specs(config: str, eps: float) -> None:
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
@@ -215,7 +216,7 @@ def test_extremes_of_the_ready_specs(config: str, eps: float) -> None:
         check_extremes(summary.velocity + summary.acceleration, scanned(mechanism, result, output))
 
 
-@pytest.mark.parametrize("seed", range(25))
+@sparing("seed", range(25), every=6)
 def test_extremes_over_a_part_of_a_turn(seed: int) -> None:
     """Whether they stand inside, in the last cell of the survey, or at an end of the range."""
     mechanism = build(np.random.default_rng(seed), span=math.radians(25)).mechanism

@@ -77,7 +77,7 @@ def test_motors_that_lag(count: int) -> None:
     check(pairs(23, count, slips=(-3, -1), lagging=0.5), count)
 
 
-@pytest.mark.parametrize("count", [24, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [6, pytest.param(200, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-5])
 def test_a_tolerance_is_kept_and_its_estimate_useful(tolerance: float, count: int) -> None:
     found = pairs(33, count, tolerance, slips=(-4, -1), lagging=0.3)
@@ -191,7 +191,7 @@ def kept_at_mean(machine: Drawn, regime: Regime) -> Exact:
     return exact
 
 
-@pytest.mark.parametrize("count", [12, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [4, pytest.param(200, marks=pytest.mark.slow)])
 def test_resistance_under_a_constant_moment(count: int) -> None:
     rng, found = np.random.default_rng(26), defaultdict[str, list[tuple[float, float]]](list)
     while len(found["speed"]) < count:

@@ -78,6 +78,7 @@ def test_where_it_stops_and_what_would_do(constant: float) -> None:
     assert halt.turn == 1
 
 
+@pytest.mark.slow
 def test_a_machine_that_stops_in_a_later_cycle() -> None:
     """Just below the threshold the first cycle from the no-load speed is not the last."""
     load, motor = of_pieces([-700.0, 0.0], [0.0, 1.0, TURN]), Kloss(10.7, 10.0, 8.0, pull_out=160.0, slip=0.25)
@@ -141,6 +142,7 @@ def test_following_the_motion_ends_in_the_same_regime(constant: float) -> None:
     np.testing.assert_allclose(speeds[0], speeds[1], rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_a_lagging_motor_needs_more() -> None:
     static = stall_inertia(upsetter(), KLOSS, tolerance=1e-4)
     lagging = stall_inertia(upsetter(), KLOSS, time_constant=0.02, tolerance=1e-4)

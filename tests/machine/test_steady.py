@@ -16,6 +16,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from properties import examples
+from sparing import sparing
 
 from machine.motion import (
     CASES,
@@ -106,7 +107,7 @@ def test_exact_solution(kind: str, delta: float, constant: float) -> None:
     assert regime.panels.count <= 14
 
 
-@pytest.mark.parametrize("constant", [1e-6, 1.0, 1e4])
+@sparing("constant", [1e-6, 1.0, 1e4], every=3)
 @pytest.mark.parametrize(
     ("kind", "delta"),
     [("kloss", 1e-4), ("kloss", 0.06), ("steep line", 1e-6), ("steep line", 0.5), ("steep kloss", 4e-6)],
@@ -296,7 +297,7 @@ def test_load_jumps_on_steep_characteristics(slip: float, inertia: float) -> Non
     assert set(breaks[1:-1]) <= set(regime.panels.edges.tolist())
 
 
-@pytest.mark.parametrize("kind", ["kloss", "lin"])
+@sparing("kind", ["kloss", "lin"], every=2)
 def test_steep_nonlinear_characteristic_after_jumps_against_scipy(kind: str) -> None:
     breaks, loads = [0.0, 1.0, 2.5, 4.0, TURN], [-20.0, -180.0, -60.0, 0.0]
     slip, inertia = 1e-3, 3.0
@@ -315,7 +316,7 @@ def test_steep_nonlinear_characteristic_after_jumps_against_scipy(kind: str) -> 
     assert regime.error < 1e-12
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("load", "constant", "kind", "method"),
     [
         (1.0, 30.6, "kloss", "DOP853"),
@@ -325,6 +326,7 @@ def test_steep_nonlinear_characteristic_after_jumps_against_scipy(kind: str) -> 
         (0.3, 0.2, "kloss", "Radau"),
         (0.3, 1e-3, "lin", "Radau"),
     ],
+    every=3,
 )
 def test_upsetter_against_scipy(load: float, constant: float, kind: str, method: str) -> None:
     motor = upsetter_motor(kind)
@@ -336,7 +338,7 @@ def test_upsetter_against_scipy(load: float, constant: float, kind: str, method:
     assert regime.error < 5e-12
 
 
-@pytest.mark.parametrize("lag", [1e-3, 1e-2, 1e-1])
+@sparing("lag", [1e-3, 1e-2, 1e-1], every=3, first=2)
 def test_lagging_upsetter_against_scipy(lag: float) -> None:
     motor = upsetter_motor("kloss")
     regime = driven(upsetter(), 30.6, motor, time_constant=lag)
@@ -345,6 +347,7 @@ def test_lagging_upsetter_against_scipy(lag: float) -> None:
     assert worst(regime, omega) < 3e-11
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [3, 11])
 def test_random_lagging_machines_run_to_periodicity(seed: int) -> None:
     """From the no-load speed turn by turn until the motion repeats; nothing of the regime is used on the way."""
@@ -365,8 +368,8 @@ def test_random_lagging_machines_run_to_periodicity(seed: int) -> None:
     assert worst(regime, omega) < 3e-11
 
 
-@pytest.mark.parametrize("interpolation", ["linear", "pchip"])
-@pytest.mark.parametrize("efficiency", [1.0, 0.9])
+@sparing("interpolation", ["linear", "pchip"], every=2)
+@sparing("efficiency", [1.0, 0.9], every=2, first=1)
 def test_a_characteristic_by_points(interpolation: Any, efficiency: float) -> None:
     """The speed passes several points of the table; its bends are found, and not closed in upon by halving panels."""
     whole = upsetter_motor("kloss")
@@ -597,6 +600,7 @@ def test_scipy_is_not_loaded_for_a_regime() -> None:
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "False\n"
 
 
+@pytest.mark.slow
 def test_swings_that_are_too_fast_to_be_followed() -> None:
     """A slip of 1e-7 with a lag of 0.01 s: after every jump of the load the shaft swings with sqrt(b/(J tau))."""
     motor = Line(10.0, 10.0 * (1 - 1e-7), stiffness=100.0 / 1e-6)

@@ -41,6 +41,7 @@ def test_the_path_in_the_plane() -> None:
     assert {"press", "start", "end"} <= {text.get_text() for text in axes.texts}
 
 
+@pytest.mark.slow
 def test_two_views_in_space() -> None:
     asked = task("elbow up, base", "rounded")
     figure = manipulator_figure(asked, solve_manipulator(asked))

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.errors import NoSolutionError, SingularityError
 from tmmcalc.manipulators.obstacles import crossed, inside
@@ -163,7 +164,7 @@ def test_times_of_a_crossing() -> None:
     assert arm.intervals[0][0] == 0.0
 
 
-@pytest.mark.parametrize("arm", ARMS)
+@sparing("arm", ARMS, every=4)
 def test_the_arm_against_a_dense_sample(arm: str) -> None:
     """Points along all parts of the arm at many instants."""
     own = ARMS[arm]

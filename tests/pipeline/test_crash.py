@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.pipeline.lock import locked
@@ -80,8 +81,8 @@ def check_whole(out: Path, *versions: dict[str, bytes]) -> None:
             assert data in [version.get(name) for version in versions], f"{name} is neither old nor new"
 
 
-@pytest.mark.parametrize("after", [False, True])
-@pytest.mark.parametrize("call", ["replace", "getpid"])
+@sparing("after", [False, True], every=2)
+@sparing("call", ["replace", "getpid"], every=2)
 def test_killed_at_every_step_of_the_writes(tmp_path: Path, call: str, after: bool):
     old, new = reference(tmp_path / "old", OLD), reference(tmp_path / "new", NEW)
     count, killed = 0, True
@@ -139,6 +140,7 @@ def test_disk_that_ends_in_the_middle_of_a_file(tmp_path: Path, limit: int, dead
     assert contents(out) == new
 
 
+@pytest.mark.slow
 def test_killed_at_random_while_large_files_are_written(tmp_path: Path):
     versions = [reference(tmp_path / str(at), spec, csv=False) for at, spec in enumerate(BIG)]
     out, dice = tmp_path / "out", random.Random(7)
@@ -179,6 +181,7 @@ def start(out: Path, positions: str, rounds: int) -> subprocess.Popen[str]:
     return subprocess.Popen(command, env=env, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
 
+@pytest.mark.slow
 def test_two_runs_at_once_do_not_spoil_the_folder(tmp_path: Path):
     out = tmp_path / "out"
     children = [start(out, "1500,25", 25), start(out, "25,1501", 25)]

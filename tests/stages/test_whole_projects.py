@@ -9,96 +9,100 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 import tmmcalc
 from tmmcalc.core.plan import plan
 from tmmcalc.core.stage import resolve
+from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import templates
 from tmmcalc.rooms import STAGES
+
+from .independent import project
 
 CONFIGS = Path(templates.folder())
 CASES = {case["id"]: case for case in json.loads((Path(__file__).parents[1] / "cases" / "dynamics.json").read_text())}
 PROJECTS = ["shaper", "press", "four-stroke-engine", "piston-compressor", "piston-pump", "geared-pump", "elastic-drive"]
 
 
-@pytest.fixture(scope="module")
-def done() -> dict[str, object]:
-    return {name: run(tmmcalc.load_spec(CONFIGS / f"{name}.toml")) for name in PROJECTS}
+def done(name: str) -> RunResult:
+    """A run of a ready spec, the same for all tests of this process."""
+    return project(name).run
 
 
 READY = [name for name in templates.names() if "/" not in name]
 
 
-@pytest.mark.parametrize("name", READY)
+@sparing("name", READY, every=6)
 def test_every_ready_spec_runs(name: str) -> None:
-    result = run(tmmcalc.load_spec(CONFIGS / f"{name}.toml"))
+    result = done(name)
     assert result.outcomes
     assert result.outcomes.keys() == set(result.plan.running)
 
 
 @pytest.mark.parametrize("name", PROJECTS)
-def test_all_numbers_are_finite(done: dict, name: str) -> None:
-    for stage in done[name].outcomes:
-        for key, array in done[name].record(stage).arrays.items():
+def test_all_numbers_are_finite(name: str) -> None:
+    for stage in done(name).outcomes:
+        for key, array in done(name).record(stage).arrays.items():
             assert array.dtype.kind in "US" or np.isfinite(array).all(), f"{stage}.{key}"
-        table = done[name].table(stage)
+        table = done(name).table(stage)
         for column in table.columns if table is not None else ():
             assert column.dtype.kind in "US" or np.isfinite(column).all()
 
 
-def test_shaper_work_of_the_cutting_force(done: dict) -> None:
+def test_shaper_work_of_the_cutting_force() -> None:
     """The textbook's appendix: 7500 N over positions 2 to 12."""
-    reduction = done["shaper"].results["reduction"]
+    reduction = done("shaper").results["reduction"]
     (cutting,) = (c for c in reduction.contributions if c.name == "Q5")
     assert cutting.work == pytest.approx(CASES["dyn-shaper-reduced"]["expected"]["A_Q_exact_J"], rel=1e-4)
     expected = CASES["dyn-shaper-reduced"]["expected"]["M_Q_Nm"]
     assert reduction.moment[1] == pytest.approx(np.array(expected), abs=0.02)
 
 
-def test_shaper_motor_by_its_parabola(done: dict) -> None:
+def test_shaper_motor_by_its_parabola() -> None:
     expected = CASES["dyn-shaper-motion-idle"]["expected"]
-    textbook = done["shaper"].results["motion"].textbook
+    textbook = done("shaper").results["motion"].textbook
     assert textbook.a == pytest.approx(expected["A"], rel=1e-6)
     assert textbook.b == pytest.approx(expected["B"], rel=1e-6)
 
 
-def test_press_forces_and_efficiency(done: dict) -> None:
+def test_press_forces_and_efficiency() -> None:
     expected = CASES["dyn-press-friction"]["expected"]
-    forces = done["press"].results["forces"]
+    forces = done("press").results["forces"]
     # at 270 degrees the rod is at rest and the friction of its pins jumps: the case takes the limit before, as the book
     rows = [forces.labels.index("9-" if i == 9 else str(i)) for i in range(13)]
     assert forces.drive[rows] == pytest.approx(np.array(expected["M_bal"]), rel=1e-5)
-    power = done["press"].results["power"]
+    power = done("press").results["power"]
     assert power.efficiency == pytest.approx(CASES["dyn-press-reduced"]["expected"]["eta_fine"], abs=1e-4)
 
 
-def test_flywheel_keeps_what_it_was_made_for(done: dict) -> None:
+def test_flywheel_keeps_what_it_was_made_for() -> None:
     for name in ("press", "four-stroke-engine", "piston-compressor", "piston-pump"):
-        flywheel, motion = (done[name].results[stage] for stage in ("flywheel", "motion"))
+        flywheel, motion = (done(name).results[stage] for stage in ("flywheel", "motion"))
         assert motion.regime.delta == pytest.approx(flywheel.delta, rel=1e-7)
 
 
-def test_four_stroke_work_is_the_area_of_the_indicator_diagram(done: dict) -> None:
+def test_four_stroke_work_is_the_area_of_the_indicator_diagram() -> None:
     """The work of the gas is the integral of p dV, taken here from the tables of the spec alone."""
     spec = tmmcalc.load_spec(CONFIGS / "four-stroke-engine.toml")
     indicator = spec.loads[0].indicator
     stroke, area = 2 * 0.055, math.pi / 4 * 0.095**2
     work = sum(float(np.trapezoid(np.array(s.p), np.array(s.x))) for s in indicator.strokes) * stroke * area
-    contributions = done["four-stroke-engine"].results["reduction"].contributions
+    contributions = done("four-stroke-engine").results["reduction"].contributions
     (gas,) = (c.work for c in contributions if c.name == "gas")
     assert gas == pytest.approx(work, rel=1e-12)
-    assert done["four-stroke-engine"].results["reduction"].cycle.period == pytest.approx(4 * math.pi)
+    assert done("four-stroke-engine").results["reduction"].cycle.period == pytest.approx(4 * math.pi)
 
 
-def test_pump_work_is_force_times_stroke(done: dict) -> None:
-    work = {c.name: c.work for c in done["piston-pump"].results["reduction"].contributions}
+def test_pump_work_is_force_times_stroke() -> None:
+    work = {c.name: c.work for c in done("piston-pump").results["reduction"].contributions}
     assert work["delivery"] == pytest.approx(-8000 * 0.15, rel=1e-12)
     assert work["suction"] == pytest.approx(-600 * 0.15, rel=1e-12)
 
 
-def test_elastic_drive_starts_and_stops(done: dict) -> None:
-    motions = done["elastic-drive"].results["transient"].motions
+def test_elastic_drive_starts_and_stops() -> None:
+    motions = done("elastic-drive").results["transient"].motions
     ends = {motion.name: motion.end for motion in motions}
     assert ends["start-up"] == "time"
     assert ends["emergency stop"] == "standstill"
@@ -114,7 +118,7 @@ def test_torque_diagram_without_a_mechanism() -> None:
     assert "kinematics" not in result.outcomes
 
 
-@pytest.mark.parametrize("name", PROJECTS)
+@sparing("name", PROJECTS, every=3)
 def test_stored_and_computed_results_are_the_same(name: str, tmp_path: Path) -> None:
     spec = tmmcalc.load_spec(CONFIGS / f"{name}.toml")
     first = run(spec, out=tmp_path)

@@ -100,6 +100,7 @@ def test_a_stage_that_only_the_twin_refuses_is_disputed(monkeypatch: pytest.Monk
     assert met.skipped == ("all (in other units it has no result)",)
 
 
+@pytest.mark.slow
 def test_beside_a_warning_it_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     twins_end(monkeypatch, refusing)
     met = of_stage(dead_point(monkeypatch, 1e-8).rungs[0])
@@ -237,6 +238,7 @@ def test_a_spec_that_no_longer_reads_ends_its_ladder_alone(monkeypatch: pytest.M
     assert [name for name, _ in result.without] == ["positions"]
 
 
+@pytest.mark.slow
 def test_an_acceleration_is_relative_to_its_peak_over_the_cycle() -> None:
     """w^2 (J + m x'^2) is constant: peaks of about w^2/(2 l) at the angles l = sqrt(J/m)/x'' about a dead centre.
 
@@ -260,12 +262,14 @@ def optimum(scale: float) -> RunResult:
     return run(source.of(in_units(source.data, Factors(scale, scale**3))), target="cam_optimum")
 
 
+@pytest.mark.slow
 def test_a_shaft_in_whole_millimetres_is_not_compared_where_it_decides() -> None:
     """Of a cam of a hundredth the size the least shaft, 1 mm, is larger than the cam."""
     found = difference("cam_optimum", optimum(1.0), optimum(0.01), Alignment(Factors(0.01, 1e-6)))
     assert (found.size, found.skipped) == (None, ("all (the shaft decides, which is in whole millimetres)",))
 
 
+@pytest.mark.slow
 def test_an_optimum_with_forces_of_any_size_is_the_same() -> None:
     """At a hundred times the size forces are 1e8 times as large, some 1e10 N."""
     found = difference("cam_optimum", optimum(1.0), optimum(100.0), Alignment(Factors(100.0, 1e6)))

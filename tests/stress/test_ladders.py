@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.stress import cams, gears, linkage, manipulators, numbering, scales, shipped, synthesis
@@ -25,6 +26,7 @@ def climbed(name: str, ladder: str, *overrides: str, stage: str | None = None) -
     return found
 
 
+@pytest.mark.slow
 def test_dead_point_of_a_crank_slider_is_a_crank_as_long_as_the_rod(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(linkage, "DISTANCES", (1.0, 1e-2, 1e-6, 1e-10, 0.0))
     ladder = climbed(FEW, "dead-point", stage="kinematics")
@@ -85,7 +87,7 @@ def test_scale_from_micrometres_to_kilometres() -> None:
     assert all(met.error is not None and met.error < 1e-13 for _, met in ladder.track("forces"))
 
 
-@pytest.mark.parametrize("ladder", ["inertia", "slip"])
+@sparing("ladder", ["inertia", "slip"], every=2)
 def test_ladders_of_a_machine(ladder: str) -> None:
     found = climbed("extreme/slip", ladder, stage="motion")
     sizes = [rung.size for rung in found.rungs]
@@ -93,6 +95,7 @@ def test_ladders_of_a_machine(ladder: str) -> None:
     assert {met.status for _, met in found.track("motion")} <= {OK, WARNING}
 
 
+@pytest.mark.slow
 def test_stiffness_and_lag(monkeypatch: pytest.MonkeyPatch) -> None:
     from tmmcalc.stress import machine
 
@@ -150,6 +153,7 @@ def errors(ladder: Ladder, stage: str) -> list[float]:
     return [met.error for _, met in ladder.track(stage) if met.error is not None]
 
 
+@pytest.mark.slow
 def test_a_forearm_that_just_reaches(monkeypatch: pytest.MonkeyPatch) -> None:
     """The farthest point of the path is 1.2449899598 m from the shoulder: what the upper arm of 0.9 m leaves."""
     monkeypatch.setattr(manipulators, "DISTANCES", (1.0, 1e-4, 1e-8, 0.0))
@@ -171,6 +175,7 @@ def test_a_path_led_to_the_shoulder(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "passes the shoulder" in last.met[0].message
 
 
+@pytest.mark.slow
 def test_gears_keep_their_digits_where_their_shapes_do(monkeypatch: pytest.MonkeyPatch) -> None:
     few = climbed("pair-helical", "teeth", stage="pair")
     assert [rung.setting for rung in few.rungs][:2] == ["z = 3/17", "z = 4/17"]
@@ -216,6 +221,7 @@ def test_a_time_ratio_of_one(monkeypatch: pytest.MonkeyPatch) -> None:
     assert ladder.rungs[-1].met[-1].code == 2
 
 
+@pytest.mark.slow
 def test_a_range_that_is_a_point(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(synthesis, "NARROWER", (1.0,))
     (rung,) = climbed("synth-function", "range", "synthesis.function.points=3").rungs
@@ -224,6 +230,7 @@ def test_a_range_that_is_a_point(monkeypatch: pytest.MonkeyPatch) -> None:
     assert rung.met[0].error < 1e-11
 
 
+@pytest.mark.slow
 def test_a_stem_over_the_axis_is_pressed_aside() -> None:
     """tan(theta) = S'/S at the place of the largest: at a start distance of nothing it has no bound."""
     ladder = climbed("cam", "pressure", stage="cam_pressure")
@@ -233,6 +240,7 @@ def test_a_stem_over_the_axis_is_pressed_aside() -> None:
     assert all(error < 1e-12 for error in errors(ladder, "cam_pressure"))
 
 
+@pytest.mark.slow
 def test_rows_and_the_sense_of_a_cam(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(numbering, "CAM_STEPS", (2, 12, 3600))
     rows = climbed("cam-groove", "positions")
@@ -288,6 +296,7 @@ def test_the_limit_is_found_whatever_the_regularity_does(good: float, bad: float
     assert len(runs) < (20 if power == 0.5 else 100)
 
 
+@pytest.mark.slow
 def test_a_tipper_whose_start_is_a_dead_point_all_but_a_rounding(monkeypatch: pytest.MonkeyPatch) -> None:
     """Of the samples of its output those beyond the edge are none, by rounding."""
     monkeypatch.setattr(linkage, "DISTANCES", (1.0, 1e-10, 0.0))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.stress.compare import Alignment, difference
@@ -35,7 +36,7 @@ SCENES = {
 }
 
 
-@pytest.mark.parametrize("name", SCENES)
+@sparing("name", SCENES, every=5)
 def test_results_scale_with_the_units(name: str) -> None:
     one = scene(name)
     two = one.run(in_units(one.document, UNITS))
@@ -89,7 +90,7 @@ def test_powers_of_units(unit: str, expected: tuple[float, ...]) -> None:
     assert powers(unit) == expected
 
 
-@pytest.mark.parametrize("name", ["press", "shaper", "four-bar", "scotch-yoke", "hydraulic-lift", "trammel"])
+@sparing("name", ["press", "shaper", "four-bar", "scotch-yoke", "hydraulic-lift", "trammel"], every=3)
 def test_mirrored_scenes_move_alike(name: str) -> None:
     one = scene(name)
     two = one.run(mirrored(one.document))

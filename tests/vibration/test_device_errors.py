@@ -86,8 +86,8 @@ def _powers_held(scenes: int) -> None:
 
 
 def test_estimates_of_some_devices() -> None:
-    _held(10)
-    _powers_held(20)
+    _held(3)
+    _powers_held(5)
 
 
 @pytest.mark.slow

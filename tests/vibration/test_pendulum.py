@@ -11,6 +11,7 @@ import pytest
 from scipy.linalg import eig, eigh
 from scipy.optimize import brentq
 from scipy.special import jn_zeros
+from sparing import sparing
 
 import tmmcalc
 from tmmcalc.core.errors import NoSolutionError, SingularityError, UsageError
@@ -43,6 +44,7 @@ def spec_of(inputs: dict[str, float | bool], tolerance: str = "") -> tmmcalc.Spe
     )
 
 
+@pytest.mark.slow
 def test_the_worked_cases_through_the_spec() -> None:
     inputs, expected = case("c2008-pendulum-01")
     chain, cantilever, gyro = (tmmcalc.solve_pendulum(spec_of(each)) for each in inputs["cases"])
@@ -55,6 +57,7 @@ def test_the_worked_cases_through_the_spec() -> None:
         assert found.error["frequencies"] < 1e-11
 
 
+@pytest.mark.slow
 def test_heavy_chain() -> None:
     """w = (j_0/2) sqrt(g/l), the zeros of the Bessel function."""
     exact = jn_zeros(0, 4) / 2 * sqrt(9.81 / 1.3)
@@ -154,7 +157,7 @@ def test_hermite_cubics_converge_with_the_fourth_order() -> None:
     assert told == pytest.approx(errors[1], rel=0.15)
 
 
-@pytest.mark.parametrize("bending", [1e-3, 1e-5, 1e-7])
+@sparing("bending", [1e-3, 1e-5, 1e-7], every=3)
 def test_soft_clamped_rods_with_their_layers(bending: float) -> None:
     """Against many textbook elements, graded by hand towards the joint and the lower end."""
     task = PendulumTask(Rod(1.0, 1.0, (bending, bending), (0.0, 0.0)), Disc(0.2), pivot=None, modes=3)

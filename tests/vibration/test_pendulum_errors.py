@@ -59,7 +59,7 @@ def _held(scenes: int, soft: float) -> None:
 
 
 def test_estimates_of_stiff_rods() -> None:
-    _held(6, 0.3)
+    _held(5, 0.3)
 
 
 @pytest.mark.slow

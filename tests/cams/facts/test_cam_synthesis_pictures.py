@@ -4,6 +4,7 @@ from math import radians
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 pytest.importorskip("matplotlib")
 
@@ -29,7 +30,7 @@ TASKS = {
 }
 
 
-@pytest.mark.parametrize("name", TASKS)
+@sparing("name", TASKS, every=5)
 def test_files(name, tmp_path):
     task = TASKS[name]
     found = solve_synthesis(task)

@@ -450,6 +450,7 @@ def test_values_from_the_command_line() -> None:
     assert (law_names(task), task.asked.start, task.limits.shaft) == (["shun", "shun"], 0.048, 0.01)
 
 
+@pytest.mark.slow
 def test_a_cam_loads_what_it_needs(shaper: str) -> None:
     text = f"[cam]\n{FOLLOWER['RT']}{MOTION}"
     tables = {f"tmmcalc.project.{name}" for name in ("cam", "camparts", "camlaw", "cams", "ownlaw")}

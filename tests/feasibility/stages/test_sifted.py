@@ -30,6 +30,7 @@ def fastest(design: Any) -> float:
     return float(np.max(np.abs(motion.trace.dangle[motion.trace.link_ids.index(3)])))  # the crank turns at 1 rad/s
 
 
+@pytest.mark.slow
 def test_the_search_goes_on_to_designs_that_keep_the_constraints() -> None:
     plain = designs(POSES)
     assert all(design.size("a") > 0.06 for design in plain.designs)
@@ -42,6 +43,7 @@ def test_the_search_goes_on_to_designs_that_keep_the_constraints() -> None:
     assert found.counters["passed over"] > 0
 
 
+@pytest.mark.slow
 def test_a_rule_lets_pass_what_a_single_constraint_would_not() -> None:
     text = POSES + SHORT.format("60 mm") + SLOW.format("0.6 rad/s")
     for design in designs(text + '[feasibility]\nrule = "short or slow"\n').designs:
@@ -50,6 +52,7 @@ def test_a_rule_lets_pass_what_a_single_constraint_would_not() -> None:
         assert design.size("a") > 0.06
 
 
+@pytest.mark.slow
 def test_where_no_design_keeps_them_the_nearest_are_listed() -> None:
     found = designs(POSES + SHORT.format("1 mm"))
     sizes = [design.size("a") for design in found.designs]

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from drawing import drawn
+from sparing import sparing
 
 pytest.importorskip("matplotlib")
 
@@ -108,7 +109,7 @@ def loop(line: Line2D) -> bool:
     return len(z) > 3 and bool(np.all(z[0] == z[-1]))
 
 
-@pytest.mark.parametrize("name", PAIRS)
+@sparing("name", PAIRS, every=3)
 class TestSheet:
     def test_both_directions_have_one_scale(self, name: str) -> None:
         _, _, axes, _ = sheet_of(name)
@@ -198,7 +199,7 @@ class TestSheet:
         assert any(text.startswith("Chosen shifts: ") and text.endswith(where) for text in said)
 
 
-@pytest.mark.parametrize("name", [name for name in PAIRS if name != "empty"])
+@sparing("name", [name for name in PAIRS if name != "empty"], every=3)
 class TestAreas:
     @pytest.mark.parametrize("strict", [True, False])
     def test_borders_are_closed_and_those_of_the_record(self, name: str, strict: bool) -> None:
@@ -320,6 +321,7 @@ class TestEmpty:
 
 
 class TestKey:
+    @pytest.mark.slow
     def test_much_text_shrinks(self) -> None:
         pair = replace(pair_of("empty"), missing=tuple(f"D{k}: lies outside of the contour" for k in range(40)))
         _, key = blocking_figure(Blocking((pair,), ())).axes
@@ -355,6 +357,7 @@ class TestPoints:
 
 
 class TestFigure:
+    @pytest.mark.slow
     def test_a_sheet_a_pair_or_the_one_that_is_asked_for(self) -> None:
         both = Blocking((pair_of("empty"), replace(pair_of("empty"), name="second")), ())
         assert len(blocking_figure(both).axes) == 4
@@ -373,6 +376,7 @@ class TestFigure:
             blocking_figure(Blocking((), ("a ring has none",)))
         assert caught.value.remedy == "a ring has none"
 
+    @pytest.mark.slow
     def test_equal_results_give_equal_bytes(self, tmp_path: Path) -> None:
         files = [tmp_path / name for name in ("one.svg", "two.svg")]
         for file in files:

@@ -211,6 +211,7 @@ def of_criteria(order: Ordered) -> Figure:
 
 
 class TestTrain:
+    @pytest.mark.slow
     def test_every_candidate_is_in_the_bars(self, order: Ordered, of_train: Figure) -> None:
         panels = [axes for axes in of_train.axes if axes.get_xlabel() == "combinations of wheels"]
         variants = order.results["train"].variants
@@ -284,6 +285,7 @@ class TestCriteria:
         assert len(named) == 2
         assert sum(bool(axes.lines) and axes.axison for axes in of_criteria.axes) == 1 + 6
 
+    @pytest.mark.slow
     def test_the_train_that_is_drawn(self, order: Ordered) -> None:
         result = order.results["criteria"]
         for choose in (None, 1):
@@ -302,6 +304,7 @@ class TestCriteria:
                 criteria_figure(result, order.results["train"], choose)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stage", ["train", "criteria"])
 def test_equal_results_give_equal_bytes(order: Ordered, stage: str, tmp_path: Path) -> None:
     pictures = []

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from drawing import drawn
+from sparing import sparing
 
 pytest.importorskip("matplotlib")
 
@@ -184,7 +185,7 @@ def test_active_flanks_lie_on_the_teeth(name: str) -> None:
 
 
 class TestMesh:
-    @pytest.mark.parametrize("name", ALL)
+    @sparing("name", ALL, every=3)
     def test_every_circle_is_drawn_with_its_radius(self, name: str) -> None:
         axes = figure_of(name).axes[0]
         drawn, said = lines_of(axes), " ".join(texts(axes))
@@ -242,7 +243,7 @@ class TestMesh:
         written = texts(figure_of("helical").axes[1])
         assert all(text in written for row in parameters(found) for text in row)
 
-    @pytest.mark.parametrize("name", ALL)
+    @sparing("name", ALL, every=3)
     def test_texts_do_not_cover_each_other(self, name: str) -> None:
         figure = figure_of(name)
         figure.canvas.draw()
@@ -260,6 +261,7 @@ class TestMesh:
                 with pytest.raises(UsageError, match=f"no pair {choose}"):
                     draw(Pairs((solved("spur"),), "", ()), choose=choose)
 
+    @pytest.mark.slow
     def test_one_of_several(self) -> None:
         several = Pairs((solved("spur"), solved("large")), "", ())
         assert len(pair_figure(several).subfigs) == 4
@@ -285,7 +287,7 @@ class TestCourse:
         ):
             assert own == pytest.approx(other, rel=1e-9, abs=1e-9)
 
-    @pytest.mark.parametrize("name", ALL)
+    @sparing("name", ALL, every=3)
     def test_points_stand_below_their_places_in_the_mesh(self, name: str) -> None:
         pair = placed(name)
         mesh, _, upper, lower = figure_of(name).axes[:4]
@@ -319,7 +321,7 @@ def _sides(axes: Axes) -> tuple[float, float]:
 
 
 class TestProfile:
-    @pytest.mark.parametrize("name", ALL)
+    @sparing("name", ALL, every=4)
     @pytest.mark.parametrize("place", [0, 1])
     def test_the_tool_leaves_the_outline(self, name: str, place: int) -> None:
         member = both(solved(name))[place]
@@ -351,7 +353,7 @@ class TestProfile:
         within = inside(_closed(found.outline, "ring"), cut)
         assert distance_to(found.outline, cut[within]).max(initial=0.0) < 4e-4 * M
 
-    @pytest.mark.parametrize("name", ["helical", "undercut", "ring", "rack"])
+    @sparing("name", ["helical", "undercut", "ring", "rack"], every=3)
     def test_the_enlarged_tooth(self, name: str) -> None:
         figure = profile_of(name)
         for place in (0, 1):
@@ -411,7 +413,7 @@ def test_texts_in_a_column_are_moved_apart_and_kept_in_order() -> None:
     assert max(heights) <= 5.2 + 1e-5
 
 
-@pytest.mark.parametrize("stage", ["pair", "profile"])
+@sparing("stage", ["pair", "profile"], every=2)
 def test_equal_results_give_equal_bytes(stage: str, tmp_path: Path) -> None:
     pictures = []
     for name in ("one.svg", "two.svg"):

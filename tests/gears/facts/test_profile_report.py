@@ -271,6 +271,7 @@ def test_svg_read_back(pair: MeshPair) -> None:
         assert abs(points[0] - points[-1]) < FINE
 
 
+@pytest.mark.slow
 def test_dxf_read_back(tmp_path: Any) -> None:
     ezdxf = pytest.importorskip("ezdxf")
     drawn = tracks()

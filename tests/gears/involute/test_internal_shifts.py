@@ -6,6 +6,7 @@ from math import cos, degrees, radians, tan
 import numpy as np
 import pytest
 from scipy.optimize import brentq
+from sparing import sparing
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.internal.contact import internal_contact, internal_extremes
@@ -39,6 +40,7 @@ def failing(pinion, ring, x1, x2, tips="clear", limits=None):
     return any(check.verdict == "fail" for check in found), found
 
 
+@pytest.mark.slow
 def test_margins_are_those_of_single_pairs():
     names = {
         "involute": "involute interference0",
@@ -73,7 +75,7 @@ def test_margins_are_those_of_single_pairs():
     assert compared > 100
 
 
-@pytest.mark.parametrize(("z1", "z2", "total", "beta", "tool"), PAIRS)
+@sparing(("z1", "z2", "total", "beta", "tool"), PAIRS, every=4)
 def test_intervals_against_single_pairs(z1, z2, total, beta, tool):
     pinion = Wheel(z1, 0.0, radians(beta))
     ring = Ring(z2, 0.0, radians(beta), cutter=Cutter(tool) if tool else None)
@@ -133,6 +135,7 @@ def test_equal_sliding_out_of_reach_ends_nearest_to_it():
     assert all(unequal(found.x1) < unequal(float(x)) for x in inside)
 
 
+@pytest.mark.slow
 def test_largest_contact_ratio_and_middle():
     pinion, ring = Wheel(48), Ring(114)
     distance = internal_of_shifts(pinion, replace(ring, shift=-1.0)).distance

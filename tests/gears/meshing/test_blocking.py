@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.conversion import from_record, to_record
 from tmmcalc.gears.involute.contour.margins import margins
@@ -109,7 +110,7 @@ def distances(points, one, two):
     return np.sqrt(np.min(np.sum((to - t[..., None] * run) ** 2, axis=2), axis=1))
 
 
-@pytest.mark.parametrize("task", TEN, ids=NAMES)
+@sparing("task", TEN, ids=NAMES, every=5)
 def test_outlines_against_a_raster_with_marching_squares(task):
     found = contour_of(task)
     for area in (found.strict, found.tolerated):
@@ -163,7 +164,7 @@ NECKED = [
 ]
 
 
-@pytest.mark.parametrize("task", NECKED, ids=[f"{t.teeth[0]}/{t.teeth[1]}" for t in NECKED])
+@sparing("task", NECKED, ids=[f"{t.teeth[0]}/{t.teeth[1]}" for t in NECKED], every=6)
 def test_a_necked_contour_is_one_closed_curve(task):
     """Straight flanks that end below h_a*: what a neck joins is one area, without an edge that is no condition."""
     found = contour_of(task)

@@ -3,6 +3,7 @@
 import re
 
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits
@@ -24,7 +25,7 @@ def told(task: PairTask) -> NoSolutionError:
     return error.value
 
 
-@pytest.mark.parametrize("task", TASKS)
+@sparing("task", TASKS, every=4)
 def test_the_distance_that_is_named_works_and_a_smaller_one_does_not(task):
     remedy = told(task).remedy
     found = re.search(r"centre distance is ([\d.]+) mm, with x1 = (-?[\d.]+), x2 = (-?[\d.]+)", remedy)

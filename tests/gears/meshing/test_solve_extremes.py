@@ -4,6 +4,7 @@ from math import cos, radians
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from gears.meshing.pairs import plain_everywhere
 from tmmcalc.core.errors import NoSolutionError
@@ -54,7 +55,7 @@ def solved(task: PairTask) -> MeshPair | None:
     return None
 
 
-@pytest.mark.parametrize("kind", ["external", "internal", "rack"])
+@sparing("kind", ["external", "internal", "rack"], every=3)
 def test_extremes(kind):
     rng = np.random.default_rng(11)
     outcomes = []

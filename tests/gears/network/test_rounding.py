@@ -9,6 +9,7 @@ from itertools import pairwise
 from math import lcm
 
 import numpy as np
+import pytest
 from bounding import accepted, assert_bounds
 
 from tmmcalc.gears.gearing import Gearing, solve_gearing
@@ -214,9 +215,10 @@ def _own(pairs: Iterable[tuple[float, Fraction]]) -> float:
     return float(max((abs(Fraction(a) - b) / abs(b) for a, b in pairs if b), default=Fraction()))
 
 
-def test_estimates_of_trains_in_motion() -> None:
+@pytest.mark.parametrize(("scenes", "few"), [(40, 20), pytest.param(SCENES, FEW, marks=pytest.mark.slow)])
+def test_estimates_of_trains_in_motion(scenes: int, few: int) -> None:
     pairs: dict[str, list[tuple[float, float]]] = defaultdict(list)
-    for name, estimate, error in _scenes(SCENES):
+    for name, estimate, error in _scenes(scenes):
         pairs[name].append((estimate, error))
     for name, each in pairs.items():
-        assert_bounds(each, name, scenes=FEW)
+        assert_bounds(each, name, scenes=few)

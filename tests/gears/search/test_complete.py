@@ -9,6 +9,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
+from sparing import sparing
 
 from tmmcalc.gears.exact import around
 from tmmcalc.gears.kinds import from_tooth_ratio, to_tooth_ratio
@@ -99,8 +100,8 @@ BRANCHED = [
 ]
 
 
-@pytest.mark.parametrize("tolerance", ["0", "1/20", "3/10"])
-@pytest.mark.parametrize(("layout", "nominal", "proportions"), BRANCHED)
+@sparing("tolerance", ["0", "1/20", "3/10"], every=3)
+@sparing(("layout", "nominal", "proportions"), BRANCHED, every=3)
 def test_branched(layout: str, nominal: str, proportions: tuple[tuple[int, ...], ...], tolerance: str) -> None:
     work = task(layout, nominal, tolerance, *proportions)
     expected = sorted(
@@ -114,7 +115,7 @@ def test_branched(layout: str, nominal: str, proportions: tuple[tuple[int, ...],
     assert bool(expected) or tolerance == "0"
 
 
-@pytest.mark.parametrize(("layout", "nominal", "proportions"), BRANCHED)
+@sparing(("layout", "nominal", "proportions"), BRANCHED, every=3)
 def test_mesh_angles(layout: str, nominal: str, proportions: tuple[tuple[int, ...], ...]) -> None:
     largest = math.radians(30)
     work = task(layout, nominal, "1/10", *proportions, demands=replace(FREE, largest_angle=largest))
@@ -197,7 +198,7 @@ def test_removals_of_unfolded_trains_are_those_of_the_order(layout: str, nominal
     }
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("layout", "kind", "asked", "proportions"),
     [
         ("AA", "i_1H", "-30", ((1, 1),)),
@@ -207,6 +208,7 @@ def test_removals_of_unfolded_trains_are_those_of_the_order(layout: str, nominal
         ("AIbar", "i_1H", "4.9999", ((1,),)),
         ("AII", "i_14", "-17.003", ((1, 1), (3, 4))),
     ],
+    every=3,
 )
 def test_the_nearest_ratios_are_the_nearest(
     layout: str, kind: str, asked: str, proportions: tuple[tuple[int, ...], ...]

@@ -94,6 +94,7 @@ def several() -> Selection:
     return chosen(SEVERAL, LOADED, criteria + 'choose = "weighted"\n')
 
 
+@pytest.mark.slow
 def test_front_of_several_layouts(several: Selection) -> None:
     """All variants together; every pair is compared."""
     pool = several.pool

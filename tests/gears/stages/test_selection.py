@@ -77,6 +77,7 @@ def test_a_column_that_no_stage_has(tmp_path: Path) -> None:
     assert "M_drive" in str(caught.value)
 
 
+@pytest.mark.slow
 def test_long_tables_are_not_written_and_the_plan_says_so(tmp_path: Path) -> None:
     for positions, missing in ((CSV_ROWS - 50, False), (CSV_ROWS, True)):
         spec = shaper(positions)
@@ -111,6 +112,7 @@ def peak(spec: Spec, out: Path, columns: Sequence[str] = (), *, csv: bool | None
         tracemalloc.stop()
 
 
+@pytest.mark.slow
 def test_a_selected_run_takes_less_memory(tmp_path: Path) -> None:
     spec = shaper(LONG)
     arrays = run(spec, target="kinematics").record("kinematics").arrays

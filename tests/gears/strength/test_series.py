@@ -7,6 +7,7 @@ from itertools import product
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.strength.series import EIGHTHS, Outcome, choose, choose_tied, eighths, round_up, tied
@@ -23,7 +24,7 @@ def smallest_pair(required: tuple[float, float], mu: tuple[int, int], rows: int)
     return None if best is None else (float(best[0]), float(best[1]))
 
 
-@pytest.mark.parametrize("rows", [1, 2])
+@sparing("rows", [1, 2], every=2)
 def test_pairs_against_enumeration(rows: int) -> None:
     rng = np.random.default_rng(3)
     required = np.exp(rng.uniform(np.log(0.3e-3), np.log(50e-3), (300, 2)))

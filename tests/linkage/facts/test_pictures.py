@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 from dataclasses import replace
+from functools import cache
 from importlib.util import find_spec as real_find_spec
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 from drawing import draw_forces, draw_kinematics, drawn
 from loaded import READY, anything, press, ready, statics
+from sparing import sparing
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.forces.forces import solve_forces
@@ -28,6 +30,7 @@ ROOT = Path(__file__).parents[3]
 CASES = {case["id"]: case for case in json.loads((ROOT / "tests/cases/kinematics.json").read_text())}
 
 
+@cache
 def solved(name: str) -> tuple[Mechanism, Kinematics]:
     mechanism = ready(name)
     return mechanism, solve_kinematics(mechanism)
@@ -52,7 +55,7 @@ def test_polygons_of_the_textbook(shaper: tuple[Mechanism, Kinematics]) -> None:
             assert polygon.vertices[vertex] / scale == pytest.approx(complex(x, y), abs=case["tolerance"]["abs"])
 
 
-@pytest.mark.parametrize("name", READY)
+@sparing("name", READY, every=4)
 @pytest.mark.parametrize("k", [1, 5])
 def test_vectors_obey_both_theorems(name: str, k: int) -> None:
     mechanism, result = solved(name)
@@ -76,7 +79,7 @@ def check_coriolis(mechanism: Mechanism, found: VectorPolygons, k: str, slider: 
     assert value == pytest.approx(2j * found.omega[guides[slider]] * relative, abs=1e-9 * size)
 
 
-@pytest.mark.parametrize("name", READY)
+@sparing("name", READY, every=4)
 def test_vertices_are_the_points_of_the_result(name: str) -> None:
     mechanism, result = solved(name)
     found = polygons(mechanism, result, 2)
@@ -112,16 +115,14 @@ def test_pins_are_shared_by_chains_of_joints() -> None:
     assert set(pin.joints) == {"B", "B4"}
 
 
-@pytest.mark.parametrize("name", READY)
+@sparing("name", READY, every=12)
 def test_every_ready_spec_is_drawn(name: str, tmp_path: Path) -> None:
     file = tmp_path / "picture.svg"
     draw_kinematics(*solved(name), file, polygons=3)
     assert file.read_bytes().startswith(b"<?xml")
 
 
-@pytest.mark.parametrize(
-    ("suffix", "magic"), [("svg", b"<?xml"), ("png", b"\x89PNG"), ("pdf", b"%PDF"), ("SVG", b"<?xml")]
-)
+@sparing(("suffix", "magic"), [("svg", b"<?xml"), ("png", b"\x89PNG"), ("pdf", b"%PDF"), ("SVG", b"<?xml")], every=4)
 def test_equal_inputs_give_equal_bytes(shaper, suffix: str, magic: bytes, tmp_path: Path) -> None:
     first, second = tmp_path / f"a.{suffix}", tmp_path / f"b.{suffix}"
     for file in (first, second):
@@ -147,6 +148,7 @@ def test_bytes_do_not_depend_on_the_process_or_its_settings(shaper, tmp_path: Pa
     assert other.read_bytes() == own.read_bytes()
 
 
+@pytest.mark.slow
 def test_an_unchanged_picture_is_left_alone(shaper, tmp_path: Path) -> None:
     file = tmp_path / "picture.svg"
     draw_kinematics(*shaper, file)
@@ -207,8 +209,8 @@ def quick_return(speed: float, guide_on_frame: bool) -> Mechanism:
     )
 
 
-@pytest.mark.parametrize("speed", [2.0, -2.0])
-@pytest.mark.parametrize("guide_on_frame", [True, False])
+@sparing("speed", [2.0, -2.0], every=2, first=1)
+@sparing("guide_on_frame", [True, False], every=2)
 def test_clockwise_cranks_and_fixed_blocks(speed: float, guide_on_frame: bool, tmp_path: Path) -> None:
     mechanism = quick_return(speed, guide_on_frame)
     draw_kinematics(mechanism, solve_kinematics(mechanism), tmp_path / "a.svg", polygons=2)
@@ -227,6 +229,7 @@ def forced(name: str) -> tuple[Mechanism, Loading, Kinematics, Forces]:
     return mechanism, loading, kinematics, solve_forces(mechanism, loading, kinematics)
 
 
+@pytest.mark.slow
 def test_forces_with_both_limits_are_drawn_alike_every_time(pressed, tmp_path: Path) -> None:
     first, second = tmp_path / "a.svg", tmp_path / "b.svg"
     for file in (first, second):
@@ -235,6 +238,7 @@ def test_forces_with_both_limits_are_drawn_alike_every_time(pressed, tmp_path: P
     assert first.read_bytes() == second.read_bytes()
 
 
+@pytest.mark.slow
 def test_a_driven_slider_is_drawn(tmp_path: Path) -> None:
     draw_forces(*forced("hydraulic-lift"), tmp_path / "a.png", polygons=1)
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
@@ -400,6 +404,7 @@ def test_signs_of_forces(letter: str, index: str, expected: str) -> None:
     assert symbol(letter, index) == expected
 
 
+@pytest.mark.slow
 def test_names_with_underscores_are_drawn(tmp_path: Path) -> None:
     """Two in a row would be a fault in a formula."""
     mechanism = ready("four-bar")

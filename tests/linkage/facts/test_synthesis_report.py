@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from sparing import sparing
 from typer.testing import CliRunner
 
 import tmmcalc
@@ -35,7 +36,7 @@ def solved(name: str) -> Synthesis:
     return tmmcalc.solve_synthesis(load_spec(CONFIGS / f"synth-{name}.toml"))
 
 
-@pytest.mark.parametrize("name", ["slider-crank", "crank-rocker", "function", "motion"])
+@sparing("name", ["slider-crank", "crank-rocker", "function", "motion"], every=4)
 def test_document_holds_sizes_checks_and_solutions(name: str) -> None:
     found = solved(name)
     values = payload(synthesis_document(found, "synthesis", everything=True))
@@ -76,6 +77,7 @@ def test_the_sense_of_the_crank_is_told() -> None:
     assert payload(document)["sense"] == (-1 if falling else 1)
 
 
+@pytest.mark.slow
 def test_the_stored_result_is_the_computed_one(tmp_path: Path) -> None:
     for name in ("slotted-link", "function", "motion"):
         spec = load_spec(CONFIGS / f"synth-{name}.toml")
@@ -144,6 +146,7 @@ def test_picture_marks_the_wanted_points() -> None:
         assert min(abs(middle - point) for middle in middles) < 1e-12
 
 
+@pytest.mark.slow
 def test_picture_of_a_function_shows_its_error() -> None:
     found = solved("function")
     mechanism = to_linkage(parse_spec(found.best.spec).linkage)

@@ -11,6 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from properties import examples
+from sparing import sparing
 
 from linkage.forces.checking import check
 from linkage.forces.newton_euler import placements
@@ -330,6 +331,7 @@ def test_one_pair_against_the_roots_of_its_equation(flat: bool) -> None:
     assert np.count_nonzero(further) > 20
 
 
+@pytest.mark.slow
 def test_strong_friction_against_a_path_of_small_steps() -> None:
     """From no friction on in two thousand steps; the path ends where the determinant vanishes or Newton is lost."""
     rng = np.random.default_rng(12)
@@ -481,7 +483,7 @@ class TestTipping:
         load = Load("Q", 3, "force", Constant(-500.0), complex(0, lever))
         return mechanism, Loading(loads=(load,), pairs=(Pair("B0", 0.15, length=length),))
 
-    @pytest.mark.parametrize("lever", [0.0, 0.01, 0.05, 0.2])
+    @sparing("lever", [0.0, 0.01, 0.05, 0.2], every=4, first=2)
     def test_the_law_with_edges(self, lever: float) -> None:
         mechanism, loading = self.scene(lever, 0.08)
         kinematics = solve_kinematics(mechanism)
@@ -528,8 +530,8 @@ class TestMainBearing:
         assert np.all(rubbing.drive < bare.drive)
         assert np.all(rubbing.power > bare.power)
 
-    @pytest.mark.parametrize("speed", [5.0, -5.0])
-    @pytest.mark.parametrize("internal", [False, True])
+    @sparing("speed", [5.0, -5.0], every=2)
+    @sparing("internal", [False, True], every=2, first=1)
     def test_gear(self, speed: float, internal: bool) -> None:
         """The mesh force loads the bearing whose friction it must overcome: one equation, against bisection."""
         mechanism, kinematics = press(speed=speed)
@@ -602,7 +604,7 @@ def press_force(theta: Any) -> Any:
     return np.where((d > 0) & (theta > 0), -0.133 * d**2, 0.0)
 
 
-@pytest.mark.parametrize("kind", ["driven slider", "slotted", "yoke"])
+@sparing("kind", ["driven slider", "slotted", "yoke"], every=3)
 def test_rubbing_sliders_of_other_kinds(kind: str) -> None:
     """Friction in the guide of a driven slider and in the slides of RPR and RPP dyads."""
     if kind == "driven slider":

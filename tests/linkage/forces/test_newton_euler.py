@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from properties import examples
 from random_mechanisms import KINDS, RandomMechanism, build, scenes
 from reference import NoPositionError
+from sparing import sparing
 
 import tmmcalc
 from linkage.forces.checking import check
@@ -62,7 +63,7 @@ def test_random_chains(scene: RandomMechanism, seed: int, friction: float, back:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("prismatic", [False, True])
+@sparing("prismatic", [False, True], every=2, first=1)
 def test_each_kind_under_each_input(kind: str, prismatic: bool) -> None:
     """Enough scenes of every kind are compared, with and without friction, whatever the random chains meet."""
     count = 0
@@ -84,7 +85,7 @@ TURNING = {
 }
 
 
-@pytest.mark.parametrize(("name", "speed"), TURNING.items())
+@sparing(("name", "speed"), TURNING.items(), every=4)
 def test_whole_turns(name: str, speed: float) -> None:
     """Every pair may rub; at dead points both limits are rows of their own."""
     mechanism = to_linkage(tmmcalc.load_spec(CONFIGS / f"{name}.toml").mechanism)

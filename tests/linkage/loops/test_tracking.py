@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from reference import Placements, Reference, solve
+from sparing import sparing
 
 import tmmcalc
 from linkage.loops.groups import CLASS_III, CLASS_IV, drawn, scene
@@ -74,8 +75,8 @@ def check(result: Kinematics, ways: list[tuple[np.ndarray, Reference]], toleranc
                 assert found[row, way] == pytest.approx(expected[1:], abs=tolerance * scale)
 
 
-@pytest.mark.parametrize("graph", [CLASS_III, CLASS_IV], ids=["III", "IV"])
-@pytest.mark.parametrize("prismatic", [0, 1, 2])
+@sparing("graph", [CLASS_III, CLASS_IV], ids=["III", "IV"], every=2)
+@sparing("prismatic", [0, 1, 2], every=3, first=1)
 @pytest.mark.parametrize("seed", [0])
 def test_random_groups(graph: tuple[str, ...], prismatic: int, seed: int) -> None:
     names = drawn(np.random.default_rng(100 * seed + prismatic), graph, prismatic)
@@ -166,7 +167,7 @@ def tied(
 DYAD = ("01", "12", "23", "03")
 
 
-@pytest.mark.parametrize("seed", range(2))
+@sparing("seed", range(2), every=2)
 def test_two_higher_groups_and_dyads_in_a_row(seed: int) -> None:
     """A dyad before them, one of each class, and a dyad behind them."""
     mechanism, placements = scene(seed, DYAD)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from sparing import sparing
 
 import tmmcalc
 from linkage.loops.worked import case, class_four, class_three
@@ -105,6 +106,7 @@ def test_one_turn_of_a_branch_that_ends_in_its_second_is_refused() -> None:
         tmmcalc.solve_kinematics(mechanism)
 
 
+@pytest.mark.slow
 def test_on_a_branch_wider_than_a_turn_its_turns_differ() -> None:
     """At the ends, which are more than a turn apart, the same crank angles show two configurations."""
     mechanism = second_ends()
@@ -123,7 +125,7 @@ def test_on_a_branch_wider_than_a_turn_its_turns_differ() -> None:
         tmmcalc.solve_kinematics(beyond)
 
 
-@pytest.mark.parametrize("turns", [-2, -1, 1, 3])
+@sparing("turns", [-2, -1, 1, 3], every=4)
 def test_position_0_may_stand_whole_turns_from_the_sketch(turns: int) -> None:
     """A branch between two limits less than a turn apart is meant modulo a turn."""
     given, expected = case("A-C4-RANGE")

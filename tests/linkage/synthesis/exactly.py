@@ -21,20 +21,34 @@ Equations = Callable[[list[Any]], list[Any]]
 
 
 def settled(f: Equations, x: Sequence[Any], steps: int = 6) -> list[Any]:
-    """The nearest unknowns that keep the equations, by steps of Newton's of the least size."""
-    x, h = list(x), mpf(10) ** -20
-    for _ in range(steps):
-        columns = []
-        for k in range(len(x)):
-            ahead, behind = ([*x[:k], x[k] + way * h, *x[k + 1 :]] for way in (1, -1))
-            columns.append([(a - b) / (2 * h) for a, b in zip(f(ahead), f(behind), strict=True)])
-        slopes, open_ = mp.matrix(columns).T, mp.matrix(f(x))
+    """The nearest unknowns that keep the equations, by steps of Newton's of the least size.
+
+    The derivatives at the start serve as long as each step with them leaves less than a millionth of the one before.
+    """
+    x, slopes, last = list(x), None, mp.inf
+    while steps:
+        if slopes is None:
+            slopes, steps = _slopes(f, x), steps - 1
+        open_ = mp.matrix(f(x))
         if slopes.rows > slopes.cols:
             step = mp.lu_solve(slopes, open_)  # least squares of equations that agree
         else:
             step = slopes.T * mp.lu_solve(slopes * slopes.T, open_)
         x = [a - b for a, b in zip(x, step, strict=True)]
+        size = max(map(abs, step))
+        if size < mpf(10) ** -32:
+            break
+        slopes, last = slopes if size < last / 10**6 else None, size
     return x
+
+
+def _slopes(f: Equations, x: list[Any]) -> Any:
+    """Derivatives of the equations by the unknowns, from both sides."""
+    h, columns = mpf(10) ** -20, []
+    for k in range(len(x)):
+        ahead, behind = ([*x[:k], x[k] + way * h, *x[k + 1 :]] for way in (1, -1))
+        columns.append([(a - b) / (2 * h) for a, b in zip(f(ahead), f(behind), strict=True)])
+    return mp.matrix(columns).T
 
 
 def _psi(ratio: float) -> Any:
@@ -86,7 +100,7 @@ def rotating(asked: RotatingTask, unit: float) -> Equations:
 
     def pin(theta: Any, r: Any, centres: Any) -> Any:
         """Angle of the crank about A with the pin on the ray from C."""
-        away = mp.findroot(lambda s: abs(s * mp.expj(theta) - 1j * centres) ** 2 - r**2, r)
+        away = centres * mp.sin(theta) + mp.sqrt(r**2 - (centres * mp.cos(theta)) ** 2)
         return mp.arg((away * mp.expj(theta) - 1j * centres) / mp.expj(theta)) + theta
 
     def missed(x: list[Any]) -> list[Any]:

@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from properties import examples
 from scipy.optimize import brentq, minimize_scalar
+from sparing import sparing
 
 import tmmcalc
 from tmmcalc.core.errors import NoSolutionError, UsageError
@@ -60,7 +61,7 @@ SETS = [
 ]
 
 
-@pytest.mark.parametrize("keys", SETS, ids="-".join)
+@sparing("keys", SETS, ids="-".join, every=6)
 def test_every_input_set_of_a_slider_crank_finds_it_again(keys: tuple[str, ...]) -> None:
     r, l, e = 0.1, 0.31, 0.06
     sizes = measured(r, l, e)

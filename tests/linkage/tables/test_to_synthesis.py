@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from faults import HOSTILE, Faults, check_lines
+from sparing import sparing
 
 import tmmcalc
 from tmmcalc.core.errors import SpecError
@@ -184,7 +185,7 @@ def test_no_table_of_another_type_breaks_the_checks(faults_of: Faults) -> None:
 READY = ("slider-crank", "slotted-link", "rotating-slotted-link", "crank-rocker", "path", "function", "motion")
 
 
-@pytest.mark.parametrize("name", READY)
+@sparing("name", READY, every=4)
 def test_ready_specs_are_solved_and_write_ready_specs(name: str) -> None:
     file = Path(CONFIGS) / f"synth-{name}.toml"
     result = tmmcalc.solve_synthesis(tmmcalc.load_spec(file))

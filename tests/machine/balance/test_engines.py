@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from linkage.scenes import crank_slider
 from numpy.typing import NDArray
+from sparing import sparing
 
 from machine.balance.balanced import chain_of
 from tmmcalc import UsageError
@@ -198,7 +199,7 @@ def test_amounts_of_known_arrangements() -> None:
 
 
 @every
-@pytest.mark.parametrize("orders", [(1,), (1, -1), (1, -1, 2, -2)])
+@sparing("orders", [(1,), (1, -1), (1, -1, 2, -2)], every=3, first=1)
 def test_shaft_weights_take_their_parts_away(cylinders: list[Cylinder], orders: tuple[int, ...]) -> None:
     """The weights as masses that turn in their planes, added to the exact forces."""
     balance = engine_balance(cylinders, SPEED)

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from linkage.scenes import crank_slider, four_bar, yoke
 from scipy.optimize import least_squares, minimize
+from sparing import sparing
 
 from machine.balance.balanced import PRESS, SCENES, TURN, Array, Scene, derivative, scene
 from tmmcalc import UsageError
@@ -164,8 +165,8 @@ def on_crank(case: Scene, weight: Weight) -> Body:
 
 
 @every_scene
-@pytest.mark.parametrize("acceleration", [0.0, 15.0])
-@pytest.mark.parametrize("scheme", [least_squares_counterweight, minimax_counterweight])
+@sparing("acceleration", [0.0, 15.0], every=2, first=1)
+@sparing("scheme", [least_squares_counterweight, minimax_counterweight], every=2)
 @pytest.mark.parametrize("choice", [{"mass": 3.0}, {"radius": 0.08}])
 def test_a_real_mass_on_the_crank_leaves_what_was_promised(
     make: Callable[[], Scene],
@@ -191,8 +192,8 @@ def test_a_real_mass_on_the_crank_leaves_what_was_promised(
 
 
 @every_scene
-@pytest.mark.parametrize("highest", [1, 2])
-@pytest.mark.parametrize("acceleration", [0.0, 15.0])
+@sparing("highest", [1, 2], every=2, first=1)
+@sparing("acceleration", [0.0, 15.0], every=2, first=1)
 def test_weights_on_geared_shafts(make: Callable[[], Scene], highest: int, acceleration: float) -> None:
     """The weights as points that turn: their forces and moments by differentiating their places twice."""
     found = solved(make, acceleration)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from linkage.scenes import crank_slider, four_bar, slotted, yoke
 from scipy.optimize import least_squares
+from sparing import sparing
 from transforms import moved, with_axes
 
 from machine.balance.balanced import SCENES, TURN, Array, Scene, chain_of, scene
@@ -125,7 +126,7 @@ def test_what_is_left_is_the_least(name: str, links: tuple[int, ...]) -> None:
     assert result.exact == (result.after.size.rms < 1e-9 * result.before.scale)
 
 
-@pytest.mark.parametrize("make", SCENES.values(), ids=SCENES)
+@sparing("make", SCENES.values(), ids=SCENES, every=4)
 def test_the_sets_that_suffice_do_and_smaller_ones_do_not(make: Callable[[], Scene]) -> None:
     case = make()
     sets = sufficient_links(case.chain, case.bodies)

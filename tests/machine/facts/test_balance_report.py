@@ -451,11 +451,13 @@ class TestPicture:
         away = np.abs(path.get_xdata() + 1j * path.get_ydata() - centre)
         assert away.max() == pytest.approx(radius, rel=1e-4)
 
+    @pytest.mark.slow
     def test_a_clockwise_crank_runs_to_negative_angles(self) -> None:
         axes = self.figure(press(-5.0, 0.7)).axes[2]
         assert axes.get_xlim() == (0.0, -360.0)
         assert axes.get_legend() is not None
 
+    @pytest.mark.slow
     def test_an_engine_shows_what_weights_leave(self) -> None:
         result = engine(in_line(4, 0.09, GEAR))
         polar, sizes = self.figure(result).axes  # the couple is nothing
@@ -466,6 +468,7 @@ class TestPicture:
         assert names[1].startswith("balance shafts: rms 41.6")
         assert len(self.figure(engine(vee(6, math.pi / 3, 0.1, GEAR))).axes) == 4
 
+    @pytest.mark.slow
     def test_sheets_and_what_is_refused(self, tmp_path: Path) -> None:
         from drawing import drawn
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from machines import MOTOR, TURN, positions, sine, spec_text, steps
+from sparing import sparing
 
 from tmmcalc.cli.plot import picture_of
 
@@ -92,7 +93,7 @@ class TestFlywheel:
         assert {"G: 200 J", "$GH$ = 200 J"} <= set(texts(axes))
         assert f"$J$ = {MINUS}25 kg·m²" in axes.get_title(loc="left")
 
-    @pytest.mark.parametrize("sense", [1.0, -1.0])
+    @sparing("sense", [1.0, -1.0], every=2)
     def test_places_are_named_along_the_sense_of_the_input(self, sense: float) -> None:
         said = texts(self.curve(wheel(swinging(links=1.5)), sense))
         assert ("30" in said, f"{MINUS}30" in said) == (sense > 0, sense < 0)
@@ -112,6 +113,7 @@ class TestFlywheel:
         assert names[::-1] == ["exact", "textbook", "Mertsalov", "Artobolevsky", "excess work"]
         assert [line.get_xdata()[0] for line in axes.lines] == [pytest.approx(25), 4]
 
+    @pytest.mark.slow
     def test_the_search_is_drawn_under_a_motor_alone(self) -> None:
         cycle = sine(100.0)
         motor = Motor("M", 4000.0, 20.0, 21.0)
@@ -179,6 +181,7 @@ class TestMotion:
         x, load = np.asarray(axes.lines[2].get_xydata()).T
         assert load[x == 180].tolist() == [pytest.approx(-30), pytest.approx(-10)]
 
+    @pytest.mark.slow
     def test_without_a_motor_there_is_no_characteristic(self) -> None:
         assert len(self.positional().axes) == 3
         assert len(self.driven().axes) == 5
@@ -194,7 +197,7 @@ class TestMotion:
         assert float(np.max(whole.lines[0].get_ydata())) == pytest.approx(2.5 * 60, rel=1e-4)
         assert whole.get_xlim()[0] == 0
 
-    @pytest.mark.parametrize(("lag", "off"), [(0.0, 0.0), (0.2, 1.0)])
+    @sparing(("lag", "off"), [(0.0, 0.0), (0.2, 1.0)], every=2)
     def test_the_path_follows_the_curve_unless_the_motor_lags(self, lag: float, off: float) -> None:
         near = self.driven(lag=lag).axes[3]
         omega, moment = np.asarray(near.lines[0].get_xydata()).T
@@ -202,6 +205,7 @@ class TestMotion:
         gap = float(np.max(np.abs(moment - form.moment(omega))))
         assert (gap > off) if off else gap < 1e-9
 
+    @pytest.mark.slow
     def test_forms_that_lack_data_are_left_out(self) -> None:
         poor = Motor("M", 600.0, 10.0, 10.5)
         figure = self.driven(poor, "parabolic")
@@ -221,6 +225,7 @@ def solved(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
     return spec, run(spec).results, folder / "picture.svg"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stage", ["flywheel", "motion"])
 def test_equal_results_give_equal_bytes(solved: tuple[Any, Any, Path], stage: str) -> None:
     *_, file = solved

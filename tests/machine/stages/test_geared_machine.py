@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from gears.stages.trains import STEEL
 from machines import MOTOR, spec_text
+from sparing import sparing
 from stages.test_laziness import imported, within
 
 import tmmcalc
@@ -109,7 +110,7 @@ def test_a_torque_diagram_moves_with_the_inertia_of_its_train() -> None:
     assert not bare.runs
 
 
-@pytest.mark.parametrize("file", ["press.toml", "shaper.toml", "elastic-drive.toml"])
+@sparing("file", ["press.toml", "shaper.toml", "elastic-drive.toml"], every=3)
 def test_a_scene_without_a_train_imports_no_gears(file: str) -> None:
     names = imported(file)
     assert not within(

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from machines import MOTOR, spec_text
 from scipy.integrate import solve_ivp
+from sparing import sparing
 
 from machine.transient.scenes import constant, cycle, kloss, upsetter
 from tmmcalc.api import run
@@ -51,7 +52,7 @@ def solved(drive: Machine, scenario: Scenario, *, steady: bool = False) -> Timed
     return motion
 
 
-@pytest.mark.parametrize("lag", [0.0, 0.02])
+@sparing("lag", [0.0, 0.02], every=2)
 def test_a_stiff_chain_is_one_mass(lag: float) -> None:
     """Efficiency and inertias are the same on either way; what is left goes with 1/c."""
     scenario = Scenario("start", 6.0, load=STEPS, end_angle=12.0)

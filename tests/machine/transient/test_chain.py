@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
+from sparing import sparing
 
 from machine.transient.scenes import PERIOD, at, case, constant, cycle, kloss, line, run, upsetter
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
@@ -92,6 +93,7 @@ def test_stiff_undamped_shafts_are_taken_as_rigid(stiffness: float) -> None:
     assert ripple < result.error < 2 * ripple
 
 
+@pytest.mark.slow
 def test_oscillation_is_followed_where_it_can_be() -> None:
     times = np.array([0.1, 0.2])
     result = run(two_mass(1e6), Scenario("start", 0.2), instants=times)
@@ -112,7 +114,7 @@ def three_mass(own: bool) -> Drive:
     return Drive(masses, shafts, characteristic=line(90.0, 8.0), cycle=cycle(-30.0, speed=8.0))
 
 
-@pytest.mark.parametrize("method", ["auto", "DOP853", "Radau"])
+@sparing("method", ["auto", "DOP853", "Radau"], every=3)
 def test_three_masses_with_gears_against_the_matrix_exponential(method: str) -> None:
     times = np.array([0.05, 0.3, 1.0])
     drive = three_mass(True)
@@ -203,7 +205,7 @@ def elastic_reference() -> np.ndarray:
     return y
 
 
-@pytest.mark.parametrize(("method", "bound"), [("auto", 1e-8), ("merson", 1e-8), ("LSODA", 1e-6), ("Radau", 1e-8)])
+@sparing(("method", "bound"), [("auto", 1e-8), ("merson", 1e-8), ("LSODA", 1e-6), ("Radau", 1e-8)], every=4)
 def test_a_press_on_an_elastic_shaft_against_an_independent_integration(method: str, bound: float) -> None:
     result = run(press(20.0, 0.05), Scenario("loaded", 1.0, speed=10.0), method)
     y = elastic_reference()
@@ -212,7 +214,7 @@ def test_a_press_on_an_elastic_shaft_against_an_independent_integration(method: 
     assert result.imbalance < bound
 
 
-@pytest.mark.parametrize("stiffness", [1e2, 1e4, 1e6, 1e9])
+@sparing("stiffness", [1e2, 1e4, 1e6, 1e9], every=4)
 def test_a_press_on_ever_stiffer_shafts_becomes_one_mass(stiffness: float) -> None:
     """With critical damping; the shaft's twist, and with it the difference, falls like 1/c."""
     c = stiffness * 225

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from machine.transient.scenes import Motor, constant, cycle, event, kloss, line, run, upsetter, upsetter_drive
 from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
@@ -43,7 +44,7 @@ CHOICES = [
 ]
 
 
-@pytest.mark.parametrize(("name", "drive", "method", "reason"), CHOICES, ids=[c[0] for c in CHOICES])
+@sparing(("name", "drive", "method", "reason"), CHOICES, ids=[c[0] for c in CHOICES], every=3)
 def test_the_method_that_is_chosen(name: str, drive: Drive, method: str, reason: str) -> None:
     result = run(drive, Scenario("start", 0.5, load=(LoadStep(0.0),)))
     assert result.method == method

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from machine.transient.scenes import constant, cycle, kloss, line, run
 from tmmcalc.machine.transient import between
@@ -36,7 +37,7 @@ def held(found: Transient, *moments: float) -> None:
     assert np.all(np.abs(rows).max(axis=1) <= np.abs(found.largest_moment[0]))
 
 
-@pytest.mark.parametrize(("name", "more"), WAYS, ids=KINDS)
+@sparing(("name", "more"), WAYS, ids=KINDS, every=7)
 def test_a_step_of_the_moment_doubles_the_moment_of_the_shaft(name: str, more: dict[str, Any]) -> None:
     """T = M J_2/(J_1 + J_2) (1 - cos w t), w^2 = c (J_1 + J_2)/(J_1 J_2): at most twice the moment of rigid motion."""
     drive = Drive((Mass(2.0), Mass(3.0)), (Shaft(3000.0),), constant(75.0))
@@ -46,7 +47,7 @@ def test_a_step_of_the_moment_doubles_the_moment_of_the_shaft(name: str, more: d
     assert turns % 2 == pytest.approx(1.0, abs=0.02)
 
 
-@pytest.mark.parametrize(("name", "more"), WAYS, ids=KINDS)
+@sparing(("name", "more"), WAYS, ids=KINDS, every=7)
 def test_a_damped_shaft(name: str, more: dict[str, Any]) -> None:
     """T = T_0 (1 - e^(-d t) (cos v t - d/v sin v t)), T = c phi + k phi'; its first peak where tan v t tells."""
     c, k, m = 3000.0, 18.0, 1.2
@@ -64,13 +65,13 @@ def test_a_start_under_a_constant_moment(name: str, more: dict[str, Any]) -> Non
     held(run(Drive((Mass(4.0),), characteristic=constant(10.0)), Scenario("start", 2.0), name, **more), 10.0)
 
 
-@pytest.mark.parametrize(("name", "more"), WAYS, ids=KINDS)
+@sparing(("name", "more"), WAYS, ids=KINDS, every=7)
 def test_the_pull_out_moment_is_met_between_the_steps(name: str, more: dict[str, Any]) -> None:
     drive = Drive((Mass(1.0),), characteristic=kloss(100.0, 0.2, 50.0, 45.0), cycle=cycle(-20.0, speed=45.0))
     held(run(drive, Scenario("start", 1.2), name, **more), 100.0)
 
 
-@pytest.mark.parametrize(("name", "more"), WAYS, ids=KINDS)
+@sparing(("name", "more"), WAYS, ids=KINDS, every=7)
 def test_a_lagging_moment(name: str, more: dict[str, Any]) -> None:
     """J w' = M, tau M' = b (w_s - w) - M: M = b w_s/(tau v) e^(-t/2 tau) sin v t, v^2 = b/(J tau) - 1/(2 tau)^2."""
     b, tau, synchronous = 8.0, 0.1, 20.0
@@ -81,6 +82,7 @@ def test_a_lagging_moment(name: str, more: dict[str, Any]) -> None:
     held(found, b * synchronous / (tau * v) * math.exp(-d * t) * math.sin(v * t))
 
 
+@pytest.mark.slow
 def test_the_largest_moment_of_a_motor_that_swings() -> None:
     """w = w_0 - e sin(theta) nearly, so that the moment is largest at the slowest place, between the rows."""
     drive = Drive((Mass(20.0),), characteristic=line(2.0, 20.0), cycle=cycle(lambda p: 40 * np.cos(p), speed=10.0))

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from machine.transient.scenes import Motor, Shape, cycle, kloss, run
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
@@ -47,7 +48,7 @@ def random_drive(seed: int) -> tuple[Drive, Scenario]:
     return drive, Scenario(f"random {seed}", 1.3, motor=((0.0, 1.0),), load=steps, brake=brake)
 
 
-@pytest.mark.parametrize("seed", range(8))
+@sparing("seed", range(8), every=4)
 def test_methods_agree_and_energy_balances(seed: int) -> None:
     drive, scenario = random_drive(seed)
     one, other = run(drive, scenario, "merson"), run(drive, scenario, "DOP853", tolerance=1e-12)

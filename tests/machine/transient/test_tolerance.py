@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from machine.transient.scenes import at, cycle
 from machine.transient.scenes import run as driven
@@ -31,7 +32,7 @@ SCENES = {
 ASKED = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10)
 
 
-@pytest.mark.parametrize("name", SCENES)
+@sparing("name", SCENES, every=3)
 def test_what_is_asked_is_kept_and_less_costs_less(name: str) -> None:
     spec = load_spec(CONFIGS / f"{name}.toml", SCENES[name])
     results = run(spec, target="transient", tolerance=1e-4).results
@@ -63,7 +64,7 @@ def test_what_cannot_be_reached_is_an_error() -> None:
         run(coarse, target="transient", tolerance=1e-9)
 
 
-@pytest.mark.parametrize("lag", [1e-4, 1e-2])
+@sparing("lag", [1e-4, 1e-2], every=2)
 def test_a_steep_motor_that_lags_is_followed_as_far_as_rounding_allows(lag: float) -> None:
     """The moment of such a motor is rounded to more than the tolerance of a step: that is no reason to refuse."""
     motor = parabolic(100.0, 10.0, 10.003)

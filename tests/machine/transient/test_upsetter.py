@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from sparing import sparing
 
 from machine.transient.scenes import FORCE, L1, L2, SLIDER, WEIGHT, at, case, event, kloss, run, travel, upsetter_drive
 from tmmcalc.machine.transient.model import Drive
@@ -151,7 +152,7 @@ def test_the_run_up_ends_in_the_steady_regime() -> None:
     assert any("overload" in verdict.message for verdict in result.verdicts)
 
 
-@pytest.mark.parametrize("inertia", [10.0, 5.0, 4.0, 3.27, 3.26, 3.0, 2.0])
+@sparing("inertia", [10.0, 5.0, 4.0, 3.27, 3.26, 3.0, 2.0], every=4)
 def test_stall_under_load(inertia: float) -> None:
     """The threshold is 3.2652 kg*m^2; the smallest speed of the regime is given for the three largest."""
     given = case("dyn-upsetter-stall")
@@ -172,6 +173,7 @@ def test_stall_under_load(inertia: float) -> None:
             assert speed[time > 4.0].min() == pytest.approx(lowest, rel=2e-4)
 
 
+@pytest.mark.slow
 def test_a_stiff_run() -> None:
     """Very small inertia (lambda of some 800 1/s): the speed follows the load at once."""
     given = case("dyn-stiff-regime-a")

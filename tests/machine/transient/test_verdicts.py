@@ -117,6 +117,7 @@ def test_a_wound_shaft_at_rest_at_the_end_is_no_stall() -> None:
     assert result.verdicts == ()
 
 
+@pytest.mark.slow
 def test_heating_against_the_closed_form() -> None:
     """M = b w_0 exp(-b t/J): its mean square over T is (b w_0)^2 J/(2 b T) (1 - exp(-2 b T/J))."""
     b, w0, j, time = 2.0, 30.0, 4.0, 5.0

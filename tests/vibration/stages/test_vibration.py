@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 from stages.test_laziness import imported, within
 
 import tmmcalc
@@ -24,8 +25,11 @@ def spec(name: str, *overrides: str) -> tmmcalc.Spec:
     return tmmcalc.load_spec(CONFIGS / f"{name}.toml", overrides)
 
 
-@pytest.mark.parametrize(
-    ("name", "stage", "overrides"), [("vibratory-device", vibrator, SHORT), ("pendulum-rotor", pendulum, ())]
+@sparing(
+    ("name", "stage", "overrides"),
+    [("vibratory-device", vibrator, SHORT), ("pendulum-rotor", pendulum, ())],
+    every=2,
+    first=1,
 )
 def test_what_is_stored_is_what_was_found(name: str, stage, overrides: tuple[str, ...], tmp_path: Path) -> None:
     scene = spec(name, *overrides)
@@ -48,6 +52,7 @@ def test_each_stage_runs_alone() -> None:
     assert list(plan(spec("pendulum-rotor")).running) == ["pendulum"]
 
 
+@pytest.mark.slow
 def test_at_resonance_and_near_a_critical_speed_it_is_told() -> None:
     found = run(spec("vibratory-device", *SHORT)).results["vibrator"]
     assert any("works at resonance" in note for note in found.notes)
@@ -63,6 +68,7 @@ def test_large_turns_are_told() -> None:
     assert any("equations of small turns" in note for note in shaken.notes)
 
 
+@pytest.mark.slow
 def test_frequencies_take_no_scipy() -> None:
     """Only the start by a motor integrates."""
     assert not within(imported("pendulum-rotor.toml"), "scipy", "matplotlib", "tmmcalc.linkage.forces", "tmmcalc.gears")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from gears.involute.contour.pairs import PAIRS, case, random_tasks, task
 from tmmcalc.core.errors import NoSolutionError
@@ -89,7 +90,7 @@ def names_of(region):
     return [edge.line for edge in region.edges] + [line for corner in region.corners for line in corner.lines]
 
 
-@pytest.mark.parametrize("asked", [*PAIRS, *random_tasks(12, 3)], ids=lambda t: f"{t.first.teeth}/{t.second.teeth}")
+@sparing("asked", [*PAIRS, *random_tasks(12, 3)], ids=lambda t: f"{t.first.teeth}/{t.second.teeth}", every=5)
 def test_membership_and_area_against_a_raster(asked):
     for found in contours(asked):
         regions = [r for r in (found.main, *found.pieces) if r is not None]
@@ -189,7 +190,7 @@ def test_a_region_between_two_lines_of_the_scan_is_found():
     assert found.area == pytest.approx(triangle, rel=0.02)
 
 
-@pytest.mark.parametrize("rack", list(RACKS))
+@sparing("rack", list(RACKS), every=4)
 def test_every_piece_is_traced(rack):
     rng = np.random.default_rng(20)
     for _ in range(12):

@@ -20,6 +20,7 @@ from tmmcalc.gears.involute.rack import Rack
 from tmmcalc.gears.involute.wheel import Wheel
 
 
+@pytest.mark.slow
 def test_flank_is_what_the_rack_leaves() -> None:
     checked = 0
     for wheel, shape in EXTREMES[::5]:
