@@ -58,7 +58,8 @@ def solve_transients(
     motions = []
     for task, (drive, scenario) in zip(tasks, beginning(machine, tasks, speed), strict=True):
         found = simulate(drive, scenario, replace(task.method, error=error) if error else task.method)
-        motions.append(_motion(found, names, _rigid_moments(drive, scenario), machine.notes))
+        elastic = any(shaft.stiffness < math.inf for shaft in drive.shafts)
+        motions.append(_motion(found, names, _rigid_moments(drive, scenario) if elastic else (), machine.notes))
     return TimedMotions(tuple(motions))
 
 
@@ -107,8 +108,6 @@ def _started(task: TransientTask, steady: Regime | None) -> Scenario:
 
 def _rigid_moments(drive: Drive, scenario: Scenario) -> tuple[float, ...]:
     """Largest moment of every shaft in the same motion with all shafts rigid [N*m], each on its own shaft."""
-    if all(shaft.stiffness == math.inf for shaft in drive.shafts):
-        return ()
     rigid = replace(drive, shafts=tuple(replace(shaft, stiffness=math.inf) for shaft in drive.shafts))
     moments = simulate(rigid, scenario, Method(compared=False)).largest_moment[0, :-1]
     return tuple(np.abs(moments).tolist())
