@@ -13,8 +13,6 @@ from tmmcalc.cli.options import Quiet, Set, SpecFile
 from tmmcalc.cli.work import Job, check_place
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.stage import Picture, resolve
-from tmmcalc.pipeline.runner import upstream_of
-from tmmcalc.project import parse_spec
 from tmmcalc.report.drawing import draw
 from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
 from tmmcalc.rooms import STAGES
@@ -49,6 +47,9 @@ def picture_of(stage: str, flags: Mapping[str, str | None]) -> Picture:
 
 def ordered(stage: str, spec: Spec, results: Mapping[str, Any], flags: Mapping[str, str | None], file: Path) -> None:
     """Draw the picture of a stage to a file."""
+    from tmmcalc.pipeline.runner import upstream_of
+    from tmmcalc.project import parse_spec
+
     picture = picture_of(stage, flags)
 
     def solved(name: str) -> Any:

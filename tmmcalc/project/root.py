@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import GenericAlias
 from typing import TYPE_CHECKING
 
 from pydantic import Field
@@ -25,7 +26,7 @@ def _gathered() -> dict[str, object]:
     annotations: dict[str, object] = {"project": ProjectTable}
     for name, entry in ENTRIES.items():
         table = late(f"{entry.home}.tables.{name}", entry.table)
-        annotations[name] = list[table] if entry.several else table | None  # type: ignore[valid-type]
+        annotations[name] = GenericAlias(list, (table,)) if entry.several else table | None
         body[name] = Field(default=[] if entry.several else None, description=entry.description)
     for room in ROOMS:
         body |= room.properties
