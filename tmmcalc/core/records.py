@@ -12,15 +12,18 @@ from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field, f
 from inspect import get_annotations
 from typing import Any, NamedTuple, NoReturn, TypeVar, dataclass_transform
 
+from tmmcalc.core.quantity import Quantity, quantity
+
 T = TypeVar("T")
 
 
 class Names(NamedTuple):
-    """Fields of a record class in their order, those with a default, and what makes a default."""
+    """Fields of a record class in their order, those with a default, what makes a default, and what is given out."""
 
     fields: tuple[str, ...]
     defaults: dict[str, Any]
     makers: dict[str, Callable[[], Any]]
+    quantities: dict[str, Quantity]
 
 
 class _Late:
@@ -35,7 +38,7 @@ class _Late:
         return kept
 
 
-@dataclass_transform(frozen_default=True, field_specifiers=(field,))
+@dataclass_transform(frozen_default=True, field_specifiers=(field, quantity))
 def record(cls: type[T]) -> type[T]:
     """Class decorator: a frozen dataclass; its fields are those of this class alone.
 
@@ -75,12 +78,13 @@ def _names(cls: type[Any]) -> Names:
         names,
         {name: value for name, value in defaults.items() if value is not MISSING},
         {name: each.default_factory for name, each in told.items() if each.default_factory is not MISSING},
+        {name: each.metadata["quantity"] for name, each in told.items() if "quantity" in each.metadata},
     )
 
 
 def _fill(self: Any, *args: Any, **named: Any) -> None:
     """Give every field its value; raise TypeError where one is missing, is given twice or is none of the record."""
-    names, defaults, makers = self.__record__
+    names, defaults, makers, _ = self.__record__
     values = self.__dict__
     values.update(zip(names, args, strict=False))
     values.update(named)

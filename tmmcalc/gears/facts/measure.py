@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
+from tmmcalc.core.quantity import keyed, table
 from tmmcalc.core.records import record
 from tmmcalc.gears.facts.meshes import known, millimetres, places, titles
 from tmmcalc.gears.facts.spans import all_spans, limits_fact, span_fact, spans_view
-from tmmcalc.gears.meshing.results import Measures, MeshPair, Pairs, WheelSizes
+from tmmcalc.gears.meshing.results import ChordRow, Measures, MeshPair, Pairs, WheelSizes
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
 
-CHORDS = ("arc", "chord", "height", "space")
+CHORDS = ("arc[mm]", "chord[mm]", "height[mm]", "space[mm]")
 
 
 @record
@@ -54,7 +54,7 @@ def _wheel_document(each: Measured, everything: bool) -> Document:
     facts += [_balls_fact(each), _constant_chord_fact(each.measures)]
     notes = tuple(f"warning: {remark}" for remark in each.measures.remarks)
     if everything:
-        facts.append(Fact("chords", "", {"chords": _chord_values(each.measures)}))
+        facts.append(Fact("chords", "", {"chords": [known(keyed(row)) for row in each.measures.chords]}))
         return Document(each.title, tuple(facts), notes)
     view = spans_view(each.measures, helical=helical) if each.measures.spans else None
     return Document(each.title, tuple(facts), notes, view, parts=(_chords_document(each),))
@@ -79,7 +79,7 @@ def _base_fact(measures: Measures) -> Fact:
     text = (
         f"p_bn = {millimetres(measures.base_pitch)}, s_bn = {millimetres(measures.base_thickness)} on the base circle"
     )
-    return Fact("base pitch", text, {"p_bn[m]": measures.base_pitch, "s_bn[m]": measures.base_thickness})
+    return Fact("base pitch", text, keyed(measures, "base_pitch", "base_thickness"))
 
 
 def _balls_fact(each: Measured) -> Fact:
@@ -94,9 +94,9 @@ def _balls_fact(each: Measured) -> Fact:
         text += "\nnot valid: they do not touch the usable involute"
     if not row.clear:
         text += "\nnot valid: they do not stand proud of the tips, or reach the root"
-    values = {"D[m]": row.diameter, "M[m]": row.size, "M_radius[m]": row.radius, "rho_M[m]": row.curvature}
-    values |= {"alpha_D[rad]": row.angle, "d_D[m]": row.centres}
-    return Fact(label, text, values | {"M_on_flank": row.on_flank, "M_clear": row.clear})
+    return Fact(
+        label, text, keyed(row, "diameter", "size", "radius", "curvature", "angle", "centres", "on_flank", "clear")
+    )
 
 
 def _constant_chord_fact(measures: Measures) -> Fact:
@@ -104,47 +104,17 @@ def _constant_chord_fact(measures: Measures) -> Fact:
     text += "from the tip"
     if not measures.constant_chord_valid:
         text += "\nnot to be measured: it does not end on the usable involute"
-    values = {
-        "s_c[m]": measures.constant_chord,
-        "h_c[m]": measures.constant_chord_height,
-        "rho_s[m]": measures.constant_chord_curvature,
-        "s_c_valid": measures.constant_chord_valid,
-    }
-    return Fact("constant chord", text, values)
+    parts = ("constant_chord", "constant_chord_height", "constant_chord_curvature", "constant_chord_valid")
+    return Fact("constant chord", text, keyed(measures, *parts))
 
 
 def _chords_document(each: Measured) -> Document:
     helical = bool(each.pair.task.helix)
     legend = "tooth on circles: half angle theta, normal arc and chord, height of the tip above the chord, "
     legend += "arc of the space" + ("; s_t: transverse arc" if helical else "")
-    rows = each.measures.chords
-    columns: dict[str, list[Any]] = {
-        "circle": [row.name for row in rows],
-        "r[mm]": [1e3 * row.radius for row in rows],
-        "theta[deg]": [round(math.degrees(row.half_angle), 4) for row in rows],
-    }
-    columns |= {f"{name}[mm]": [1e3 * getattr(row, name) for row in rows] for name in CHORDS}
-    if helical:
-        columns["s_t[mm]"] = [1e3 * row.transverse for row in rows]
-    columns["alpha_y[deg]"] = [round(math.degrees(row.angle), 4) for row in rows]
-    if helical:
-        columns["beta_y[deg]"] = [round(math.degrees(row.helix), 4) for row in rows]
+    sections, helix = (["transverse[mm]"], ["helix[deg]"]) if helical else ([], [])
+    chosen = ["name", "radius[mm]", "half_angle[deg]", *CHORDS, *sections, "angle[deg]", *helix]
+    columns = table(each.measures.chords, ChordRow, *chosen)
+    columns |= {header: [round(each, 4) for each in columns[header]] for header in columns if header.endswith("[deg]")}
     view = View(list(columns), list(columns.values()))
     return Document("chords", (Fact("in the table", legend),), (), view, wide=True, more="--format json has them")
-
-
-def _chord_values(measures: Measures) -> list[dict[str, Any]]:
-    return [
-        known(
-            {
-                "circle": row.name,
-                "r[m]": row.radius,
-                "theta[rad]": row.half_angle,
-                "alpha_y[rad]": row.angle,
-                "beta_y[rad]": row.helix,
-                "s_t[m]": row.transverse,
-                **{f"{name}[m]": getattr(row, name) for name in CHORDS},
-            }
-        )
-        for row in measures.chords
-    ]

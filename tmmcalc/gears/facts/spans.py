@@ -5,11 +5,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from tmmcalc.core.quantity import keyed, table
 from tmmcalc.gears.facts.meshes import millimetres
 from tmmcalc.gears.meshing.results import Measures, SpanRow
 from tmmcalc.report.document import Fact, View
 
 RING = "a ring has none: plates cannot span its teeth"
+LIMITS = (
+    "span_most",
+    "span_most_exact",
+    "span_middle",
+    "span_lowest",
+    "span_lowest_active",
+    "span_tip",
+    "span_tip_exact",
+    "span_width",
+    "span_width_exact",
+)
 
 
 def span_fact(measures: Measures, *, ring: bool, helical: bool) -> Fact:
@@ -21,9 +33,8 @@ def span_fact(measures: Measures, *, ring: bool, helical: bool) -> Fact:
     if helical:
         text += f", face width needed: {millimetres(row.width)}"
     text += f"\n{_verdict(measures, row)}"
-    values: dict[str, Any] = {"z_w": row.teeth, "W[m]": row.length, "W_radius[m]": row.radius, "b_min[m]": row.width}
-    values |= {"W_rho[m]": row.curvature}
-    return Fact("span", text, {**values, "W_exact": row.valid, "W_textbook": row.book})
+    values = keyed(row, "teeth", "length", "radius", "width", "curvature", "valid", "book")
+    return Fact("span", text, values)
 
 
 def _most(measures: Measures) -> str:
@@ -52,18 +63,7 @@ def limits_fact(measures: Measures) -> Fact:
     if measures.span_width is not None and measures.span_width_exact is not None:
         text = f"face width: W** = {millimetres(measures.span_width)} (4.64)"
         lines.append(f"{text}, exactly {millimetres(measures.span_width_exact)}")
-    values = {
-        "z_w_max": measures.span_most,
-        "z_w_max_exact_width": measures.span_most_exact,
-        "z_w_middle": measures.span_middle,
-        "W_lowest[m]": measures.span_lowest,
-        "W_lowest_active[m]": measures.span_lowest_active,
-        "W_star[m]": measures.span_tip,
-        "W_star_exact[m]": exact,
-        "W_starstar[m]": measures.span_width,
-        "W_starstar_exact[m]": measures.span_width_exact,
-    }
-    return Fact("its limits", "\n".join(lines), values)
+    return Fact("its limits", "\n".join(lines), keyed(measures, *LIMITS))
 
 
 def _faults(measures: Measures, row: SpanRow) -> list[str]:
@@ -83,15 +83,8 @@ def _faults(measures: Measures, row: SpanRow) -> list[str]:
 def spans_view(measures: Measures, *, helical: bool) -> View:
     """Every span that either rule admits."""
     rows = measures.spans
-    columns: dict[str, list[Any]] = {
-        "z_w": [row.teeth for row in rows],
-        "W[mm]": [1e3 * row.length for row in rows],
-        "r[mm]": [1e3 * row.radius for row in rows],
-    }
-    if helical:
-        columns["b_min[mm]"] = [1e3 * row.width for row in rows]
-    columns["exact"] = [row.valid for row in rows]
-    columns["textbook"] = [row.book for row in rows]
+    width = ["width[mm]"] if helical else []
+    columns = table(rows, SpanRow, "teeth", "length[mm]", "radius[mm]", *width, "valid", "book")
     columns["remark"] = [_remark(measures, row) for row in rows]
     return View(list(columns), list(columns.values()))
 
@@ -106,12 +99,7 @@ def all_spans(shown: Sequence[tuple[str, Measures]]) -> View:
     columns: dict[str, list[Any]] = {
         "pair": [pair for pair, _, _ in rows],
         "wheel": [measures.wheel for _, measures, _ in rows],
-        "z_w": [row.teeth for _, _, row in rows],
-        "W[m]": [row.length for _, _, row in rows],
-        "r[m]": [row.radius for _, _, row in rows],
-        "b_min[m]": [row.width for _, _, row in rows],
-        "exact": [row.valid for _, _, row in rows],
-        "textbook": [row.book for _, _, row in rows],
+        **table([row for _, _, row in rows], SpanRow, "teeth", "length", "radius", "width", "valid", "book"),
         "chosen": [row.teeth == measures.span_teeth for _, measures, row in rows],
     }
     return View(list(columns), list(columns.values()))

@@ -6,6 +6,7 @@ from typing import Literal
 
 import numpy as np
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.quality.verdicts import Check, Verdict, worst
@@ -82,68 +83,77 @@ class SlidingTable:
 class SpanRow:
     """The span over one number of teeth."""
 
-    teeth: int  # z_w
-    length: float  # W
-    radius: float  # of the circle on which the plates touch
-    curvature: float  # transverse radius of curvature of the flanks there
-    width: float  # b_min, the face width that it needs
-    valid: bool  # the plates touch the usable involute, exactly
-    book: bool  # the textbook's rule admits it
+    teeth: int = quantity("z_w", "number of teeth spanned")
+    length: float = quantity("W[m]", "span over z_w teeth", source="(4.61)")
+    radius: float = quantity("W_radius[m]", "radius of the circle on which the plates touch", symbol="r", header="r[m]")
+    curvature: float = quantity("W_rho[m]", "transverse radius of curvature of the flanks where the plates touch")
+    width: float = quantity("b_min[m]", "face width that the span needs")
+    valid: bool = quantity("W_exact", "the plates touch the usable involute, exactly", header="exact")
+    book: bool = quantity("W_textbook", "the textbook's rule admits the span", header="textbook")
 
 
 @record
 class BallsRow:
     """The size over (in a ring: between) two balls or pins."""
 
-    diameter: float  # D
-    size: float  # M
-    radius: float  # of the circle on which they touch
-    angle: float  # alpha_D [rad], transverse, on the circle of the centres
-    centres: float  # d_D, diameter of that circle
-    curvature: float  # rho_M, transverse radius of curvature of the flanks where they touch
-    on_flank: bool  # they touch the usable involute
-    clear: bool  # they stand proud of the tip circle and clear of the root circle
+    diameter: float = quantity("D[m]", "diameter of the balls or pins")
+    size: float = quantity("M[m]", "size over two balls or pins, of a ring between them")
+    radius: float = quantity("M_radius[m]", "radius of the circle on which they touch")
+    angle: float = quantity("alpha_D[rad]", "transverse pressure angle on the circle of the centres")
+    centres: float = quantity("d_D[m]", "diameter of the circle of the centres")
+    curvature: float = quantity("rho_M[m]", "transverse radius of curvature of the flanks where they touch")
+    on_flank: bool = quantity("M_on_flank", "they touch the usable involute")
+    clear: bool = quantity("M_clear", "they stand proud of the tip circle and clear of the root circle")
 
 
 @record
 class ChordRow:
     """The tooth on one circle."""
 
-    name: str  # reference, operating, tip, or asked
-    radius: float
-    half_angle: float  # theta [rad], half the tooth
-    angle: float  # pressure angle [rad], transverse
-    helix: float  # [rad]
-    transverse: float  # arc, transverse section
-    arc: float  # normal section
-    chord: float  # normal section
-    height: float  # from the tip circle to the chord
-    space: float  # arc of the space, normal section
+    name: str = quantity("circle", "reference, operating, tip, or asked")
+    radius: float = quantity("r[m]", "radius of the circle")
+    half_angle: float = quantity("theta[rad]", "half the angle of the tooth")
+    angle: float = quantity("alpha_y[rad]", "transverse pressure angle")
+    helix: float = quantity("beta_y[rad]", "helix angle")
+    transverse: float = quantity("s_t[m]", "arc of the tooth in the transverse section")
+    arc: float = quantity("arc[m]", "arc of the tooth in the normal section", symbol="s_n")
+    chord: float = quantity("chord[m]", "chord of the tooth in the normal section")
+    height: float = quantity("height[m]", "height of the tip circle above the chord")
+    space: float = quantity("space[m]", "arc of the space in the normal section", symbol="e_n")
 
 
 @record
 class Measures:
     """What is measured on one wheel."""
 
-    wheel: str
-    base_pitch: float  # p_bn, normal
-    base_thickness: float  # s_bn, normal, on the base circle
+    wheel: str = quantity("wheel", "name of the wheel")
+    base_pitch: float = quantity("p_bn[m]", "base pitch in the normal section")
+    base_thickness: float = quantity("s_bn[m]", "arc of the tooth on the base circle in the normal section")
     spans: tuple[SpanRow, ...]  # none for a ring
     span_teeth: int | None  # z_w chosen; None: none is admitted
-    span_most: int  # z_w,max of the textbook (4.65), with W* and W**; below 2: no span is admitted; 0 for a ring
-    span_most_exact: int  # the same with the exact limit of the face width
-    span_middle: int  # z_w that touches nearest to mid-flank; 0 for a ring
-    span_lowest: float  # W below which the plates touch beneath the involute; 0 for a ring
-    span_lowest_active: float  # W below which they touch beneath the lowest active point; at least the former
-    span_tip: float  # W* by the textbook (4.62); 0 for a ring
-    span_tip_exact: float
-    span_width: float | None  # W** by the textbook (4.64); None: no helix or no face width
-    span_width_exact: float | None
+    # limits of a ring's spans, which it has not, are 0
+    span_most: int = quantity(
+        "z_w_max", "largest number of teeth by the textbook's W* and W**; below 2: no span", source="(4.65)"
+    )
+    span_most_exact: int = quantity("z_w_max_exact_width", "the same with the exact limit of the face width")
+    span_middle: int = quantity("z_w_middle", "number of teeth of the span that touches nearest to mid-flank")
+    span_lowest: float = quantity("W_lowest[m]", "span below which the plates touch beneath the involute")
+    span_lowest_active: float = quantity(
+        "W_lowest_active[m]", "span below which the plates touch beneath the lowest active point; not below W_lowest"
+    )
+    span_tip: float = quantity("W_star[m]", "span that reaches the tip circle", symbol="W^*", source="(4.62)")
+    span_tip_exact: float = quantity("W_star_exact[m]", "the same, exactly")
+    span_width: float | None = quantity(  # None: no helix or no face width
+        "W_starstar[m]", "span that the face width allows", symbol="W^(**)", source="(4.64)"
+    )
+    span_width_exact: float | None = quantity("W_starstar_exact[m]", "the same, exactly")
     balls: BallsRow | None  # None: none of the asked diameter stands in the space
-    constant_chord: float  # s_c
-    constant_chord_height: float  # h_c
-    constant_chord_curvature: float  # rho_s, transverse radius of curvature of the flank where it ends
-    constant_chord_valid: bool
+    constant_chord: float = quantity("s_c[m]", "constant chord")
+    constant_chord_height: float = quantity("h_c[m]", "height of the tip above the constant chord")
+    constant_chord_curvature: float = quantity(
+        "rho_s[m]", "transverse radius of curvature of the flank where the constant chord ends"
+    )
+    constant_chord_valid: bool = quantity("s_c_valid", "the constant chord ends on the usable involute")
     usable: UsableEnd  # where the usable involute ends towards the root
     chords: tuple[ChordRow, ...]
     remarks: tuple[str, ...]  # what is unusual or cannot be measured
