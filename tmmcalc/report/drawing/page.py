@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -28,10 +28,13 @@ def write(file: Path, form: str, make: Callable[[], Figure]) -> None:
     replace_file(file, picture(form, make))
 
 
-def picture(form: str, make: Callable[[], Figure]) -> bytes:
-    """The bytes of the figure that ``make`` draws; they depend on it and the versions of the programs alone."""
+def picture(form: str, make: Callable[[], Figure], others: Mapping[str, Any] | None = None) -> bytes:
+    """The bytes of the figure that ``make`` draws; they depend on it and the versions of the programs alone.
+
+    ``others`` are settings of matplotlib beside those of the program.
+    """
     settings: Any = {k: v for k, v in matplotlib.rcParamsDefault.items() if not k.startswith("backend")}
-    settings.update(RC)
+    settings.update(RC | dict(others or {}))
     with matplotlib.rc_context(settings):
         buffer = BytesIO()
         make().savefig(buffer, format=form, metadata=UNDATED[form])
