@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, field
 from math import pi
-from typing import Any, Generic, NamedTuple, TypeVar, overload
+from typing import Any, Generic, NamedTuple, TypeVar, get_args, get_type_hints, overload
 
 T = TypeVar("T")
 
@@ -142,4 +142,22 @@ def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dic
             found[header] = [None if value is None else factor * value for value in values]
         else:
             found[told.header or told.key] = values
+    return found
+
+
+def given_out(kind: Any) -> dict[str, Quantity]:
+    """All that a kind of record gives out, with the records within it, by their keys."""
+    found: dict[str, Quantity] = {}
+    seen: set[Any] = set()
+    waiting = [kind]
+    while waiting:
+        each = waiting.pop(0)
+        if each in seen:
+            continue
+        seen.add(each)
+        if hasattr(each, "__record__"):
+            found |= {told.key: told for told in quantities(each).values() if told.key not in found}
+            waiting += get_type_hints(each).values()
+        else:
+            waiting += get_args(each)
     return found
