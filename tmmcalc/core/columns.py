@@ -28,6 +28,10 @@ class Column(NamedTuple):
         """``name[unit]``."""
         return f"{self.name}[{self.unit}]"
 
+    def shown(self, unit: str) -> tuple[str, float]:
+        """The header in a unit for people, and the factor of the values."""
+        return Quantity(self.header, "").shown(unit)
+
 
 def column(told: Quantity, make: Callable[[], Real]) -> Column:
     """The column of a quantity."""

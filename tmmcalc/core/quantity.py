@@ -55,7 +55,7 @@ class Quantity(NamedTuple):
         >>> Quantity("{name}_max[{unit}]", "largest {name}").of(name="K", unit="").key
         'K_max'
         """
-        return Quantity(*(text.format(**places).removesuffix("[]") for text in self)) if places else self
+        return Quantity(*(text and text.format(**places).removesuffix("[]") for text in self)) if places else self
 
     def marked(self, word: str) -> Quantity:
         """The same of its extreme, mean, error ...: a word after the name.
