@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.quantity import Quantity
 
 Real = NDArray[np.floating[Any]]
 Values = TypeVar("Values")
@@ -26,6 +27,15 @@ class Column(NamedTuple):
     def header(self) -> str:
         """``name[unit]``."""
         return f"{self.name}[{self.unit}]"
+
+    def shown(self, unit: str) -> tuple[str, float]:
+        """The header in a unit for people, and the factor of the values."""
+        return Quantity(self.header, "").shown(unit)
+
+
+def column(told: Quantity, make: Callable[[], Real]) -> Column:
+    """The column of a quantity."""
+    return Column(told.name, told.unit, make)
 
 
 def degrees(phi: Real) -> Real:

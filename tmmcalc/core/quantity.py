@@ -48,12 +48,23 @@ class Quantity(NamedTuple):
         return self.key.partition("[")[2].removesuffix("]")
 
     def of(self, **places: object) -> Quantity:
-        """The quantity of one point, link, wheel ... by its name.
+        """The quantity of one point, link, wheel ... by its name; a unit may be a place too, and be empty.
 
         >>> Quantity("x_{point}[m]", "x of {point}").of(point="C").key
         'x_C[m]'
+        >>> Quantity("{name}_max[{unit}]", "largest {name}").of(name="K", unit="").key
+        'K_max'
         """
-        return Quantity(*(text.format(**places) for text in self)) if places else self
+        return Quantity(*(text and text.format(**places).removesuffix("[]") for text in self)) if places else self
+
+    def marked(self, word: str) -> Quantity:
+        """The same of its extreme, mean, error ...: a word after the name.
+
+        >>> Quantity("P[W]", "power").marked("max").key
+        'P_max[W]'
+        """
+        name, bracket, unit = self.key.partition("[")
+        return Quantity(f"{name}_{word}{bracket}{unit}", f"{self.meaning}: {word}", source=self.source)
 
     def shown(self, unit: str) -> tuple[str, float]:
         """The header in a unit for people, and the factor of the values.
@@ -107,18 +118,45 @@ def quantities(kind: Any) -> dict[str, Quantity]:
     return found | {name: each.quantity for name, each in vars(kind).items() if isinstance(each, Derived)}
 
 
+def quantity_of(kind: Any, name: str, **places: object) -> Quantity:
+    """What a field or property of a kind of record gives out."""
+    return quantities(kind)[name].of(**places)
+
+
 def keyed(of: Any, *names: str, **places: object) -> dict[str, Any]:
     """The quantities of a record by their keys: those of these fields, or all; ``places`` are names of the scene.
+
+    ``"angle[deg]"`` is a field in a unit for people. Tuples and arrays become lists.
 
     >>> from tmmcalc.core.records import record
     >>> @record
     ... class Ball:
     ...     diameter: float = quantity("D_{wheel}[m]", "diameter of the ball")
-    >>> keyed(Ball(0.01), wheel=2)
-    {'D_2[m]': 0.01}
+    >>> keyed(Ball(0.25), wheel=2), keyed(Ball(0.25), "diameter[mm]", wheel=2)
+    ({'D_2[m]': 0.25}, {'D_2[mm]': 250.0})
     """
     known = quantities(type(of))
-    return {known[name].of(**places).key: getattr(of, name) for name in names or known}
+    found = {}
+    for asked in names or known:
+        name, _, unit = asked.removesuffix("]").partition("[")
+        told, value = known[name].of(**places), _plain(getattr(of, name))
+        if unit:
+            found[f"{told.name}[{unit}]"] = _scaled(value, FORMS[told.unit, unit])
+        else:
+            found[told.key] = value
+    return found
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return list(value)
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def _scaled(value: Any, factor: float) -> Any:
+    if isinstance(value, list):
+        return [_scaled(each, factor) for each in value]
+    return None if value is None else factor * value
 
 
 def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dict[str, list[Any]]:
@@ -139,7 +177,7 @@ def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dic
         values = [getattr(row, name) for row in rows]
         if unit:
             header, factor = told.shown(unit)
-            found[header] = [None if value is None else factor * value for value in values]
+            found[header] = _scaled(values, factor)
         else:
             found[told.header or told.key] = values
     return found

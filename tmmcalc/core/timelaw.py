@@ -21,6 +21,7 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 SAME = 1e-12  # of the duration: instants nearer than this are one
@@ -32,13 +33,13 @@ WHERE = "time-optimal law"
 class TimeLaw:
     """A motion from rest to rest in three phases: acceleration, uniform motion, deceleration."""
 
-    travel: float  # S_m, with its sign [m]
-    speed: float  # v_p, the largest speed that is reached, at least 0 [m/s]
-    acceleration: float  # a_m > 0 [m/s^2]
-    ramp: float  # t_1 [s]
-    uniform: float  # t_2 [s]
+    travel: float = quantity("{prefix}S_m[{unit}]", "travel, with its sign")
+    speed: float = quantity("{prefix}v_peak[{unit}/s]", "largest speed that is reached, at least 0", symbol="v_p")
+    acceleration: float = quantity("{prefix}a[{unit}/s^2]", "largest acceleration, above 0", symbol="a_m")
+    ramp: float = quantity("{prefix}t_1[s]", "time of each of the outer phases", source="(2.65)")
+    uniform: float = quantity("{prefix}t_2[s]", "time of the uniform phase", source="(2.66)")
 
-    @property
+    @derived("{prefix}T[s]", "time of the whole motion", source="(2.68)")
     def duration(self) -> float:
         """T [s]."""
         return 2 * self.ramp + self.uniform
@@ -48,17 +49,17 @@ class TimeLaw:
         """Sign of the travel."""
         return math.copysign(1.0, self.travel)
 
-    @property
+    @derived("{prefix}S_1[{unit}]", "way of each of the outer phases")
     def ramp_travel(self) -> float:
         """S_1: the way of each of the outer phases, at least 0 [m]."""
         return self.acceleration * self.ramp**2 / 2
 
-    @property
+    @derived("{prefix}S_2[{unit}]", "way of the uniform phase")
     def uniform_travel(self) -> float:
         """S_2: the way of the uniform phase, at least 0 [m]."""
         return self.speed * self.uniform
 
-    @property
+    @derived("{prefix}jumps[s]", "instants where the acceleration jumps")
     def instants(self) -> tuple[float, ...]:
         """Where the acceleration jumps: 0, t_1, T - t_1, T [s], each once; none without motion."""
         if not self.speed:

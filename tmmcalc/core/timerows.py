@@ -13,6 +13,7 @@ import numpy as np
 from tmmcalc.core.numerics.gauss import Rule, rule
 from tmmcalc.core.numerics.panels import Panels, Values, panels, resolved
 from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 SAME = 1e-12  # of the duration: instants nearer than this are one
@@ -38,10 +39,10 @@ class TimedExtreme:
 
     name: str
     unit: str
-    least: float
-    least_at: float  # [s]
-    largest: float
-    largest_at: float  # [s]
+    least: float = quantity("{name}_min[{unit}]", "smallest {name}")
+    least_at: float = quantity("{name}_min_at[s]", "time of the smallest {name}")
+    largest: float = quantity("{name}_max[{unit}]", "largest {name}")
+    largest_at: float = quantity("{name}_max_at[s]", "time of the largest {name}")
 
     @property
     def size(self) -> tuple[float, float]:

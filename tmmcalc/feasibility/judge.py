@@ -13,6 +13,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core import quantity as told
 from tmmcalc.core.numerics.extended import apart, widened
 from tmmcalc.core.records import record
 from tmmcalc.feasibility.logic import LARGEST, Form, conjunction
@@ -71,27 +72,27 @@ class FeasibilityTask:
 
 @record
 class Verdict:
-    """A constraint at its value: limits in the value's unit, margin, whether it holds."""
+    """A constraint at its value, with limits in the value's unit."""
 
-    name: str
-    quantity: str
-    value: float
-    unit: str
-    at_least: float | None
-    at_most: float | None
-    margin: float
-    holds: bool
+    name: str = told.quantity("constraint", "name of the constraint")
+    quantity: str = told.quantity("quantity", "what is constrained, by its stage and name")
+    value: float = told.quantity("value", "its value")
+    unit: str = told.quantity("unit", "unit of value and limits")
+    at_least: float | None = told.quantity("at_least", "lower limit", header="at least")
+    at_most: float | None = told.quantity("at_most", "upper limit", header="at most")
+    margin: float = told.quantity("margin", "what is left to the nearer limit, as a part of it")
+    holds: bool = told.quantity("holds", "whether the value is within its limits")
 
 
 @record
 class Candidate:
     """One of several designs, judged; ``refused`` says why one could not be, then nothing else is known of it."""
 
-    number: int  # among the designs, from 1
-    name: str
-    feasible: bool
-    function: float | None
-    failing: tuple[str, ...]
+    number: int = told.quantity("solution", "its number among the designs, from 1", header="i")
+    name: str = told.quantity("name", "name of the design", header="design")
+    feasible: bool = told.quantity("feasible", "whether the rule holds")
+    function: float | None = told.quantity("function", "function of the rule", header="function ({form})")
+    failing: tuple[str, ...] = told.quantity("failing", "constraints at fault", header="fails")
     verdicts: tuple[Verdict, ...]
     refused: str = ""
 
@@ -105,15 +106,15 @@ class Feasibility:
     """
 
     verdicts: tuple[Verdict, ...]
-    rule: str
+    rule: str = told.quantity("rule", "rule that combines the constraints")
     form: Form
-    feasible: bool
-    function: float
-    failing: tuple[str, ...]
+    feasible: bool = told.quantity("feasible", "whether the rule holds")
+    function: float = told.quantity("function", "function of the rule")
+    failing: tuple[str, ...] = told.quantity("failing", "constraints at fault")
     candidates: tuple[Candidate, ...] = ()
     error: float = 0.0  # what rounding leaves of the margins, relative to the largest; that of values is their stage's
 
-    @property
+    @told.derived("chosen", "number of the best design")
     def chosen(self) -> int:
         """Number of the best design, the first feasible one if there is any; 1 where nothing is chosen."""
         return self.candidates[0].number if self.candidates else 1

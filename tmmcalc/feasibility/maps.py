@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.errors import NoSolutionError, SpecError, TmmError
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.feasibility.judge import Feasibility
 from tmmcalc.feasibility.logic import Form, Values
@@ -35,15 +36,15 @@ class RegionMap:
 
     parameters: tuple[Parameter, ...]
     names: tuple[str, ...]  # of the constraints
-    rule: str
+    rule: str = quantity("rule", "rule that combines the constraints")
     form: Form
     solved: Mask  # (p,) where the scene has a solution
-    feasible: Mask  # (p,) where the rule holds
-    function: Values  # (p,) of the rule, 0 where not solved
-    values: Values  # (c, p) of the constrained quantities, 0 where not solved
-    margins: Values  # (c, p) 0 where not solved
+    feasible: Mask = quantity("feasible", "where the rule holds")  # (p,)
+    function: Values = quantity("function", "function of the rule", header="function ({form})")  # (p,) 0: not solved
+    values: Values = quantity("{constraint}[{unit}]", "constrained quantity")  # (c, p) 0 where not solved
+    margins: Values = quantity("margin_{constraint}", "margin of the constraint")  # (c, p) 0 where not solved
     units: tuple[str, ...]  # (c,) of the quantities
-    failing: tuple[tuple[str, ...], ...]  # (p,) constraints at fault
+    failing: tuple[tuple[str, ...], ...] = quantity("fails", "constraints at fault")  # (p,)
     refused: tuple[str, ...]  # (p,) why there is no solution, "" where there is
 
     @property

@@ -1,27 +1,54 @@
 """The columns of the kinematics table: one name and one unit for each quantity, everywhere.
 
-    phi                    input coordinate counted from position 0
-    angle_3 omega_3 eps_3  link 3; dangle_3 ddangle_3 its transfer functions
-    x_C y_C vx_C vy_C ax_C ay_C   point C; dx_C dy_C ddx_C ddy_C
-    s_D0 v_D0 a_D0         prismatic joint D0; ds_D0 dds_D0
-    S_D vS_D aS_D          output D, displacement from position 0; dS_D ddS_D
-
 Dimensionless values are in units of the crank length l_1 and its speed omega_1; they do not depend on the
 speed. A column is computed when it is asked for.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.columns import Column, degrees
+from tmmcalc.core.columns import Column, column, degrees
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.quantity import Quantity
 from tmmcalc.linkage.results import Kinematics
+
+PHI = Quantity("phi[{unit}]", "input coordinate counted from position 0")
+OMEGA_1 = Quantity("omega_1[rad/s]", "speed of the crank, the unit of dimensionless speeds")
+# value, velocity, acceleration, first and second transfer function of each
+OUTPUT = (
+    Quantity("S_{output}[{own}]", "displacement of output {output} from position 0"),
+    Quantity("vS_{output}[{velocity}]", "velocity of output {output}"),
+    Quantity("aS_{output}[{acceleration}]", "acceleration of output {output}"),
+    Quantity("dS_{output}[{value}/{per}]", "first transfer function of output {output}"),
+    Quantity("ddS_{output}[{value}/{per}^2]", "second transfer function of output {output}"),
+)
+LINK = (
+    Quantity("angle_{link}[deg]", "angle of link {link}"),
+    Quantity("omega_{link}[{omega}]", "angular velocity of link {link}"),
+    Quantity("eps_{link}[{eps}]", "angular acceleration of link {link}"),
+    Quantity("dangle_{link}[rad/{per}]", "first transfer function of the angle of link {link}"),
+    Quantity("ddangle_{link}[rad/{per}^2]", "second transfer function of the angle of link {link}"),
+)
+POINT = (
+    Quantity("{axis}_{point}[{length}]", "{axis} of point {point}"),
+    Quantity("v{axis}_{point}[{velocity}]", "velocity of point {point} along {axis}"),
+    Quantity("a{axis}_{point}[{acceleration}]", "acceleration of point {point} along {axis}"),
+    Quantity("d{axis}_{point}[{length}/{per}]", "first transfer function of {axis} of point {point}"),
+    Quantity("dd{axis}_{point}[{length}/{per}^2]", "second transfer function of {axis} of point {point}"),
+)
+SLIDE = (
+    Quantity("s_{joint}[{length}]", "coordinate of prismatic joint {joint}"),
+    Quantity("v_{joint}[{velocity}]", "velocity in prismatic joint {joint}"),
+    Quantity("a_{joint}[{acceleration}]", "acceleration in prismatic joint {joint}"),
+    Quantity("ds_{joint}[{length}/{per}]", "first transfer function of prismatic joint {joint}"),
+    Quantity("dds_{joint}[{length}/{per}^2]", "second transfer function of prismatic joint {joint}"),
+)
 
 
 class _Units(NamedTuple):
@@ -33,6 +60,21 @@ class _Units(NamedTuple):
     omega: tuple[str, float]
     eps: tuple[str, float]
     per: str  # the unit of the input coordinate
+
+    @property
+    def names(self) -> dict[str, str]:
+        """The units by their places in the keys."""
+        pairs = self._asdict()
+        return {name: unit if name == "per" else unit[0] for name, unit in pairs.items()}
+
+    @property
+    def linear(self) -> tuple[float, ...]:
+        """Factors of a length, its velocity and acceleration, its transfer functions."""
+        length = self.length[1]
+        return length, self.velocity[1], self.acceleration[1], length, length
+
+
+DEGREES = ("deg", float(np.rad2deg(1.0)))
 
 
 def _units(result: Kinematics, dimensionless: bool) -> _Units:
@@ -56,36 +98,25 @@ def _units(result: Kinematics, dimensionless: bool) -> _Units:
     )
 
 
-Quantity = tuple[str, tuple[str, float], Callable[[], Real]]
-DEGREES = ("deg", float(np.rad2deg(1.0)))
-
-
 def columns(result: Kinematics, *, dimensionless: bool = False) -> list[Column]:
     """All columns of a result in their usual order; raises `UsageError` for dimensionless driven sliders."""
     units = _units(result, dimensionless)
-    everything = (
-        ("phi", ("deg", 1.0), lambda: degrees(result.phi))
-        if result.turns
-        else ("phi", units.length, lambda: result.phi),
+    return [
+        phi_column(result.phi, result.turns),
         *_output_columns(result, units),
         *_link_columns(result, units),
         *_point_columns(result, units),
         *_slide_columns(result, units),
-    )
-    return [Column(name, unit, partial(_scaled, make, factor)) for name, (unit, factor), make in everything]
+    ]
 
 
 def phi_column(phi: Real, turns: bool) -> Column:
     """The input coordinate counted from position 0, of a crank in degrees."""
-    return Column("phi", "deg", partial(degrees, phi)) if turns else Column("phi", "m", lambda: phi)
+    return column(PHI.of(unit="deg"), partial(degrees, phi)) if turns else column(PHI.of(unit="m"), lambda: phi)
 
 
 def _scaled(make: Callable[[], Real], factor: float) -> Real:
     return make() if factor == 1.0 else make() * factor
-
-
-def _per(unit: tuple[str, float], per: str, order: int) -> tuple[str, float]:
-    return f"{unit[0]}/{per}{'^2' if order == 2 else ''}", unit[1]
 
 
 class _Stack(NamedTuple):
@@ -96,56 +127,54 @@ class _Stack(NamedTuple):
     rate: Plane | Real
     rate2: Plane | Real
 
-    def row(self, k: int, order: int, part: Callable[[Any], Any] = np.real) -> Callable[[], Real]:
-        """Row k of the value (0), of the first (1) or second (2) transfer function."""
-        return lambda: part((self.value, self.rate, self.rate2)[order][k])
+    def columns(
+        self, k: int, told: Sequence[Quantity], factors: Sequence[float], part: Callable[[Any], Any] = np.real
+    ) -> Iterator[Column]:
+        """The five columns of row k: value, velocity, acceleration, first and second transfer function."""
+        rates = (self.value, self.rate, self.rate2)
+        makes = (
+            lambda: part(rates[0][k]),
+            lambda: part(self.result.in_time(self.rate[k], self.rate2[k])[0]),
+            lambda: part(self.result.in_time(self.rate[k], self.rate2[k])[1]),
+            lambda: part(rates[1][k]),
+            lambda: part(rates[2][k]),
+        )
+        for each, make, factor in zip(told, makes, factors, strict=True):
+            yield column(each, partial(_scaled, make, factor))
 
-    def in_time(self, k: int, order: int, part: Callable[[Any], Any] = np.real) -> Callable[[], Real]:
-        """Row k of the velocity (1) or acceleration (2)."""
-        return lambda: part(self.result.in_time(self.rate[k], self.rate2[k])[order - 1])
 
-
-def _output_columns(result: Kinematics, units: _Units) -> Iterator[Quantity]:
+def _output_columns(result: Kinematics, units: _Units) -> Iterator[Column]:
     rows = _Stack(result, result.s, result.ds, result.dds)
     for k, (name, angular) in enumerate(zip(result.outputs, result.angular, strict=True)):
-        own = ("rad", 1.0) if angular else units.length
-        velocity, acceleration = (units.omega, units.eps) if angular else (units.velocity, units.acceleration)
-        yield f"S_{name}", DEGREES if angular else own, rows.row(k, 0)
-        yield f"vS_{name}", velocity, rows.in_time(k, 1)
-        yield f"aS_{name}", acceleration, rows.in_time(k, 2)
-        yield f"dS_{name}", _per(own, units.per, 1), rows.row(k, 1)
-        yield f"ddS_{name}", _per(own, units.per, 2), rows.row(k, 2)
+        if angular:
+            value, own, rates = ("rad", 1.0), DEGREES, (units.omega, units.eps)
+        else:
+            value, own, rates = units.length, units.length, (units.velocity, units.acceleration)
+        (velocity, by_velocity), (acceleration, by_acceleration) = rates
+        places = {"own": own[0], "value": value[0], "velocity": velocity, "acceleration": acceleration}
+        told = [each.of(output=name, per=units.per, **places) for each in OUTPUT]
+        yield from rows.columns(k, told, (own[1], by_velocity, by_acceleration, value[1], value[1]))
 
 
-def _link_columns(result: Kinematics, units: _Units) -> Iterator[Quantity]:
+def _link_columns(result: Kinematics, units: _Units) -> Iterator[Column]:
     t = result.trace
-    rows = _Stack(result, t.angle, t.dangle, t.ddangle)
+    rows, names = _Stack(result, t.angle, t.dangle, t.ddangle), units.names
+    factors = (DEGREES[1], units.omega[1], units.eps[1], 1.0, 1.0)
     for k, link in enumerate(t.link_ids):
-        yield f"angle_{link}", DEGREES, rows.row(k, 0)
-        yield f"omega_{link}", units.omega, rows.in_time(k, 1)
-        yield f"eps_{link}", units.eps, rows.in_time(k, 2)
-        yield f"dangle_{link}", _per(("rad", 1.0), units.per, 1), rows.row(k, 1)
-        yield f"ddangle_{link}", _per(("rad", 1.0), units.per, 2), rows.row(k, 2)
+        yield from rows.columns(k, [each.of(link=link, **names) for each in LINK], factors)
 
 
-def _point_columns(result: Kinematics, units: _Units) -> Iterator[Quantity]:
+def _point_columns(result: Kinematics, units: _Units) -> Iterator[Column]:
     t = result.trace
-    rows = _Stack(result, t.r, t.dr, t.ddr)
-    for k, name in enumerate(t.point_names):
+    rows, names = _Stack(result, t.r, t.dr, t.ddr), units.names
+    for k, point in enumerate(t.point_names):
         for axis, part in (("x", np.real), ("y", np.imag)):
-            yield f"{axis}_{name}", units.length, rows.row(k, 0, part)
-            yield f"v{axis}_{name}", units.velocity, rows.in_time(k, 1, part)
-            yield f"a{axis}_{name}", units.acceleration, rows.in_time(k, 2, part)
-            yield f"d{axis}_{name}", _per(units.length, units.per, 1), rows.row(k, 1, part)
-            yield f"dd{axis}_{name}", _per(units.length, units.per, 2), rows.row(k, 2, part)
+            told = [each.of(axis=axis, point=point, **names) for each in POINT]
+            yield from rows.columns(k, told, units.linear, part)
 
 
-def _slide_columns(result: Kinematics, units: _Units) -> Iterator[Quantity]:
+def _slide_columns(result: Kinematics, units: _Units) -> Iterator[Column]:
     t = result.trace
-    rows = _Stack(result, t.s, t.ds, t.dds)
-    for k, name in enumerate(t.joint_names):
-        yield f"s_{name}", units.length, rows.row(k, 0)
-        yield f"v_{name}", units.velocity, rows.in_time(k, 1)
-        yield f"a_{name}", units.acceleration, rows.in_time(k, 2)
-        yield f"ds_{name}", _per(units.length, units.per, 1), rows.row(k, 1)
-        yield f"dds_{name}", _per(units.length, units.per, 2), rows.row(k, 2)
+    rows, names = _Stack(result, t.s, t.ds, t.dds), units.names
+    for k, joint in enumerate(t.joint_names):
+        yield from rows.columns(k, [each.of(joint=joint, **names) for each in SLIDE], units.linear)

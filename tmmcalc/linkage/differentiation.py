@@ -10,11 +10,12 @@ positions written with six decimals the best step is 1.5 to 2 degrees, as the te
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 
 from tmmcalc.core.plane import Real
+from tmmcalc.core.quantity import quantity
+from tmmcalc.core.records import record
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.results import Trace
 from tmmcalc.linkage.trace import TURN, trace
@@ -56,24 +57,26 @@ def _rounded(positions: Trace, decimals: int | None, unit: float) -> Trace:
     )
 
 
-class DifferenceError(NamedTuple):
-    """Errors of central differences over the positions: largest and mean of |S'| and |S''| errors."""
+@record
+class DifferenceError:
+    """Errors of central differences over the positions."""
 
-    max_first: float
-    mean_first: float
-    max_second: float
-    mean_second: float
+    first: float = quantity("dS[{precision}]", "largest error of the first transfer function, lengths in units of l_1")
+    second: float = quantity(
+        "ddS[{precision}]", "largest error of the second transfer function, lengths in units of l_1"
+    )
 
 
-class StepError(NamedTuple):
-    """Errors of one step [rad or m], from positions rounded to some decimals and in double precision."""
+@record
+class StepError:
+    """Errors of one step, from positions rounded to some decimals and in double precision."""
 
-    step: float
+    step: float = quantity("step[{unit}]", "step of the central differences")
     rounded: DifferenceError
     double: DifferenceError
 
 
 def difference_error(exact: tuple[Real, Real], found: tuple[Real, Real], unit: float) -> DifferenceError:
     """Compare S', S'' (n,) by differences with the exact ones, in multiples of ``unit``."""
-    first, second = (np.abs(a - b) / unit for a, b in zip(exact, found, strict=True))
-    return DifferenceError(*(float(v) for v in (first.max(), first.mean(), second.max(), second.mean())))
+    first, second = (float(np.max(np.abs(a - b) / unit)) for a, b in zip(exact, found, strict=True))
+    return DifferenceError(first, second)

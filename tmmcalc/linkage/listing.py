@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.model import Mechanism
@@ -18,19 +19,24 @@ from tmmcalc.linkage.ways import chosen, ways_of
 class GroupAssembly:
     """One assembly of a group."""
 
-    group: str
-    variant: int  # what assembly.variants takes for it: the sign of a dyad, the number of a higher group
-    taken: bool
-    regularity: float  # 1 the best, 0 singular
-    determinant: float | None  # of a higher group's equations with unit columns: its sign stays along a branch
-    points: dict[str, complex]  # places of the named points of its links but its outer pins [m]
+    group: str = quantity("group", "name of the group")
+    variant: int = quantity("variant", "what assembly.variants takes: the sign of a dyad, the number of a higher group")
+    taken: bool = quantity("taken", "the mechanism takes this assembly")
+    regularity: float = quantity("regularity", "1 the best, 0 singular")
+    # of a higher group alone
+    determinant: float | None = quantity(
+        "determinant", "of the group's equations with unit columns; its sign stays along a branch"
+    )
+    points: dict[str, complex] = quantity(
+        "points[m]", "places of the named points of the group's links but of its outer pins"
+    )
 
 
 @record
 class Listing:
-    """All assemblies of the groups at the input coordinate ``x`` [rad or m], group by group."""
+    """All assemblies of the groups at one input coordinate [rad or m], group by group."""
 
-    x: float
+    x: float = quantity("x[{unit}]", "input coordinate")
     turns: bool
     assemblies: tuple[GroupAssembly, ...]
     undecided: str  # the group of which none is taken; those after it are not listed

@@ -12,6 +12,7 @@ import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.plane import Real
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import chain_of
@@ -25,18 +26,21 @@ from tmmcalc.linkage.results import Kinematics
 class PositionPlan:
     """n positions in the order of the motion, for the first output."""
 
-    output: str
+    output: str = quantity("output", "the output")
     angular: bool  # whether the output is an angle
     turns: bool  # crank (True) or driven slider
-    labels: tuple[str, ...]  # (n,)
-    x: Real  # input coordinate (n,) [rad or m]
-    phi: Real  # counted from position 0 (n,)
-    value: Real  # output coordinate (n,) [m or rad]
-    strokes: tuple[str, ...]  # (n,) working, idle, stroke 1 ... where there are more; empty without reversals
-    extremes: tuple[str, ...]  # (n,) "dead centre" at one, else empty
-    dead_centres: Real  # input coordinates (k,), the one before the working stroke first
-    stroke: float | None
-    time_ratio: float | None  # K
+    labels: tuple[str, ...] = quantity("i", "number of the position")  # (n,)
+    x: Real = quantity("input[{per}]", "input coordinate")  # (n,)
+    phi: Real = quantity("phi[{per}]", "input coordinate counted from position 0")  # (n,)
+    value: Real = quantity("{output}[{unit}]", "output coordinate")  # (n,)
+    # (n,) working, idle, stroke 1 ... where there are more; empty without reversals
+    strokes: tuple[str, ...] = quantity("stroke", "the stroke that the position belongs to")
+    extremes: tuple[str, ...] = quantity("extreme", "whether the position is a dead centre")  # (n,) empty: it is not
+    dead_centres: Real = quantity(  # (k,)
+        "dead_centres[{per}]", "input coordinates of the dead centres, the one before the working stroke first"
+    )
+    stroke: float | None = quantity("stroke[{unit}]", "largest distance between dead centres")
+    time_ratio: float | None = quantity("K", "ratio of the times of the strokes")
 
 
 def position_plan(mechanism: Mechanism, result: Kinematics) -> PositionPlan:

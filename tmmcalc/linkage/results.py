@@ -12,6 +12,7 @@ import numpy as np
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.structure import Structure
 
@@ -30,7 +31,7 @@ class Method:
     and trying the angle of another one, so that the rest is dyads.
     """
 
-    name: MethodName = "closed"
+    name: MethodName = quantity("method", "method of velocities and accelerations", default="closed")
     step: float | None = None
     decimals: int | None = None
 
@@ -99,7 +100,7 @@ class Domain:
     """All intervals where the mechanism assembles, within one turn of the crank or the reach of a slider."""
 
     intervals: tuple[Interval, ...]
-    full: bool  # the crank turns fully, or the slider has no limit
+    full: bool = quantity("assembles_everywhere", "the crank turns fully, or the slider has no limit")
 
 
 @record
@@ -122,21 +123,25 @@ class Extreme:
 class OutputSummary:
     """What section 17 of a course project asks of an output link.
 
-    ``dead_centres`` start with the one before the working stroke and follow the motion. ``stroke`` is the
-    largest distance between them [m or rad], of a link that goes round its longest stroke. ``working_angle``,
-    ``idle_angle`` [rad] and ``time_ratio`` K are None unless there are exactly two. ``velocity`` and
-    ``acceleration`` hold the smallest and the largest.
+    ``dead_centres`` start with the one before the working stroke and follow the motion. ``working_angle``,
+    ``idle_angle`` and ``time_ratio`` are None unless there are exactly two. ``velocity`` and ``acceleration`` hold the
+    smallest and the largest.
     """
 
     name: str
     angular: bool
-    dead_centres: tuple[DeadCentre, ...]
-    stroke: float | None
-    working_angle: float | None
-    idle_angle: float | None
-    time_ratio: float | None
-    velocity: tuple[Extreme, Extreme]
-    acceleration: tuple[Extreme, Extreme]
+    dead_centres: tuple[DeadCentre, ...] = quantity(
+        "dead_centres_{output}[{per}]", "input coordinates where output {output} turns back"
+    )
+    stroke: float | None = quantity(
+        "stroke_{output}[{unit}]",
+        "largest distance between dead centres of {output}, its longest stroke if it goes round",
+    )
+    working_angle: float | None = quantity("working_{output}[rad]", "angle of the crank over the working stroke")
+    idle_angle: float | None = quantity("idle_{output}[rad]", "angle of the crank over the idle stroke")
+    time_ratio: float | None = quantity("K_{output}", "ratio of the times of the strokes of {output}", symbol="K")
+    velocity: tuple[Extreme, Extreme] = quantity("vS_{output}[{unit}/s]", "velocity of output {output}")
+    acceleration: tuple[Extreme, Extreme] = quantity("aS_{output}[{unit}/s^2]", "acceleration of output {output}")
 
 
 @record
@@ -144,19 +149,21 @@ class GroupQuality:
     """Transmission and regularity of one group over the analysed range."""
 
     group: str
-    transmission: float | None  # smallest transmission angle [rad]; None: a higher group, which has none
+    transmission: float | None = quantity(  # None: a higher group, which has none
+        "transmission_min_{group}[rad]", "smallest transmission angle of {group}"
+    )
     transmission_at: float | None  # input coordinate there [rad or m]; None: the same everywhere
     regularity: float  # smallest regularity [-]
     regularity_at: float | None
     weak: tuple[Extreme, ...]  # every local minimum of the transmission angle below 30 degrees
     singular: tuple[Extreme, ...]  # every local minimum of the regularity below 0.05
 
-    @property
+    @derived("pressure_max_{group}[rad]", "largest pressure angle of {group}")
     def pressure(self) -> float | None:
         """Largest pressure angle [rad]."""
         return None if self.transmission is None else math.pi / 2 - self.transmission
 
-    @property
+    @derived("amplification_max_{group}", "largest factor by which {group} amplifies errors and velocities")
     def amplification(self) -> float:
         """Largest factor by which the group amplifies errors and velocities [-]."""
         return 1 / self.regularity
@@ -178,9 +185,9 @@ class Grade:
 class ErrorEstimate:
     """Estimated largest error of points over all positions, relative to the largest value of each kind [-]."""
 
-    position: float
-    velocity: float
-    acceleration: float
+    position: float = quantity("position", "relative error of positions")
+    velocity: float = quantity("velocity", "relative error of velocities")
+    acceleration: float = quantity("acceleration", "relative error of accelerations")
     reference: str
 
 
@@ -210,28 +217,32 @@ class Kinematics:
     """
 
     structure: Structure
-    variants: dict[str, int]  # by group name: the sign of a dyad, the number of an assembly of a higher group
+    variants: dict[str, int] = quantity(  # by group name
+        "variants", "the sign of a dyad, the number of an assembly of a higher group"
+    )
     branches: dict[str, Branch]  # by group name, of groups of class III and higher
     input_joint: str
     turns: bool  # crank (True) or driven slider
-    speed: float  # [rad/s] or [m/s]
-    acceleration: float  # [rad/s^2] or [m/s^2]
-    crank_length: float | None  # l_1 [m], the unit of dimensionless results; None for a driven slider
+    speed: float = quantity("speed[{unit}/s]", "speed of the input")
+    acceleration: float = quantity("acceleration[{unit}/s^2]", "acceleration of the input")
+    crank_length: float | None = quantity(  # None for a driven slider
+        "l_1[m]", "length of the crank, the unit of dimensionless results"
+    )
     labels: tuple[str, ...]  # (n,) position labels
     phi: Real  # (n,) input coordinate counted from position 0 [rad or m]
-    x: Real  # (n,) input coordinate [rad or m]
+    x: Real = quantity("{input}[{unit}]", "input coordinate")  # (n,)
     trace: Trace  # points, links, prismatic joints at x
     outputs: tuple[str, ...]  # (O,)
     angular: tuple[bool, ...]  # (O,) whether the output is an angle
     s: Real  # (O, n) displacement from position 0 [m or rad]
     ds: Real  # (O, n)
     dds: Real  # (O, n)
-    domain: Domain
+    domain: Domain = quantity("assembles_for[{unit}]", "intervals of the input coordinate where it assembles")
     summaries: tuple[OutputSummary, ...]
     qualities: tuple[GroupQuality, ...]
     grades: tuple[Grade, ...]
     method: Method
-    error: ErrorEstimate
+    error: ErrorEstimate = quantity("error", "estimated errors")
     counters: dict[str, int]
 
     def in_time(self, rate: np.ndarray, rate2: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

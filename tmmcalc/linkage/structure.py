@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from tmmcalc.core.errors import StructureError
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.matching import STAGE, check_pairs, components, matched, named
 from tmmcalc.linkage.model import FRAME, Input, Joint, Link, Mechanism
@@ -47,9 +48,9 @@ class Group:
 class Structure:
     """Result of the structural analysis of a mechanism of mobility 1."""
 
-    mobility: int  # W = 3 n - 2 p
-    links: int  # n, moving links
-    joints: int  # p, lower pairs
+    mobility: int = quantity("mobility", "mobility W = 3 n - 2 p", symbol="W")
+    links: int = quantity("links", "number of moving links", symbol="n")
+    joints: int = quantity("joints", "number of lower pairs", symbol="p")
     input_link: int  # the slider, where the drive acts between two moving links
     groups: tuple[Group, ...]  # in order of assembly
 
@@ -63,7 +64,7 @@ class Structure:
         """Whether no group is of class III or higher, nor holds the drive."""
         return all(group.kind for group in self.groups)
 
-    @property
+    @derived("formula", "structural formula")
     def formula(self) -> str:
         """Structural formula such as ``I(0,1) -> II RPR(2,3) -> II RRP(4,5)``."""
         parts = [f"I(0,{self.input_link})"] if self.driven is None else []
@@ -72,7 +73,7 @@ class Structure:
             parts.append(f"{number} {group.name}" if group.kind or group.drive else group.name)
         return " -> ".join(parts)
 
-    @property
+    @derived("class_number", "class of the mechanism")
     def class_number(self) -> int:
         """Class of the mechanism: the highest class of its groups."""
         return max((group.class_number for group in self.groups), default=1)

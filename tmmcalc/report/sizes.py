@@ -6,10 +6,11 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from tmmcalc.core.quantity import FORMS, Quantity
 from tmmcalc.report.document import View
 from tmmcalc.report.numbers import number
 
-UNITS = {"m": ("mm", 1e3), "Pa": ("MPa", 1e-6)}  # SI unit: the one of a drawing, factor
+UNITS = {unit: (drawn, FORMS[unit, drawn]) for unit, drawn in (("m", "mm"), ("Pa", "MPa"))}  # of a drawing, factors
 
 
 def quantity(value: float, unit: str, digits: int = 6) -> str:
@@ -35,10 +36,11 @@ def drawn(columns: Mapping[str, np.ndarray]) -> View:
     """A table for people: columns in m and Pa in the units of a drawing."""
     headers, values = [], []
     for header, column in columns.items():
-        name, _, unit = header.partition("[")
-        shown, factor = UNITS.get(unit.removesuffix("]"), ("", 1.0))
-        headers.append(f"{name}[{shown}]" if shown else header)
-        values.append((column * factor).tolist() if shown and column.dtype.kind == "f" else _scaled(column, factor))
+        told = Quantity(header, "")
+        unit = UNITS.get(told.unit, ("", 1.0))[0]
+        shown, factor = told.shown(unit) if unit else (header, 1.0)
+        headers.append(shown)
+        values.append((column * factor).tolist() if unit and column.dtype.kind == "f" else _scaled(column, factor))
     return View(headers, values)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from tmmcalc.core.quantity import keyed
 from tmmcalc.core.timelaw import TimeLaw
 from tmmcalc.core.timerows import TimedExtreme
 from tmmcalc.report.document import Fact
@@ -19,13 +20,13 @@ def law_facts(law: TimeLaw, angular: bool, what: str, prefix: str = "", which: s
     ``which`` says before "acceleration" what the law is of, where there is another one.
     """
     unit = "rad" if angular else "m"
+    places = {"prefix": prefix, "unit": unit}
     shown = f"{number(math.degrees(law.travel))} deg" if angular else f"{number(law.travel)} m"
-    yield Fact(f"travel of {what}", shown, {f"{prefix}S_m[{unit}]": law.travel})
-    ways = {f"{prefix}S_1[{unit}]": law.ramp_travel, f"{prefix}S_2[{unit}]": law.uniform_travel}
-    yield Fact("phases", _phases(law, which), _times(law, prefix) | ways)
+    yield Fact(f"travel of {what}", shown, keyed(law, "travel", **places))
+    values = keyed(law, "ramp", "uniform", "duration", "instants", "ramp_travel", "uniform_travel", **places)
+    yield Fact("phases", _phases(law, which), values)
     speed = f"{number(law.speed)} {unit}/s, acceleration {number(law.acceleration)} {unit}/s^2"
-    values = {f"{prefix}v_peak[{unit}/s]": law.speed, f"{prefix}a[{unit}/s^2]": law.acceleration}
-    yield Fact("largest speed", speed, values)
+    yield Fact("largest speed", speed, keyed(law, "speed", "acceleration", **places))
 
 
 def _phases(law: TimeLaw, which: str) -> str:
@@ -39,15 +40,6 @@ def _phases(law: TimeLaw, which: str) -> str:
     )
     instants = ", ".join(number(t) for t in law.instants)
     return f"{parts}\nT = {number(law.duration)} s; {which} acceleration jumps at t = {instants} s"
-
-
-def _times(law: TimeLaw, prefix: str) -> dict[str, object]:
-    return {
-        f"{prefix}t_1[s]": law.ramp,
-        f"{prefix}t_2[s]": law.uniform,
-        f"{prefix}T[s]": law.duration,
-        f"{prefix}jumps[s]": list(law.instants),
-    }
 
 
 def extreme_lines(found: Sequence[TimedExtreme]) -> str:
@@ -73,11 +65,5 @@ def extreme_values(found: Sequence[TimedExtreme]) -> dict[str, float]:
     """The extremes for programs."""
     values: dict[str, float] = {}
     for each in found:
-        unit = f"[{each.unit}]" if each.unit else ""
-        values |= {
-            f"{each.name}_min{unit}": each.least,
-            f"{each.name}_min_at[s]": each.least_at,
-            f"{each.name}_max{unit}": each.largest,
-            f"{each.name}_max_at[s]": each.largest_at,
-        }
+        values |= keyed(each, "least", "least_at", "largest", "largest_at", name=each.name, unit=each.unit)
     return values

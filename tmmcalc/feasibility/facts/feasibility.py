@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from tmmcalc.core.quantity import keyed, table
 from tmmcalc.feasibility.judge import Candidate, Feasibility, Verdict
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
@@ -16,26 +17,17 @@ def document(result: Feasibility, title: str) -> Document:
 
 
 def _view(rows: Sequence[Verdict]) -> View:
-    return View(
-        ["constraint", "quantity", "value", "unit", "at least", "at most", "margin[%]", "holds"],
-        [
-            [verdict.name for verdict in rows],
-            [verdict.quantity for verdict in rows],
-            [number(verdict.value) for verdict in rows],
-            [verdict.unit for verdict in rows],
-            [_limit(verdict.at_least) for verdict in rows],
-            [_limit(verdict.at_most) for verdict in rows],
-            [verdict.margin * 100 for verdict in rows],
-            ["yes" if verdict.holds else "no" for verdict in rows],
-        ],
-    )
+    shown = table(rows, Verdict, "name", "quantity", "value", "unit", "at_least", "at_most", "margin[%]", "holds")
+    name, quantity, value, unit, least, most, margin, holds = shown.values()
+    columns = [name, quantity, [*map(number, value)], unit, [*map(_limit, least)], [*map(_limit, most)], margin]
+    return View(list(shown), [*columns, ["yes" if each else "no" for each in holds]])
 
 
 def candidates_document(result: Feasibility, title: str, number: int | None = None) -> Document:
     """All designs, the best first; with ``number`` also the constraints of this one and warnings of what fails."""
     designs = result.candidates
     view = View(
-        ["i", "design", "feasible", f"function ({result.form})", "fails"],
+        list(table((), Candidate, "number", "name", "feasible", "function", "failing", form=result.form)),
         [
             [str(each.number) for each in designs],
             [each.name for each in designs],
@@ -47,25 +39,25 @@ def candidates_document(result: Feasibility, title: str, number: int | None = No
     if number is None:
         return Document(title, (_count(result),), (), view)
     shown = next(each for each in designs if each.number == number)
-    facts = (_count(result), Fact("rule", result.rule, {"rule": result.rule}), *map(_verdict_fact, shown.verdicts))
+    facts = (_count(result), Fact("rule", result.rule, keyed(result, "rule")), *map(_verdict_fact, shown.verdicts))
     return Document(title, facts, tuple(_design_notes(result, shown)), view)
 
 
 def _chosen(result: Feasibility) -> Fact:
     best = result.candidates[0]
     count = len(result.candidates)
-    return Fact("solution", f"{best.number} of {count}, {best.name}", {"solution": best.number, "solutions": count})
+    return Fact("solution", f"{best.number} of {count}, {best.name}", keyed(best, "number") | {"solutions": count})
 
 
 def _count(result: Feasibility) -> Fact:
     designs = result.candidates
     good = sum(each.feasible for each in designs)
-    values = {"feasible": good, "designs": len(designs), "chosen": result.chosen}
+    values = {"feasible": good, "designs": len(designs)} | keyed(result, "chosen")
     return Fact("feasible", f"{good} of {len(designs)} designs", values)
 
 
 def _verdict_fact(verdict: Verdict) -> Fact:
-    values = {"value": verdict.value, "unit": verdict.unit, "margin": verdict.margin, "holds": verdict.holds}
+    values = keyed(verdict, "value", "unit", "margin", "holds")
     text = f"{measured(verdict)}, {' and '.join(limits_in_words(verdict))}: {'holds' if verdict.holds else 'fails'}"
     return Fact(verdict.name, text, {f"constraint_{verdict.name}": values})
 
@@ -96,9 +88,9 @@ def _facts(result: Feasibility) -> tuple[Fact, ...]:
     chosen = (_chosen(result),) if result.candidates else ()
     return (
         *chosen,
-        Fact("rule", result.rule, {"rule": result.rule}),
-        Fact("feasible", verdict, {"feasible": result.feasible, "failing": list(result.failing)}),
-        Fact(f"function ({result.form})", number(result.function), {"function": result.function}),
+        Fact("rule", result.rule, keyed(result, "rule")),
+        Fact("feasible", verdict, keyed(result, "feasible", "failing")),
+        Fact(f"function ({result.form})", number(result.function), keyed(result, "function")),
     )
 
 

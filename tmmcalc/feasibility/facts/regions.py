@@ -6,6 +6,7 @@ from collections import Counter
 
 import numpy as np
 
+from tmmcalc.core.quantity import keyed, quantities, quantity_of
 from tmmcalc.feasibility.logic import Values
 from tmmcalc.feasibility.maps import Parameter, RegionMap
 from tmmcalc.report.document import Document, Fact, View
@@ -22,7 +23,7 @@ def region_document(result: RegionMap, title: str, *, everything: bool) -> Docum
     count = int(result.feasible.sum())
     points = len(result.feasible)
     facts = [
-        Fact("rule", result.rule, {"rule": result.rule}),
+        Fact("rule", result.rule, keyed(result, "rule")),
         *(Fact(way, _extent(each)) for way, each in zip(WAYS, result.parameters, strict=False)),
         Fact("feasible", f"{count} of {points} points", {"feasible": count, "points": points}),
         _best(result),
@@ -41,7 +42,7 @@ def _best(result: RegionMap) -> Fact:
     """The point where the rule is kept by the most, as it is written in overrides."""
     words = [each.assignments[k] for each, k in zip(result.parameters, result.at(result.best), strict=True)]
     label = "best point" if result.feasible.any() else "nearest point"
-    told = {"overrides": words, "function": float(result.function[result.best])}
+    told = {"overrides": words, quantity_of(RegionMap, "function").key: float(result.function[result.best])}
     return Fact(f"{label} ({result.form})", "\n".join(words), {label.replace(" ", "_"): told})
 
 
@@ -102,15 +103,18 @@ def _rows(result: RegionMap) -> View:
     for each, indices in zip(result.parameters, places, strict=True):
         headers.append(each.header)
         columns.append([each.values[k] for k in indices])
-    numbers = [(f"function ({result.form})", result.function)]
+    function = quantity_of(RegionMap, "function", form=result.form)
+    numbers = [(function.header, result.function)]
     for name, unit, values, margins in zip(result.names, result.units, result.values, result.margins, strict=True):
-        numbers += [(f"{name}[{unit}]" if unit else name, values), (f"margin_{name}", margins)]
-    told = [_known(row, result) for _, row in numbers]
+        keys = (quantity_of(RegionMap, part, constraint=name, unit=unit) for part in ("values", "margins"))
+        numbers += [(each.key, row) for each, row in zip(keys, (values, margins), strict=True)]
+    told = quantities(RegionMap)
+    known = [_known(row, result) for _, row in numbers]
     state = ["yes" if good else "no" for good in result.feasible]
     fails = [why or ", ".join(names) for why, names in zip(result.refused, result.failing, strict=True)]
     return View(
-        [*headers, "feasible", *(header for header, _ in numbers), "fails"],
-        [*columns, state, *told, fails],
+        [*headers, told["feasible"].key, *(header for header, _ in numbers), told["failing"].key],
+        [*columns, state, *known, fails],
     )
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 from tmmcalc.core.columns import select
+from tmmcalc.core.quantity import keyed
 from tmmcalc.linkage.synthesis.dwell.columns import USUAL, columns_of
 from tmmcalc.linkage.synthesis.dwell.results import Dwell, Largest
 from tmmcalc.report.document import Fact, View
@@ -19,23 +19,20 @@ def dwell_facts(dwell: Dwell) -> Iterator[Fact]:
     """Facts of one linkage; angles of the crank count from position 1 along the motion."""
     unit = "m" if dwell.output == "slider" else "rad"
     listed = [_at(each, f"{_amount(each.value, unit)}") for each in dwell.extremes]
-    values: dict[str, Any] = {"extremes": [_values(each) for each in dwell.extremes]}
-    yield Fact("extreme positions", "\n".join(listed), values)
+    yield Fact("extreme positions", "\n".join(listed), {"extremes": [keyed(each) for each in dwell.extremes]})
     largest = [_at(each, f"{each.name} {_amount(each.value, each.unit)}") for each in dwell.maxima]
-    yield Fact("largest values", "\n".join(largest), {"maxima": [_values(each) for each in dwell.maxima]})
-    for name, window in (("working stroke", dwell.working), ("idle stroke", dwell.idle)):
+    yield Fact("largest values", "\n".join(largest), {"maxima": [keyed(each) for each in dwell.maxima]})
+    for name, window in (("working", dwell.working), ("idle", dwell.idle)):
         low, high = (ANGLE * end for end in window)
-        yield Fact(
-            name, f"{angle(low)} to {angle(high)} deg, {angle(high - low)} deg", {f"{name[:-7]}[rad]": list(window)}
-        )
+        text = f"{angle(low)} to {angle(high)} deg, {angle(high - low)} deg"
+        yield Fact(f"{name} stroke", text, keyed(dwell, name))
     yield _check_fact(dwell)
     found = dwell.agreement
     text = (
         f"motion {found.motion:.0e}, forces {found.forces:.0e} against the rooms of kinematics and forces; "
         f"virtual work {found.virtual_work:.0e}; S in positions 2 and 3 {found.positions:.0e} h"
     )
-    names = ("motion", "forces", "virtual_work", "positions")
-    yield Fact("agreement", text, {"agreement": {name: getattr(found, name) for name in names}})
+    yield Fact("agreement", text, {"agreement": keyed(found)})
 
 
 def _check_fact(dwell: Dwell) -> Fact:
@@ -47,16 +44,11 @@ def _check_fact(dwell: Dwell) -> Fact:
         f"{found.steps} steps of the arc: S off by {number(100 * found.uniform, 3)} % of the stroke with equal steps, "
         f"{number(100 * found.cosine, 3)} % with cosine spacing"
     )
-    names = ("steps", "uniform", "cosine", "first", "last")
-    return Fact("relative trajectory", text, {"relative_trajectory": {name: getattr(found, name) for name in names}})
+    return Fact("relative trajectory", text, {"relative_trajectory": keyed(found)})
 
 
 def _at(each: Largest, text: str) -> str:
     return f"{text} at {angle(ANGLE * each.at)} deg"
-
-
-def _values(each: Largest) -> dict[str, Any]:
-    return {"name": each.name, "value": each.value, "unit": each.unit, "at[rad]": each.at}
 
 
 def _amount(value: float, unit: str) -> str:
@@ -78,8 +70,8 @@ def dwell_table(dwell: Dwell, patterns: Sequence[str], everything: bool) -> View
     for column in chosen:
         values = column.make()
         if not everything and column.unit in ("m", "rad"):
-            factor, unit = (1e3, "mm") if column.unit == "m" else (ANGLE, "deg")
-            headers.append(f"{column.name}[{unit}]")
+            header, factor = column.shown("mm" if column.unit == "m" else "deg")
+            headers.append(header)
             columns.append((factor * values).tolist())
         else:
             headers.append(column.header)

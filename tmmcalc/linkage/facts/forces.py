@@ -9,8 +9,10 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.columns import Column
+from tmmcalc.core.quantity import Quantity, keyed, quantity_of
+from tmmcalc.linkage.columns import PHI
 from tmmcalc.linkage.facts.places import extreme_values, place, span_fact, speed_text
-from tmmcalc.linkage.forces.columns import columns
+from tmmcalc.linkage.forces.columns import REACTION, columns, drive_of
 from tmmcalc.linkage.forces.results import Forces, PairForces
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.report.document import Document, Fact
@@ -19,6 +21,7 @@ from tmmcalc.report.positions import with_positions
 
 SMALL = 1e-6  # a normal force below this part of the largest has no arm worth a number
 SHOWN = 8  # positions named in a line
+ARM = Quantity("h_{joint}[m]", "arm of the normal force in {joint} where the reaction is the largest")
 DRIVES = {
     "coupling": "a moment through a coupling",
     "gear": "a gear on the crank",
@@ -59,24 +62,25 @@ def document(
 
 def _first(result: Forces, available: list[Column]) -> list[Column]:
     """Position, drive, sizes of all reactions; then the rest."""
-    sizes = {f"R_{pair.joint}" for pair in result.pairs}
-    rank = {"phi": 0, "M_drive": 1, "F_drive": 1}
+    sizes = {REACTION[-1].of(joint=pair.joint).name for pair in result.pairs}
+    rank = {PHI.name: 0, drive_of(result.turns).name: 1}
     return sorted(available, key=lambda column: rank.get(column.name, 2 if column.name in sizes else 3))
 
 
 def _drive_facts(result: Forces) -> list[Fact]:
     """Kind, extremes and power of the drive."""
-    label, key, unit = ("moment", "M_drive", "N*m") if result.turns else ("force", "F_drive", "N")
-    power = span_fact(result, "power of the drive", "P_drive", "W", result.power_extremes)
-    mean = result.power_mean
+    drive, work, mean = drive_of(result.turns), quantity_of(Forces, "power"), result.power_mean
+    power = span_fact(result, "power of the drive", work.name, work.unit, result.power_extremes)
+    told = quantity_of(Forces, "power_mean")
     power = replace(
         power,
         text=f"{power.text}\nmean {number(mean.value, peak=_peak(result.power_extremes))} W, to {mean.error:.0e} W",
-        values={**power.values, "P_drive_mean[W]": mean.value, "P_drive_mean_error[W]": mean.error},
+        values={**power.values, told.key: mean.value, told.marked("error").key: mean.error},
     )
+    label = "moment" if result.turns else "force"
     facts = [
-        Fact("drive", f"{DRIVES[result.drive_kind]}, at {speed_text(result)}", {"drive": result.drive_kind}),
-        span_fact(result, f"{label} of the drive", key, unit, result.drive_extremes),
+        Fact("drive", f"{DRIVES[result.drive_kind]}, at {speed_text(result)}", keyed(result, "drive_kind")),
+        span_fact(result, f"{label} of the drive", drive.name, drive.unit, result.drive_extremes),
         power,
     ]
     if result.mesh is not None:
@@ -91,7 +95,11 @@ def _mesh_fact(result: Forces, mesh: np.ndarray) -> Fact:
     at = max(result.drive_extremes, key=lambda extreme: abs(extreme.value))
     largest = Extreme(ratio * abs(at.value), at.x)
     text = f"max {number(largest.value)} N at {place(result, at.x)}"
-    return Fact("mesh force", text, extreme_values(result, "F_mesh_max", "N", largest))
+    return Fact("mesh force", text, _largest(result, quantity_of(Forces, "mesh").marked("max"), largest))
+
+
+def _largest(result: Forces, told: Quantity, extreme: Extreme) -> dict[str, Any]:
+    return extreme_values(result, told.name, told.unit, extreme)
 
 
 def _peak(pair: tuple[Extreme, Extreme]) -> float:
@@ -103,7 +111,7 @@ def _pair_fact(result: Forces, j: int) -> Fact:
     pair = result.pairs[j]
     largest = max(p.force.value for p in result.pairs)
     lines = [f"max {number(pair.force.value, peak=largest)} N at {place(result, pair.force.x)}"]
-    values: dict[str, Any] = extreme_values(result, f"R_{pair.joint}_max", "N", pair.force)
+    values: dict[str, Any] = _largest(result, quantity_of(PairForces, "force", joint=pair.joint), pair.force)
     if pair.couple is not None:
         parts = [_couple(result, pair, pair.couple), _arm(result, j), _edges(result, pair)]
         lines += [line for line, _ in parts if line]
@@ -113,7 +121,7 @@ def _pair_fact(result: Forces, j: int) -> Fact:
 
 
 def _couple(result: Forces, pair: PairForces, couple: Extreme) -> tuple[str, dict[str, Any]]:
-    values = extreme_values(result, f"M_{pair.joint}_max", "N*m", couple)
+    values = _largest(result, quantity_of(PairForces, "couple", joint=pair.joint), couple)
     if couple.value <= _no_couple(result):
         return "no couple: the resultant goes through the slider's point", values
     return f"max couple {number(couple.value)} N*m at {place(result, couple.x)}", values
@@ -135,7 +143,8 @@ def _arm(result: Forces, j: int) -> tuple[str, dict[str, Any]]:
     normal, couple = float(result.normal[j, k]), float(result.couple[j, k])
     if abs(normal) <= SMALL * max(p.force.value for p in result.pairs) or abs(couple) <= _no_couple(result):
         return "", {}
-    values = {f"h_{pair.joint}[m]": couple / normal, f"h_{pair.joint}_in_position": result.labels[k]}
+    told = ARM.of(joint=pair.joint)
+    values = {told.key: couple / normal, f"{told.name}_in_position": result.labels[k]}
     return f"arm h = {number(1e3 * couple / normal, 5)} mm in position {result.labels[k]}", values
 
 
@@ -143,8 +152,8 @@ def _edges(result: Forces, pair: PairForces) -> tuple[str, dict[str, Any]]:
     """Edge reactions of a slider of known length, and where the resultant leaves it."""
     if pair.pressure is None:
         return "", {}
-    values: dict[str, Any] = extreme_values(result, f"edge_{pair.joint}_max", "N", pair.pressure)
-    values[f"tips_{pair.joint}"] = list(pair.tips)
+    values = _largest(result, quantity_of(PairForces, "pressure", joint=pair.joint), pair.pressure)
+    values |= keyed(pair, "tips", joint=pair.joint)
     text = f"max edge reaction {number(pair.pressure.value)} N at {place(result, pair.pressure.x)}"
     tips = f"bears on two opposite edges in {_positions(pair.tips)}" if pair.tips else "bears on one side throughout"
     return f"{text}\n{tips}", values
@@ -179,5 +188,5 @@ def _check_facts(result: Forces) -> list[Fact]:
     text = f"equilibrium {balance:.0e}, drive by virtual power {virtual:.0e} (relative)"
     return [
         Fact("residuals", text, {"residual": {"equilibrium": balance, "virtual_power": virtual}}),
-        Fact("error of reactions (est.)", f"{result.error:.0e} (relative)", {"error": {"reactions": result.error}}),
+        Fact("error of reactions (est.)", f"{result.error:.0e} (relative)", {"error": keyed(result, "error")}),
     ]

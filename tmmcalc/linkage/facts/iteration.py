@@ -7,11 +7,15 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmmcalc.core.plane import Real
+from tmmcalc.core.quantity import Quantity, keyed, quantity_of
+from tmmcalc.linkage.forces.columns import FRICTION, FRICTION_MOMENT
 from tmmcalc.linkage.forces.iteration import Iteration
 from tmmcalc.report.document import Document, Fact, View
 
 SOLUTION = "solution"  # label of the row that the passes are compared with
-CHANGE, OFF = "change[%]", "off[%]"
+CHANGE = quantity_of(Iteration, "change").shown("%")[0]
+OFF = Quantity("off[%]", "largest distance of an unknown from the solution, as a part of it").key
+UNKNOWN = Quantity("{name}[{unit}]", "unknown {name} of the group")
 ARM = ".h"  # ends the name of an arm, which is in metres among forces
 LEAST_ARM = 1e-12  # [m]
 NOISE = 1e-12  # of the largest force
@@ -25,7 +29,7 @@ def iteration_document(found: Iteration, title: str, stop: float) -> Document:
     """
     acting = ", ".join(f"{joint} on link {link}" for joint, link in found.acting)
     facts = (
-        Fact("group", found.group, {"group": found.group}),
+        Fact("group", found.group, keyed(found, "group")),
         Fact("reactions and friction", f"what is done in {acting}; friction that the reactions of the row give"),
         Fact("stop", f"no unknown changes by more than {100 * stop:g} %", {"stop": stop}),
         _passes_fact(found),
@@ -37,7 +41,7 @@ def _passes_fact(found: Iteration) -> Fact:
     text = str(found.passes)
     if found.exact is not None:
         text += f"; the last is off by {100 * _off(found)[-1]:.2g} % of the solution"
-    return Fact("passes", text, {"passes": found.passes, "settled": found.stopped})
+    return Fact("passes", text, keyed(found, "passes", "stopped"))
 
 
 def _notes(found: Iteration) -> Iterator[str]:
@@ -56,9 +60,9 @@ def _off(found: Iteration) -> Real:
 
 
 def _view(found: Iteration) -> View:
-    units = [f"{name}[{'m' if name.endswith(ARM) else 'N'}]" for name in found.names]
-    letters = {"N": "F_fr", "N*m": "M_fr"}
-    friction = [f"{letters[unit]}_{joint}[{unit}]" for joint, unit in zip(found.joints, found.units, strict=True)]
+    unknowns = [UNKNOWN.of(name=name, unit="m" if name.endswith(ARM) else "N").key for name in found.names]
+    told = {each.unit: each for each in (FRICTION, FRICTION_MOMENT)}
+    friction = [told[unit].of(joint=joint).key for joint, unit in zip(found.joints, found.units, strict=True)]
     label = [str(k + 1) for k in range(found.passes)]
     rows = np.hstack((found.unknowns, found.friction[1:]))
     change: list[float | str] = ["", *(100 * found.change[1:]).tolist()]
@@ -68,7 +72,7 @@ def _view(found: Iteration) -> View:
         rows = np.vstack((rows, np.concatenate((found.exact, found.exact_friction))))
         change.append("")
         off = [*(100 * _off(found)).tolist(), ""]
-    headers = ["pass", CHANGE, OFF, *friction, *units]
+    headers = ["pass", CHANGE, OFF, *friction, *unknowns]
     count = len(found.names)
     columns = [label, change, off, *rows[:, count:].T.tolist(), *rows[:, :count].T.tolist()]
     return View(headers, columns, scientific=[CHANGE, OFF])

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from tmmcalc.core.columns import select
+from tmmcalc.core.quantity import Quantity, keyed, table
 from tmmcalc.linkage.columns import columns
+from tmmcalc.linkage.differentiation import DifferenceError, StepError
 from tmmcalc.linkage.kinematics import solve_kinematics, step_study
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
+
+BY_METHOD = Quantity("{column}_{method}[{unit}]", "{column} by {method}")
+SHARE = Quantity("{column}_diff[%]", "its difference from the exact {column}, against the largest value")
+DIFFERENCE = Quantity("difference_{column}[{unit}]", "difference of {column} by the method from the exact one")
 
 
 def comparison_document(mechanism: Mechanism, result: Kinematics, title: str) -> Document:
@@ -22,21 +27,19 @@ def comparison_document(mechanism: Mechanism, result: Kinematics, title: str) ->
     exact = solve_kinematics(mechanism, result.structure)
     headers: list[str] = ["i"]
     columns_: list[list[Any]] = [list(result.labels)]
-    facts = [Fact("method", result.method.name, {"method": result.method.name})]
+    facts = [Fact("method", result.method.name, keyed(result.method, "name"))]
     wanted = [f"{kind}S_{name}" for name in result.outputs for kind in ("v", "a")]
     for theirs, ours in zip(select(columns(exact), wanted), select(columns(result), wanted), strict=True):
         a, b = theirs.make(), ours.make()
         difference, largest = b - a, float(abs(a).max())
-        headers += [
-            f"{theirs.name}[{theirs.unit}]",
-            f"{ours.name}_{result.method.name}[{ours.unit}]",
-            f"{ours.name}_diff[%]",
-        ]
+        places = {"column": ours.name, "unit": ours.unit, "method": result.method.name}
+        headers += [theirs.header, *(told.of(**places).key for told in (BY_METHOD, SHARE))]
         share = 100 * difference / largest if largest else difference
         columns_ += [a.tolist(), b.tolist(), share.tolist()]
         worst, mean = float(abs(difference).max()), float(abs(difference).mean())
         text = f"max {number(worst, 4)} {ours.unit} ({number(float(abs(share).max()), 3)} %), mean {number(mean, 4)}"
-        values = {f"difference_{ours.name}_max[{ours.unit}]": worst, f"difference_{ours.name}_mean[{ours.unit}]": mean}
+        told = DIFFERENCE.of(**places)
+        values = {told.marked("max").key: worst, told.marked("mean").key: mean}
         facts.append(Fact(f"difference of {ours.name}", text, values))
     notes = tuple(str(grade) for grade in result.grades)
     return Document(title, tuple(facts), notes, View(headers, columns_), wide=True, more="print them with --format csv")
@@ -46,27 +49,18 @@ def study_document(mechanism: Mechanism, result: Kinematics, title: str, decimal
     """Error of central differences of the first output against their step, exact and rounded positions."""
     decimals = 6 if decimals is None else decimals
     rows = step_study(mechanism, result, decimals)
-    unit, factor = ("deg", math.degrees(1.0)) if result.turns else ("m", 1.0)
-    best = min(rows, key=lambda row: row.rounded.max_second)
+    best = min(rows, key=lambda row: row.rounded.second)
+    asked, unit = ("step[deg]", "rad") if result.turns else ("step", "m")
+    step = keyed(best, asked, unit=unit)
+    ((_, value),) = step.items()
+    shown = f"{number(value, 4)} {'deg' if result.turns else 'm'} with positions rounded to {decimals} decimals"
     facts = (
         Fact("output", result.outputs[0], {"output": result.outputs[0]}),
         Fact("errors", "largest over the positions, of the transfer functions in units of l_1"),
-        Fact(
-            "best step for S''",
-            f"{number(best.step * factor, 4)} {unit} with positions rounded to {decimals} decimals",
-            {f"best_step[{unit}]": best.step * factor},
-        ),
+        Fact("best step for S''", shown, {f"best_{key}": value for key in step}),
     )
-    errors = [f"dS[{decimals} decimals]", f"ddS[{decimals} decimals]", "dS[double]", "ddS[double]"]
-    view = View(
-        [f"step[{unit}]", *errors],
-        [
-            [row.step * factor for row in rows],
-            [row.rounded.max_first for row in rows],
-            [row.rounded.max_second for row in rows],
-            [row.double.max_first for row in rows],
-            [row.double.max_second for row in rows],
-        ],
-        scientific=errors,
-    )
+    errors = table([row.rounded for row in rows], DifferenceError, precision=f"{decimals} decimals")
+    errors |= table([row.double for row in rows], DifferenceError, precision="double")
+    columns_ = table(rows, StepError, asked, unit=unit) | errors
+    view = View(list(columns_), list(columns_.values()), scientific=list(errors))
     return Document(title, facts, (), view)

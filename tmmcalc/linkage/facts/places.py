@@ -10,10 +10,14 @@ import math
 from typing import Protocol
 
 from tmmcalc.core.plane import Real
+from tmmcalc.core.quantity import Quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.report.document import Fact
 from tmmcalc.report.numbers import angle, number
+
+VALUE = Quantity("{name}[{unit}]", "{name} at its extreme")
+PLACE = Quantity("{name}_at_phi[{step}]", "input coordinate from position 0 where {name} stands")
 
 
 class Result(Protocol):
@@ -61,8 +65,8 @@ def place(result: Result, theta: float) -> str:
 
 def extreme_values(result: Result, key: str, unit: str, extreme: Extreme) -> dict[str, float]:
     """An extreme for programs: its value and its place."""
-    step = "deg" if result.turns else "m"
-    return {f"{key}[{unit}]": extreme.value, f"{key}_at_phi[{step}]": phi_of(result, extreme.x)}
+    places = {"name": key, "unit": unit, "step": "deg" if result.turns else "m"}
+    return {VALUE.of(**places).key: extreme.value, PLACE.of(**places).key: phi_of(result, extreme.x)}
 
 
 def span_fact(result: Result, label: str, key: str, unit: str, pair: tuple[Extreme, Extreme]) -> Fact:

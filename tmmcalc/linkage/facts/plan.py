@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import math
+from typing import Any
 
+from tmmcalc.core.quantity import keyed
 from tmmcalc.linkage.plan import PositionPlan
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
@@ -11,27 +12,28 @@ from tmmcalc.report.numbers import angle, number
 
 def plan_document(plan: PositionPlan, title: str) -> Document:
     """Facts of the strokes and one row a position."""
-    across, unit = (math.degrees(1.0), "deg") if plan.turns else (1.0, "m")
-    out, of = (math.degrees(1.0), "deg") if plan.angular else (1.0, "m")
-    write = angle if plan.turns else number
-    centres = [across * x for x in plan.dead_centres.tolist()]
-    text = " and ".join(write(x) for x in centres)
-    facts = [Fact("output", plan.output, {"output": plan.output})]
-    if centres:
-        facts.append(Fact("dead centres", f"{text} {unit}", {f"dead_centres[{unit}]": centres}))
+    places = {"output": plan.output, "per": "rad" if plan.turns else "m", "unit": "rad" if plan.angular else "m"}
+
+    def told(name: str, angular: bool) -> dict[str, Any]:
+        return keyed(plan, f"{name}[deg]" if angular else name, **places)
+
+    facts = [Fact("output", plan.output, keyed(plan, "output"))]
+    if len(plan.dead_centres):
+        values = told("dead_centres", plan.turns)
+        text = " and ".join((angle if plan.turns else number)(x) for x in next(iter(values.values())))
+        facts.append(Fact("dead centres", f"{text} {'deg' if plan.turns else 'm'}", values))
     if plan.stroke is not None:
-        stroke = out * plan.stroke
-        shown = angle(stroke) if plan.angular else number(stroke)
-        facts.append(Fact("stroke", f"{shown} {of}", {f"stroke[{of}]": stroke}))
+        values = told("stroke", plan.angular)
+        text = (angle if plan.angular else number)(next(iter(values.values())))
+        facts.append(Fact("stroke", f"{text} {'deg' if plan.angular else 'm'}", values))
     if plan.time_ratio is not None:
-        facts.append(Fact("time ratio K", number(plan.time_ratio), {"K": plan.time_ratio}))
-    headers = ["i", f"phi[{unit}]", f"input[{unit}]", f"{plan.output}[{of}]", "stroke", "extreme"]
+        facts.append(Fact("time ratio K", number(plan.time_ratio), keyed(plan, "time_ratio")))
     columns = [
-        list(plan.labels),
-        [across * v for v in plan.phi.tolist()],
-        [across * v for v in plan.x.tolist()],
-        [out * v for v in plan.value.tolist()],
-        list(plan.strokes),
-        list(plan.extremes),
+        *keyed(plan, "labels").items(),
+        *told("phi", plan.turns).items(),
+        *told("x", plan.turns).items(),
+        *told("value", plan.angular).items(),
+        *keyed(plan, "strokes", "extremes").items(),
     ]
-    return Document(title, tuple(facts), table=View(headers, columns))
+    view = View([header for header, _ in columns], [values for _, values in columns])
+    return Document(title, tuple(facts), table=view)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from tmmcalc.core.quantity import keyed, table
 from tmmcalc.linkage.structure import ROMAN, Structure
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
@@ -21,10 +22,10 @@ def summary(result: Structure, title: str) -> Document:
         Fact(
             "mobility",
             f"W = 3n - 2p = 3*{n} - 2*{p} = {result.mobility}",
-            {"mobility": result.mobility, "links": n, "joints": p},
+            keyed(result, "mobility", "links", "joints"),
         ),
-        Fact("structural formula", result.formula, {"formula": result.formula}),
-        Fact("class of the mechanism", roman, {"class_number": result.class_number}),
+        Fact("structural formula", result.formula, keyed(result, "formula")),
+        Fact("class of the mechanism", roman, keyed(result, "class_number")),
     )
     groups = result.groups
     view = View(
@@ -43,12 +44,14 @@ def summary(result: Structure, title: str) -> Document:
 
 def assemblies_document(listing: Listing, structure: Structure, title: str) -> Document:
     """All assemblies of every group, one row each, with the places of their points."""
+    from tmmcalc.linkage.listing import GroupAssembly
+
     place = f"{number(math.degrees(listing.x))} deg" if listing.turns else f"{number(listing.x)} m"
     counts = {group.name: sum(one.group == group.name for one in listing.assemblies) for group in structure.groups}
-    unit, key = ("deg", math.degrees(listing.x)) if listing.turns else ("m", listing.x)
+    at = keyed(listing, "x[deg]", unit="rad") if listing.turns else keyed(listing, "x", unit="m")
     facts = (
-        Fact("structural formula", structure.formula, {"formula": structure.formula}),
-        Fact("at the input coordinate", place, {f"x[{unit}]": key}),
+        Fact("structural formula", structure.formula, keyed(structure, "formula")),
+        Fact("at the input coordinate", place, at),
         Fact("assemblies", ", ".join(f"{name} {count}" for name, count in counts.items()), {"assemblies": counts}),
     )
     notes = []
@@ -60,7 +63,7 @@ def assemblies_document(listing: Listing, structure: Structure, title: str) -> D
     rows = listing.assemblies
     size = max((abs(z) * 1e3 for one in rows for z in one.points.values()), default=0.0)
     view = View(
-        ["group", "variant", "taken", "regularity", "determinant", "points[mm]"],
+        list(table((), GroupAssembly, "group", "variant", "taken", "regularity", "determinant", "points[mm]")),
         [
             [one.group for one in rows],
             [f"{one.variant:+d}" if one.determinant is None else str(one.variant) for one in rows],

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.columns import picked
+from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.linkage.synthesis.columns import columns
 from tmmcalc.linkage.synthesis.results import Check, Design, Precision, Size, StrokeTimes, Synthesis, check_key
 from tmmcalc.report.document import Document, Fact, View
@@ -46,8 +47,8 @@ def _facts(result: Synthesis, design: Design, choose: int) -> Iterator[Fact]:
     yield _kind_fact(result)
     count = len(result.designs)
     shown = f"{choose} of {count}, {design.name}" if count > 1 else design.name
-    yield Fact("solution", shown, {"solution": choose, "solutions": count, "name": design.name})
-    yield Fact("chosen by", result.rule, {"rule": result.rule})
+    yield Fact("solution", shown, {"solution": choose, "solutions": count} | keyed(design, "name"))
+    yield Fact("chosen by", result.rule, keyed(result, "rule"))
     for size in design.sizes:
         yield _size_fact(size)
     if design.times is not None:
@@ -63,13 +64,13 @@ def _facts(result: Synthesis, design: Design, choose: int) -> Iterator[Fact]:
 
         yield from dwell_facts(design.dwell)
     defects = "\n".join(design.defects) or "none"
-    yield Fact("defects", defects, {"defects": list(design.defects)})
-    yield Fact("residual", f"{result.residual:.0e}", {"residual": result.residual})
+    yield Fact("defects", defects, keyed(design, "defects"))
+    yield Fact("residual", f"{result.residual:.0e}", keyed(result, "residual"))
     if result.counters:
         text = ", ".join(
             f"{value} {name if value != 1 else name.removesuffix('s')}" for name, value in result.counters.items()
         )
-        yield Fact("search", text, {"counters": dict(result.counters)})
+        yield Fact("search", text, keyed(result, "counters"))
 
 
 def _merit_facts(design: Design) -> Iterator[Fact]:
@@ -79,7 +80,7 @@ def _merit_facts(design: Design) -> Iterator[Fact]:
 
 
 def _kind_fact(result: Synthesis) -> Fact:
-    return Fact("synthesis", result.kind.replace("_", " "), {"kind": result.kind})
+    return Fact("synthesis", result.kind.replace("_", " "), keyed(result, "kind"))
 
 
 def shown(value: float, unit: str) -> str:
@@ -90,30 +91,27 @@ def shown(value: float, unit: str) -> str:
 
 
 def _size_fact(size: Size) -> Fact:
-    key = size.symbol if size.unit == "-" else f"{size.symbol}[{size.unit}]"
-    return Fact(size.symbol, f"{shown(size.value, size.unit)}, {size.meaning}", {key: size.value})
+    return Fact(size.symbol, f"{shown(size.value, size.unit)}, {size.meaning}", {size.told.key: size.value})
 
 
 def _time_facts(times: StrokeTimes) -> Iterator[Fact]:
-    rpm = times.crank_speed * 30 / math.pi
-    yield Fact("speed of the crank", f"{number(rpm)} rpm", {"n[rpm]": rpm, "omega[rad/s]": times.crank_speed})
+    yield Fact("speed of the crank", f"{number(times.rpm)} rpm", keyed(times, "rpm", "crank_speed"))
     text = f"working {number(times.working_time)} s, idle {number(times.idle_time)} s, cycle {number(times.period)} s"
-    yield Fact("times", text, {"t_p[s]": times.working_time, "t_x[s]": times.idle_time, "t[s]": times.period})
+    yield Fact("times", text, keyed(times, "working_time", "idle_time", "period"))
     text = f"working {angle(times.working_angle * ANGLE)} deg, idle {angle(times.idle_angle * ANGLE)} deg of the crank"
-    yield Fact("strokes", text, {"alpha_p[rad]": times.working_angle, "alpha_x[rad]": times.idle_angle})
+    yield Fact("strokes", text, keyed(times, "working_angle", "idle_angle"))
     text = f"working {number(times.working_speed)}, idle {number(times.idle_speed)}, cycle {number(times.mean_speed)}"
-    symbol = "v" if times.unit == "m" else "omega"
-    speeds = (("p", times.working_speed), ("x", times.idle_speed), ("mean", times.mean_speed))
-    values = {f"{symbol}_{which}[{times.unit}/s]": speed for which, speed in speeds}
+    letter = "v" if times.unit == "m" else "omega"
+    values = keyed(times, "working_speed", "idle_speed", "mean_speed", letter=letter, unit=times.unit)
     yield Fact(f"mean speeds, {times.unit}/s", text, values)
 
 
 def _check_fact(found: Check) -> Fact:
     text = f"{shown(found.achieved, found.unit)} by simulation"
-    values: dict[str, Any] = {"achieved": found.achieved, "unit": found.unit}
+    values = keyed(found, "achieved", "unit")
     if found.target is not None and found.residual is not None:
         text += f", wanted {shown(found.target, found.unit)} (residual {found.residual:.0e})"
-        values |= {"target": found.target, "residual": found.residual}
+        values |= keyed(found, "target", "residual")
     return Fact(f"check: {found.name}", text, {check_key(found.name): values})
 
 
@@ -121,28 +119,28 @@ def _sense_fact(found: Precision) -> Fact:
     """In which sense the crank turns, and between which angles."""
     way = "counter-clockwise" if found.sense > 0 else "clockwise"
     first, last = (angle(float(found.crank[k]) * ANGLE) for k in (0, -1))
-    return Fact("crank turns", f"{way}, from {first} to {last} deg", {"sense": found.sense})
+    return Fact("crank turns", f"{way}, from {first} to {last} deg", keyed(found, "sense"))
 
 
 def _precision_fact(found: Precision) -> Fact:
     """Errors at the points; the first of many."""
-    values: dict[str, Any] = {"crank[rad]": found.crank.tolist()}
+    values = keyed(found, "crank")
     if len(found.points):
         off = np.abs(found.reached - found.points)
-        values |= {"points[m]": _pairs(found.points), "reached[m]": _pairs(found.reached)}
+        values |= {key: _pairs(points) for key, points in keyed(found, "points", "reached").items()}
         lines = [
             f"{_point(p)} mm at {angle(x * ANGLE)} deg, off by {1e3 * o:.0e} mm"
             for p, x, o in zip(found.points.tolist(), found.crank, off, strict=True)
         ]
     else:
-        values |= {f"wanted[{found.unit}]": found.wanted.tolist(), f"found[{found.unit}]": found.found.tolist()}
+        values |= keyed(found, "wanted", "found", unit=found.unit)
         factor, unit = (1e3, "mm") if found.unit == "m" else (ANGLE, "deg")
         lines = [
             f"{angle(x * ANGLE)} deg of the crank, off by {abs(factor * (f - w)):.0e} {unit}"
             for x, w, f in zip(found.crank, found.wanted, found.found, strict=True)
         ]
     if len(found.angle_errors):
-        values["angle_errors[rad]"] = found.angle_errors.tolist()
+        values |= keyed(found, "angle_errors")
     rest = [f"... and {len(lines) - FEW} more"] if len(lines) > FEW else []
     return Fact("points", "\n".join([*lines[:FEW], *rest]), {"precision": values})
 
@@ -151,8 +149,8 @@ def _point(p: complex) -> str:
     return f"({number(1e3 * p.real, 6)}, {number(1e3 * p.imag, 6)})"
 
 
-def _pairs(points: np.ndarray) -> list[list[float]]:
-    return [[float(p.real), float(p.imag)] for p in points]
+def _pairs(points: Sequence[complex]) -> list[list[float]]:
+    return [[p.real, p.imag] for p in points]
 
 
 def _table(result: Synthesis, patterns: Sequence[str], everything: bool) -> View:
@@ -165,7 +163,8 @@ def _table(result: Synthesis, patterns: Sequence[str], everything: bool) -> View
 
 def _drawn(header: str, values: Sequence[Any]) -> tuple[str, Sequence[Any]]:
     """A column for people: mm and degrees."""
-    for unit, new, factor in (("[m]", "[mm]", 1e3), ("[rad]", "[deg]", ANGLE)):
-        if header.endswith(unit):
-            return header.replace(unit, new), [factor * value for value in values]
+    for unit, new in (("m", "mm"), ("rad", "deg")):
+        if header.endswith(f"[{unit}]"):
+            told, factor = Quantity(header, "").shown(new)
+            return told, [factor * value for value in values]
     return header, values

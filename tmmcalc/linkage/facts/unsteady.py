@@ -7,7 +7,8 @@ import re
 from collections.abc import Iterator, Sequence
 
 from tmmcalc.core.columns import Column
-from tmmcalc.linkage.unsteady.columns import unsteady_columns
+from tmmcalc.core.quantity import keyed
+from tmmcalc.linkage.unsteady.columns import OUTPUT, unsteady_columns
 from tmmcalc.linkage.unsteady.results import Unsteady
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import angle, number
@@ -55,15 +56,13 @@ def _facts(result: Unsteady) -> Iterator[Fact]:
     yield from _extreme_facts(result)
     e = result.error
     text = f"position {e.position:.0e}, velocity {e.velocity:.0e}, acceleration {e.acceleration:.0e}"
-    values = {"error": {"position": e.position, "velocity": e.velocity, "acceleration": e.acceleration}}
-    yield Fact("error (est.)", f"{text} (relative)", values)
+    yield Fact("error (est.)", f"{text} (relative)", {"error": keyed(e)})
 
 
 def _ends_fact(result: Unsteady) -> Fact:
     name = f"angle_{result.input_link}" if result.turns else f"s_{result.input_joint}"
     shown = [_amount(value, result.turns) for value in (result.start, result.end)]
-    unit = "rad" if result.turns else "m"
-    values = {f"x_start[{unit}]": result.start, f"x_end[{unit}]": result.end}
+    values = keyed(result, "start", "end", unit="rad" if result.turns else "m")
     return Fact("input", f"{name} from {shown[0]} to {shown[1]}", values)
 
 
@@ -74,8 +73,8 @@ def _amount(value: float, angular: bool) -> str:
 def _output_fact(result: Unsteady, k: int, name: str, angular: bool) -> Fact:
     start, end = (float(result.coordinate[0, k, row]) for row in (0, -1))
     text = f"from {_amount(start, angular)} to {_amount(end, angular)}, by {_amount(end - start, angular)}"
-    unit = "rad" if angular else "m"
-    return Fact(f"output {name}", text, {f"S_{name}_start[{unit}]": start, f"S_{name}_end[{unit}]": end})
+    told = OUTPUT[0].of(output=name, own="rad" if angular else "m")
+    return Fact(f"output {name}", text, {told.marked("start").key: start, told.marked("end").key: end})
 
 
 def _extreme_facts(result: Unsteady) -> Iterator[Fact]:

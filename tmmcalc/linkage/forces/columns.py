@@ -1,12 +1,4 @@
-"""The columns of the forces table.
-
-R_A_x R_A_y R_A   force of the lower-numbered link on the higher-numbered one in joint A, and its size
-N_D M_D           prismatic pair: normal force, and couple about the slider's point; N'_D N''_D its edge reactions
-F_fr_D M_fr_A     friction along the line of a prismatic pair, about the pin of a revolute one
-M_drive P_drive   moment (F_drive: force) of the drive along the positive input coordinate, and its power
-F_mesh_x F_mesh_y force of the pinion on the crank's gear
-equilibrium virtual   residuals, relative
-"""
+"""The columns of the forces table; a reaction is the force of the lower-numbered link on the higher-numbered one."""
 
 from __future__ import annotations
 
@@ -14,47 +6,68 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.core.columns import Column
+from tmmcalc.core.columns import Column, column
+from tmmcalc.core.quantity import Quantity, quantities, quantity_of
 from tmmcalc.linkage.columns import phi_column
 from tmmcalc.linkage.forces.edges import edge_reactions
 from tmmcalc.linkage.forces.results import Forces, PairForces
 
+REACTION = (
+    Quantity("R_{joint}_x[N]", "reaction in {joint} along x"),
+    Quantity("R_{joint}_y[N]", "reaction in {joint} along y"),
+    Quantity("R_{joint}[N]", "size of the reaction in {joint}"),
+)
+NORMAL = Quantity("N_{joint}[N]", "normal force in prismatic pair {joint}")
+COUPLE = Quantity("M_{joint}[N*m]", "couple in prismatic pair {joint} about the slider's point")
+EDGES = (
+    Quantity("N'_{joint}[N]", "reaction of the edge ahead in {joint}"),
+    Quantity("N''_{joint}[N]", "reaction of the edge behind in {joint}"),
+)
+FRICTION = Quantity("F_fr_{joint}[N]", "friction along the line of prismatic pair {joint}")
+FRICTION_MOMENT = Quantity("M_fr_{joint}[N*m]", "moment of friction about the pin of {joint}")
+MESH = tuple(quantity_of(Forces, "mesh").marked(axis) for axis in ("x", "y"))
+
+
+def drive_of(turns: bool) -> Quantity:
+    """What the drive does along its coordinate: a moment on a crank, else a force."""
+    letter, unit = ("M", "N*m") if turns else ("F", "N")
+    return quantity_of(Forces, "drive", letter=letter, unit=unit)
+
 
 def columns(result: Forces) -> list[Column]:
     """All columns of a result in their usual order."""
-    drive = ("M_drive", "N*m") if result.turns else ("F_drive", "N")
-    pairs = [column for j, pair in enumerate(result.pairs) for column in _pair(result, j, pair)]
+    told = quantities(Forces)
+    pairs = [each for j, pair in enumerate(result.pairs) for each in _pair(result, j, pair)]
     return [
         phi_column(result.phi, result.turns),
-        Column(*drive, lambda: result.drive),
-        Column("P_drive", "W", lambda: result.power),
+        column(drive_of(result.turns), lambda: result.drive),
+        column(told["power"], lambda: result.power),
         *pairs,
         *_mesh(result),
-        Column("equilibrium", "-", lambda: result.equilibrium),
-        Column("virtual", "-", lambda: result.virtual),
+        column(told["equilibrium"], lambda: result.equilibrium),
+        column(told["virtual"], lambda: result.virtual),
     ]
 
 
 def _pair(result: Forces, j: int, pair: PairForces) -> Iterator[Column]:
-    name = pair.joint
-    yield Column(f"R_{name}_x", "N", lambda: result.reaction[j].real)
-    yield Column(f"R_{name}_y", "N", lambda: result.reaction[j].imag)
-    yield Column(f"R_{name}", "N", lambda: np.abs(result.reaction[j]))
+    reaction = (lambda: result.reaction[j].real, lambda: result.reaction[j].imag, lambda: np.abs(result.reaction[j]))
+    for told, make in zip(REACTION, reaction, strict=True):
+        yield column(told.of(joint=pair.joint), make)
     if pair.kind == "prismatic":
-        yield Column(f"N_{name}", "N", lambda: result.normal[j])
-        yield Column(f"M_{name}", "N*m", lambda: result.couple[j])
+        yield column(NORMAL.of(joint=pair.joint), lambda: result.normal[j])
+        yield column(COUPLE.of(joint=pair.joint), lambda: result.couple[j])
         if pair.length:
             ahead, behind = edge_reactions(result.normal[j], result.couple[j], pair.length)
-            yield Column(f"N'_{name}", "N", lambda: ahead)
-            yield Column(f"N''_{name}", "N", lambda: behind)
+            yield column(EDGES[0].of(joint=pair.joint), lambda: ahead)
+            yield column(EDGES[1].of(joint=pair.joint), lambda: behind)
         if pair.friction:
-            yield Column(f"F_fr_{name}", "N", lambda: result.friction[j])
+            yield column(FRICTION.of(joint=pair.joint), lambda: result.friction[j])
     elif pair.friction and pair.radius:
-        yield Column(f"M_fr_{name}", "N*m", lambda: result.friction[j])
+        yield column(FRICTION_MOMENT.of(joint=pair.joint), lambda: result.friction[j])
 
 
 def _mesh(result: Forces) -> Iterator[Column]:
     mesh = result.mesh
     if mesh is not None:
-        yield Column("F_mesh_x", "N", lambda: mesh.real)
-        yield Column("F_mesh_y", "N", lambda: mesh.imag)
+        yield column(MESH[0], lambda: mesh.real)
+        yield column(MESH[1], lambda: mesh.imag)

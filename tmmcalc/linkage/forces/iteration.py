@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.forces.cut import Cut
 from tmmcalc.linkage.forces.dyad import Reactions
@@ -35,7 +36,7 @@ class Iteration:
     revolute pair of a dyad, x and y of another one; N and the arm h of a prismatic pair.
     """
 
-    group: str
+    group: str = quantity("group", "name of the group")
     acting: tuple[
         tuple[str, int], ...
     ]  # its joints, of a dyad outer of a, inner, outer of b, and the link that each acts on
@@ -44,12 +45,14 @@ class Iteration:
     friction: Real  # (m + 1, k) friction in every solution; last: what the last reactions give
     names: tuple[str, ...]  # (u,) of the unknowns, such as "A.T"
     unknowns: Real  # (m, u) [N], arms [m]
-    change: Real  # (m,) largest relative change of an unknown from the solution before; the first is 1
-    stopped: bool  # whether the rule stopped it; False: it did not settle
+    change: Real = quantity(  # (m,) the first is 1
+        "change", "largest relative change of an unknown from the solution before", source="(3.30)"
+    )
+    stopped: bool = quantity("settled", "the rule stopped the passes")
     exact: Real | None  # (u,) the unknowns of the solution that `friction` finds; None if the group locks itself
     exact_friction: Real | None  # (k,) and its friction
 
-    @property
+    @derived("passes", "solutions until the stop")
     def passes(self) -> int:
         """Solutions until the stop m."""
         return len(self.unknowns)

@@ -5,17 +5,14 @@ from __future__ import annotations
 from typing import Literal
 
 from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.results import Extreme, Grade
 
 
 @record
 class PairForces:
-    """A pair: its name and kind, the two links, and the largest values with the angle theta where they stand.
-
-    ``force`` is |R|; ``couple`` of a prismatic pair is about the slider's point of the line; ``pressure`` is the
-    larger edge reaction of a slider whose length is given.
-    """
+    """A pair: its name and kind, the two links, and the largest values with the angle theta where they stand."""
 
     joint: str
     kind: Literal["revolute", "prismatic"]
@@ -23,10 +20,14 @@ class PairForces:
     friction: float  # coefficient
     radius: float  # of the pin [m]
     length: float | None  # of the slider [m]
-    force: Extreme
-    couple: Extreme | None
-    pressure: Extreme | None
-    tips: tuple[str, ...]  # positions where the slider bears on its edges
+    force: Extreme = quantity("R_{joint}_max[N]", "largest reaction in {joint}")
+    couple: Extreme | None = quantity(  # None: a revolute pair
+        "M_{joint}_max[N*m]", "largest couple in {joint} about the slider's point of the line"
+    )
+    pressure: Extreme | None = quantity(  # None: no slider whose length is given
+        "edge_{joint}_max[N]", "larger edge reaction of the slider of {joint}"
+    )
+    tips: tuple[str, ...] = quantity("tips_{joint}", "positions where the slider of {joint} bears on opposite edges")
 
 
 @record
@@ -55,15 +56,23 @@ class Forces:
     normal: Real  # (J, n) of a prismatic pair N along the line's left normal [N], of a revolute one |R|
     couple: Real  # (J, n) about the pin (its friction) or about the slider's point [N*m]
     friction: Real  # (J, n) along the line [N] or about the pin [N*m]
-    drive: Real  # (n,) moment [N*m] or force [N] of the drive along the positive input coordinate
-    power: Real  # (n,) of the drive [W]
-    mesh: Plane | None  # (n,) mesh force on the crank's gear [N]; None without a gear
-    drive_kind: Literal["coupling", "gear", "slider"]
-    equilibrium: Real  # (n,) largest residual of a link, against the largest force or moment [-]
-    virtual: Real  # (n,) drive by virtual power less the drive, against the largest drive [-]
+    drive: Real = quantity(  # (n,) a moment, of a driven slider a force
+        "{letter}_drive[{unit}]", "drive along the positive input coordinate"
+    )
+    power: Real = quantity("P_drive[W]", "power of the drive")  # (n,)
+    mesh: Plane | None = quantity(  # (n,) None without a gear
+        "F_mesh[N]", "force of the pinion on the crank's gear"
+    )
+    drive_kind: Literal["coupling", "gear", "slider"] = quantity("drive", "how the drive acts")
+    equilibrium: Real = quantity(  # (n,)
+        "equilibrium[-]", "largest residual of a link, against the largest force or moment"
+    )
+    virtual: Real = quantity(  # (n,)
+        "virtual[-]", "drive by virtual power less the drive, against the largest drive"
+    )
     drive_extremes: tuple[Extreme, Extreme]  # least and largest drive
     power_extremes: tuple[Extreme, Extreme]
-    power_mean: Mean  # of the drive over the motion [W]
+    power_mean: Mean = quantity("P_drive_mean[W]", "mean power of the drive over the motion")
     grades: tuple[Grade, ...]
     counters: dict[str, int]
-    error: float  # estimated relative error of the reactions [-]
+    error: float = quantity("reactions", "estimated relative error of the reactions")

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from tmmcalc.linkage.synthesis.results import Synthesis
+from tmmcalc.core.quantity import quantity_of
+from tmmcalc.linkage.synthesis.results import Design, Synthesis
 
 
 def columns(result: Synthesis) -> dict[str, list[float] | list[str]]:
     """Columns by header, one row a solution; all solutions of a kind have the same sizes."""
     found: dict[str, list[float] | list[str]] = {"i": [str(k + 1) for k in range(len(result.designs))]}
     for size in result.best.sizes:
-        header = size.symbol if size.unit == "-" else f"{size.symbol}[{size.unit}]"
-        found[header] = [design.size(size.symbol) for design in result.designs]
+        found[size.told.key] = [design.size(size.symbol) for design in result.designs]
     for name in result.best.merits:
         found[name] = [design.merits[name] for design in result.designs]
-    found["defects"] = [float(len(design.defects)) for design in result.designs]
+    found[quantity_of(Design, "defects").key] = [float(len(design.defects)) for design in result.designs]
     return found

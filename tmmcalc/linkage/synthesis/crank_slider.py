@@ -16,7 +16,7 @@ from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.synthesis.builders import SliderCrank, slider_crank
 from tmmcalc.linkage.synthesis.designs import Closed, closed_form, scene_of
-from tmmcalc.linkage.synthesis.results import Check, Size, Synthesis
+from tmmcalc.linkage.synthesis.results import PRESSURE, Check, Size, Synthesis
 from tmmcalc.linkage.synthesis.simulation import check, simulate, tilts
 from tmmcalc.linkage.synthesis.strokes import overlap, time_ratio
 from tmmcalc.linkage.synthesis.task import SliderCrankTask, SynthesisTask
@@ -137,7 +137,7 @@ def _closed(task: SynthesisTask, asked: SliderCrankTask, lam: float, kappa: floa
         check("largest pressure angle working", working.largest, "rad"),
         check("largest pressure angle idle", idle.largest, "rad"),
     ]
-    merits = {"pressure_max[deg]": math.degrees(max(working.largest, idle.largest)), "r/l": lam, "e/r": kappa / lam}
+    merits = {PRESSURE.key: math.degrees(max(working.largest, idle.largest)), "r/l": lam, "e/r": kappa / lam}
     notes = tuple(_notes(asked, e, working.largest, idle.largest))
     return Closed("slider-crank", sizes, tuple(checks), merits, mechanism, found, notes)
 

@@ -20,7 +20,7 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.plane import Real
 from tmmcalc.core.progress import tell
 from tmmcalc.linkage.synthesis.freudenstein import closure_of, exact_points, solved_exactly
-from tmmcalc.linkage.synthesis.functiondesign import design_of
+from tmmcalc.linkage.synthesis.functiondesign import design_of, structural_error
 from tmmcalc.linkage.synthesis.functionfit import Fitted, best_fits, rated
 from tmmcalc.linkage.synthesis.results import Design, Synthesis
 from tmmcalc.linkage.synthesis.task import FunctionTask, SynthesisTask
@@ -42,7 +42,9 @@ def solve(task: SynthesisTask) -> Synthesis:
         raise _none(asked)
     fitted = rated(closure, found, task.transmission, exact)
     designs = [design for k in _best(fitted) if (design := design_of(task, closure, fitted, k)) is not None]
-    designs = sorted(designs, key=lambda design: (len(design.defects), design.merits[_ERROR[closure.slides]]))
+    designs = sorted(
+        designs, key=lambda design: (len(design.defects), design.merits[structural_error(closure).marked("max").key])
+    )
     if not designs:
         raise _none(asked)
     shown = tuple(designs[: task.solutions])
@@ -54,9 +56,6 @@ def solve(task: SynthesisTask) -> Synthesis:
 def is_exact(asked: FunctionTask) -> bool:
     """Whether the points are no more than a linkage of this kind can meet exactly."""
     return len(asked.inputs) <= exact_points(closure_of(asked))
-
-
-_ERROR = {False: "structural_error_max[deg]", True: "structural_error_max[mm]"}
 
 
 def _best(fitted: Fitted) -> list[int]:

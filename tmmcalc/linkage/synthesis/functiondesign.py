@@ -9,6 +9,7 @@ import numpy as np
 
 from tmmcalc.core.errors import TmmError
 from tmmcalc.core.plane import Real
+from tmmcalc.core.quantity import Quantity
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Grid, Mechanism, Output
@@ -19,7 +20,7 @@ from tmmcalc.linkage.synthesis.freudenstein import Closure, exact_points
 from tmmcalc.linkage.synthesis.functionfit import LONG, MET, POOR, Fitted, difference
 from tmmcalc.linkage.synthesis.planar import grashof
 from tmmcalc.linkage.synthesis.ready import ready_spec
-from tmmcalc.linkage.synthesis.results import Design, Precision, Size
+from tmmcalc.linkage.synthesis.results import STRUCTURAL_ERROR, TRANSMISSION, Design, Precision, Size
 from tmmcalc.linkage.synthesis.simulation import check
 from tmmcalc.linkage.synthesis.task import FunctionTask, SynthesisTask
 
@@ -52,11 +53,11 @@ def design_of(task: SynthesisTask, closure: Closure, fitted: Fitted, k: int) -> 
     )
     transmission = result.qualities[0].transmission or 0.0
     sizes = _sizes(closure, fitted, k)
-    unit, factor = ("mm", 1e3) if closure.slides else ("deg", math.degrees(1.0))
+    told, factor = structural_error(closure), 1e3 if closure.slides else math.degrees(1.0)
     merits = {
-        f"structural_error_max[{unit}]": factor * float(np.max(np.abs(error))),
-        f"structural_error_rms[{unit}]": factor * float(np.sqrt(np.mean(error**2))),
-        "transmission_min[deg]": math.degrees(transmission),
+        told.marked("max").key: factor * float(np.max(np.abs(error))),
+        told.marked("rms").key: factor * float(np.sqrt(np.mean(error**2))),
+        TRANSMISSION.key: math.degrees(transmission),
     }
     checks = (
         check("largest error at the points", float(np.max(np.abs(off))), "m" if closure.slides else "rad"),
@@ -66,6 +67,11 @@ def design_of(task: SynthesisTask, closure: Closure, fitted: Fitted, k: int) -> 
     text = ready_spec(mechanism, task.title or f"function generator, {name}", tuple(remarks(sizes)))
     met = float(np.max(np.abs(off))) / closure.unit <= MET or len(asked.inputs) > exact_points(closure)
     return Design(name, sizes, checks, merits, tuple(_defects(task, transmission, sizes, met)), text, None, precision)
+
+
+def structural_error(closure: Closure) -> Quantity:
+    """The figure of merit of a function generator, in the unit of people."""
+    return STRUCTURAL_ERROR.of(unit="mm" if closure.slides else "deg")
 
 
 def _sense(asked: FunctionTask) -> int:

@@ -17,7 +17,7 @@ from tmmcalc.linkage.synthesis.planar import Bars, grashof
 from tmmcalc.linkage.synthesis.posed import limits
 from tmmcalc.linkage.synthesis.rating import Rating
 from tmmcalc.linkage.synthesis.ready import ready_spec
-from tmmcalc.linkage.synthesis.results import Check, Design, Precision, Size
+from tmmcalc.linkage.synthesis.results import ANGLE_ERROR, DISTANCE, TRANSMISSION, Check, Design, Precision, Size
 from tmmcalc.linkage.synthesis.simulation import check
 from tmmcalc.linkage.synthesis.task import PoseTask, SynthesisTask
 
@@ -40,12 +40,12 @@ def designed(task: SynthesisTask, bars: Bars, rating: Rating, title: str) -> Des
     transmission = result.qualities[0].transmission or 0.0  # refined; the rating samples it
     rating = rating._replace(transmission=np.array([transmission]))
     distance = float(precision.found.max())
-    merits = {"transmission_min[deg]": math.degrees(transmission), "longest/shortest": float(rating.ratio[0])}
-    merits["error_max[mm]"] = 1e3 * distance
+    merits = {TRANSMISSION.key: math.degrees(transmission), "longest/shortest": float(rating.ratio[0])}
+    merits[DISTANCE.key] = 1e3 * distance
     checks: tuple[Check, ...] = (check("largest distance from the points", distance, "m"),)
     if len(precision.angle_errors):
         drift = float(np.max(np.abs(precision.angle_errors)))
-        merits["angle_error_max[deg]"] = math.degrees(drift)
+        merits[ANGLE_ERROR.key] = math.degrees(drift)
         checks += (check("largest error of the body's angle", drift, "rad"),)
     sizes = _sizes(bars, turned[0], asked)
     name = "slider-crank" if bars.slides else f"four-bar, {grashof(bars.lengths())[0]}"

@@ -9,7 +9,7 @@ from tmmcalc.linkage.synthesis.designs import CLOSED
 from tmmcalc.linkage.synthesis.posed import Rated, spread
 from tmmcalc.linkage.synthesis.posedesign import designed
 from tmmcalc.linkage.synthesis.posefit import nearest
-from tmmcalc.linkage.synthesis.results import Design, Synthesis
+from tmmcalc.linkage.synthesis.results import DISTANCE, TRANSMISSION, Design, Synthesis
 from tmmcalc.linkage.synthesis.task import PoseTask, SynthesisTask
 
 EXACT = "fewest defects; then the greatest least transmission angle"
@@ -98,11 +98,11 @@ SAME = 1e-4  # designs whose lengths differ by less are one
 
 
 def _by_transmission(design: Design) -> tuple[int, float]:
-    return len(design.defects), -design.merits["transmission_min[deg]"]
+    return len(design.defects), -design.merits[TRANSMISSION.key]
 
 
 def _by_distance(design: Design) -> tuple[int, float]:
-    return len(design.defects), design.merits["error_max[mm]"]
+    return len(design.defects), design.merits[DISTANCE.key]
 
 
 def _defects(designs: tuple[Design, ...]) -> Iterator[str]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+import math
 
 from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.quantity import Quantity, derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.synthesis.dwell.results import Dwell
 
@@ -18,6 +19,13 @@ class Size:
     unit: str
     meaning: str
 
+    @property
+    def told(self) -> Quantity:
+        """What the size is for programs."""
+        return Quantity("{symbol}[{unit}]", self.meaning).of(
+            symbol=self.symbol, unit="" if self.unit == "-" else self.unit
+        )
+
 
 @record
 class Check:
@@ -27,10 +35,10 @@ class Check:
     """
 
     name: str
-    achieved: float
-    unit: str
-    target: float | None = None
-    residual: float | None = None
+    achieved: float = quantity("achieved", "value of the simulated mechanism")
+    unit: str = quantity("unit", "unit of the value")
+    target: float | None = quantity("target", "value that was asked for", default=None)
+    residual: float | None = quantity("residual", "difference of the two, relative to the target", default=None)
 
 
 def check_key(name: str) -> str:
@@ -46,19 +54,24 @@ def check_key(name: str) -> str:
 class StrokeTimes:
     """Times, angles and mean speeds of the two strokes at a constant speed of the crank."""
 
-    crank_speed: float  # [rad/s]
+    crank_speed: float = quantity("omega[rad/s]", "speed of the crank")
     time_ratio: float  # K
     stroke: float  # S, or the swing 2 phi
     unit: str  # of the stroke, m or rad
-    period: float  # t [s]
-    working_time: float  # t_p [s]
-    idle_time: float  # t_x [s]
-    working_speed: float  # v_p, or omega_p [unit/s]
-    idle_speed: float  # v_x, or omega_x [unit/s]
-    mean_speed: float  # 2 S/t over the cycle [unit/s]
-    working_angle: float  # alpha_p [rad]
-    idle_angle: float  # alpha_x [rad]
+    period: float = quantity("t[s]", "time of the cycle")
+    working_time: float = quantity("t_p[s]", "time of the working stroke")
+    idle_time: float = quantity("t_x[s]", "time of the idle stroke")
+    working_speed: float = quantity("{letter}_p[{unit}/s]", "mean speed of the working stroke")
+    idle_speed: float = quantity("{letter}_x[{unit}/s]", "mean speed of the idle stroke")
+    mean_speed: float = quantity("{letter}_mean[{unit}/s]", "mean speed 2 S/t over the cycle")
+    working_angle: float = quantity("alpha_p[rad]", "angle of the crank over the working stroke")
+    idle_angle: float = quantity("alpha_x[rad]", "angle of the crank over the idle stroke")
     overlap: float  # psi [rad]
+
+    @derived("n[rpm]", "speed of the crank")
+    def rpm(self) -> float:
+        """Turns of the crank a minute."""
+        return self.crank_speed * 30 / math.pi
 
 
 @record
@@ -66,26 +79,34 @@ class Precision:
     """What was wanted at the n points, and what the simulated mechanism does there."""
 
     unit: str  # of the output, rad or m
-    sense: int  # of the crank from the first point on, +1 counter-clockwise
-    crank: Real  # (n,) angle of the crank [rad]
-    wanted: Real  # (n,) output [rad or m]; of a path the distance 0 from the point
-    found: Real  # (n,)
-    points: Plane  # (n,) places of the coupler point that were wanted; empty for a function
-    reached: Plane  # (n,) places that it reaches
-    angle_errors: Real  # (n,) of the coupler [rad]; empty unless it was asked for
+    sense: int = quantity("sense", "of the crank from the first point on, +1 counter-clockwise")
+    crank: Real = quantity("crank[rad]", "angle of the crank")  # (n,)
+    wanted: Real = quantity("wanted[{unit}]", "output; of a path the distance 0 from the point")  # (n,)
+    found: Real = quantity("found[{unit}]", "output of the simulated mechanism")  # (n,)
+    points: Plane = quantity("points[m]", "places of the coupler point that were wanted")  # (n,) empty for a function
+    reached: Plane = quantity("reached[m]", "places that it reaches")  # (n,)
+    angle_errors: Real = quantity("angle_errors[rad]", "errors of the angle of the coupler")  # (n,) or none
     fine: Real  # (m,) angles of the crank over the range of a function [rad]; empty for a path
     error: Real  # (m,) error of the output there [rad or m]
+
+
+# figures of merit of designs
+TRANSMISSION = Quantity("transmission_min[deg]", "smallest transmission angle")
+PRESSURE = Quantity("pressure_max[deg]", "largest pressure angle")
+STRUCTURAL_ERROR = Quantity("structural_error[{unit}]", "error of the output over the range of the function")
+DISTANCE = Quantity("error_max[mm]", "largest distance from the points")
+ANGLE_ERROR = Quantity("angle_error_max[deg]", "largest error of the body's angle")
 
 
 @record
 class Design:
     """One linkage that answers the task."""
 
-    name: str
+    name: str = quantity("name", "name of the linkage")
     sizes: tuple[Size, ...]
     checks: tuple[Check, ...]
-    merits: dict[str, float]  # figures of merit, their unit in the name
-    defects: tuple[str, ...]
+    merits: dict[str, float]  # figures of merit by their keys
+    defects: tuple[str, ...] = quantity("defects", "what is wrong with the linkage")
     spec: str  # the ready spec, TOML
     times: StrokeTimes | None = None
     precision: Precision | None = None
@@ -102,14 +123,14 @@ class Design:
 
 @record
 class Synthesis:
-    """All designs that are listed, the best first by ``rule``; ``residual`` is the largest against any target."""
+    """All designs that are listed, the best first."""
 
-    kind: str
-    rule: str
+    kind: str = quantity("kind", "kind of the synthesis")
+    rule: str = quantity("rule", "rule of the order of the designs")
     designs: tuple[Design, ...]
-    residual: float
+    residual: float = quantity("residual", "largest residual against any target")
     notes: tuple[str, ...] = ()
-    counters: dict[str, int] = field(default_factory=dict)
+    counters: dict[str, int] = quantity("counters", "counts of the search", default_factory=dict)
     error: float | None = None  # of the sizes, of lengths relative to the longest; None: no equations settle them
 
     @property

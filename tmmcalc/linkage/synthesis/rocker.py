@@ -17,7 +17,7 @@ from tmmcalc.core.plane import Real
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.synthesis.builders import FourBar, four_bar
 from tmmcalc.linkage.synthesis.designs import Closed, closed_form, scene_of
-from tmmcalc.linkage.synthesis.results import Check, Size, Synthesis
+from tmmcalc.linkage.synthesis.results import TRANSMISSION, Check, Size, Synthesis
 from tmmcalc.linkage.synthesis.rockerfamily import Family, cosines, family, slopes
 from tmmcalc.linkage.synthesis.simulation import Simulation, check, simulate
 from tmmcalc.linkage.synthesis.strokes import overlap
@@ -37,7 +37,7 @@ def solve(task: SynthesisTask) -> Synthesis:
     if not found:
         raise _none(asked, half, psi)
     designs = [_closed(task, asked, family(np.array([x]), half, psi, side)) for x, side in found]
-    designs.sort(key=lambda design: -design.merits["transmission_min[deg]"])
+    designs.sort(key=lambda design: -design.merits[TRANSMISSION.key])
     return closed_form(task, KIND, RULE, designs)
 
 
@@ -163,7 +163,7 @@ def _closed(task: SynthesisTask, asked: CrankRockerTask, found: Family) -> Close
         Size("grashof", sum((r, l, rocker, frame)) - 2 * (r + max(l, rocker, frame)), "m", "Grashof's margin"),
     )
     checks = tuple(_checks(asked, simulation, (r, l, rocker, frame), transmission))
-    merits = {"transmission_min[deg]": math.degrees(transmission), "r/L": r / frame}
+    merits = {TRANSMISSION.key: math.degrees(transmission), "r/L": r / frame}
     return Closed("crank-rocker", sizes, checks, merits, mechanism, simulation, tuple(_notes(asked, transmission)))
 
 

@@ -19,7 +19,7 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.designs import Closed, closed_form
-from tmmcalc.linkage.synthesis.results import Size, Synthesis
+from tmmcalc.linkage.synthesis.results import PRESSURE, Size, Synthesis
 from tmmcalc.linkage.synthesis.slottedpost import checked, checks
 from tmmcalc.linkage.synthesis.strokes import TURN, overlap
 from tmmcalc.linkage.synthesis.task import RotatingTask, SynthesisTask
@@ -117,5 +117,5 @@ def _closed(task: SynthesisTask, asked: RotatingTask, arm: float, rod: float, ra
         Size("phi_zero", found.first, "rad", "crank at the far end of the stroke"),
         Size("phi_second", second, "rad", "crank at the near end of the stroke"),
     )
-    merits = {"pressure_max[deg]": math.degrees(post.pressure), "L/r": centres / crank}
+    merits = {PRESSURE.key: math.degrees(post.pressure), "L/r": centres / crank}
     return Closed("rotating slotted link", sizes, tuple(checks(asked, post)), merits, post.mechanism, found)

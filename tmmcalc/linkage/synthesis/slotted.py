@@ -14,7 +14,7 @@ from collections.abc import Iterator
 
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.linkage.synthesis.designs import Closed, closed_form
-from tmmcalc.linkage.synthesis.results import Size, Synthesis
+from tmmcalc.linkage.synthesis.results import PRESSURE, Size, Synthesis
 from tmmcalc.linkage.synthesis.slottedpost import Lengths, checked, checks
 from tmmcalc.linkage.synthesis.strokes import overlap
 from tmmcalc.linkage.synthesis.task import SlottedTask, SynthesisTask
@@ -93,7 +93,7 @@ def _closed(task: SynthesisTask, asked: SlottedTask, phi: float, lengths: Length
         Size("phi_zero", -phi, "rad", "crank at the far end of the stroke"),
         Size("phi_second", math.pi + phi, "rad", "crank at the near end of the stroke"),
     )
-    merits = {"pressure_max[deg]": math.degrees(found.pressure), "r/L": crank / centres}
+    merits = {PRESSURE.key: math.degrees(found.pressure), "r/L": crank / centres}
     made, notes = tuple(checks(asked, found)), tuple(_notes(crank, centres, arm, guide))
     return Closed("slotted link", sizes, made, merits, found.mechanism, found.simulation, notes)
 

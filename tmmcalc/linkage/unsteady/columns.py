@@ -1,22 +1,30 @@
-"""The columns of the unsteady table: those of kinematics, over the time, with the input coordinate first.
-
-t          time
-x v a      input coordinate, its speed and acceleration
-S_D vS_D aS_D   output D: its coordinate, not counted from a start
-"""
+"""The columns of the unsteady table: those of kinematics, over the time, with the input coordinate first."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from tmmcalc.core.columns import Column
+from tmmcalc.core.columns import Column, column
 from tmmcalc.core.plane import Real
+from tmmcalc.core.quantity import Quantity
+from tmmcalc.linkage.columns import LINK, POINT, SLIDE
 from tmmcalc.linkage.unsteady.results import Unsteady
 
-LINEAR = ("m", "m/s", "m/s^2")
-ANGULAR = ("deg", "rad/s", "rad/s^2")
+TIME = Quantity("t[s]", "time")
+INPUT = (
+    Quantity("x[{own}]", "input coordinate"),
+    Quantity("v[{velocity}]", "speed of the input"),
+    Quantity("a[{acceleration}]", "acceleration of the input"),
+)
+OUTPUT = (
+    Quantity("S_{output}[{own}]", "coordinate of output {output}, not counted from a start"),
+    Quantity("vS_{output}[{velocity}]", "velocity of output {output}"),
+    Quantity("aS_{output}[{acceleration}]", "acceleration of output {output}"),
+)
+LINEAR = {"own": "m", "length": "m", "velocity": "m/s", "acceleration": "m/s^2"}
+ANGULAR = {"own": "deg", "velocity": "rad/s", "omega": "rad/s", "acceleration": "rad/s^2", "eps": "rad/s^2"}
 
 
 def unsteady_columns(result: Unsteady) -> list[Column]:
@@ -25,29 +33,30 @@ def unsteady_columns(result: Unsteady) -> list[Column]:
 
 
 def _columns(result: Unsteady) -> Iterator[Column]:
-    yield _column("t", "s", result.t)
-    yield from _triple(("x", "v", "a"), result.turns, result.drive)
+    yield _column(TIME, result.t)
+    yield from _triple(INPUT, result.turns, result.drive)
     for k, (name, angular) in enumerate(zip(result.outputs, result.angular, strict=True)):
-        yield from _triple((f"S_{name}", f"vS_{name}", f"aS_{name}"), angular, result.coordinate[:, k])
+        yield from _triple(OUTPUT, angular, result.coordinate[:, k], output=name)
     moved = result.trace
     for k, link in enumerate(moved.link_ids):
         rows = np.stack((moved.angle[k], moved.dangle[k], moved.ddangle[k]))
-        yield from _triple((f"angle_{link}", f"omega_{link}", f"eps_{link}"), True, rows)
+        yield from _triple(LINK[:3], True, rows, link=link)
     for k, point in enumerate(moved.point_names):
         plane = np.stack((moved.r[k], moved.dr[k], moved.ddr[k]))
         for axis, rows in (("x", plane.real), ("y", plane.imag)):
-            yield from _triple((f"{axis}_{point}", f"v{axis}_{point}", f"a{axis}_{point}"), False, rows)
+            yield from _triple(POINT[:3], False, rows, axis=axis, point=point)
     for k, joint in enumerate(moved.joint_names):
         rows = np.stack((moved.s[k], moved.ds[k], moved.dds[k]))
-        yield from _triple((f"s_{joint}", f"v_{joint}", f"a_{joint}"), False, rows)
+        yield from _triple(SLIDE[:3], False, rows, joint=joint)
 
 
-def _triple(names: tuple[str, str, str], angular: bool, rows: Real) -> Iterator[Column]:
+def _triple(told: Sequence[Quantity], angular: bool, rows: Real, **places: object) -> Iterator[Column]:
     """A coordinate and its derivatives, rows (3, n)."""
     units = ANGULAR if angular else LINEAR
-    for order, (name, unit) in enumerate(zip(names, units, strict=True)):
-        yield _column(name, unit, np.degrees(rows[order]) if unit == "deg" else rows[order])
+    for each, row in zip(told, rows, strict=True):
+        own = each.of(**places, **units)
+        yield _column(own, np.degrees(row) if own.unit == "deg" else row)
 
 
-def _column(name: str, unit: str, values: Real) -> Column:
-    return Column(name, unit, lambda: values)
+def _column(told: Quantity, values: Real) -> Column:
+    return column(told, lambda: values)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Real
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.core.timelaw import TimeLaw
 from tmmcalc.core.timerows import TimedExtreme
@@ -22,8 +23,8 @@ class Unsteady:
     input_link: int | None  # the driven link; None where the drive acts between two moving links
     input_joint: str
     turns: bool  # a crank [rad], else a driven slider or length [m]
-    start: float  # input coordinate at the begin [rad or m]
-    end: float
+    start: float = quantity("x_start[{unit}]", "input coordinate at the begin")
+    end: float = quantity("x_end[{unit}]", "input coordinate at the end")
     labels: tuple[str, ...]  # (n,)
     t: Real  # (n,) [s]
     side: Indices  # (n,) -1: the limit from before, +1: from after
@@ -34,5 +35,5 @@ class Unsteady:
     coordinate: Real  # (3, O, n) output coordinate [m or rad], its velocity and acceleration
     extremes: tuple[TimedExtreme, ...]  # of speeds and accelerations
     grades: tuple[Grade, ...]
-    error: ErrorEstimate  # of the motion of the points and of the input; relative
+    error: ErrorEstimate = quantity("error", "estimated relative errors of the motion of points and input")
     counters: dict[str, int]

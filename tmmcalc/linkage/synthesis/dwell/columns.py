@@ -2,33 +2,36 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
-from tmmcalc.core.columns import Column, degrees
+from tmmcalc.core.columns import Column, column, degrees
+from tmmcalc.core.quantity import Quantity, quantities
 from tmmcalc.linkage.synthesis.dwell.results import Motion
 from tmmcalc.linkage.synthesis.dwell.task import OutputKind
 
 USUAL = ("phi", "S", "dS", "d2S", "x_B", "y_B", "R35", "R45", "R21", "N", "delta", "M_1")  # where none are chosen
+PIN = (Quantity("x_B[m]", "x of B"), Quantity("y_B[m]", "y of B"))
 
 
 def columns_of(m: Motion, output: OutputKind) -> list[Column]:
     """The columns of the positions; those of the guide only of a slider."""
     slides = output == "slider"
-    unit = "m" if slides else "rad"
-    columns = [
-        Column("phi", "deg", lambda: degrees(m.phi)),
-        Column("phi_1", "deg", lambda: degrees(m.crank)),
-        Column("theta", "deg", lambda: degrees(m.theta)),
-        Column("S", unit, lambda: m.s),
-        Column("x_B", "m", lambda: m.b.real),
-        Column("y_B", "m", lambda: m.b.imag),
-        Column("dS", unit, lambda: m.ds),
-        Column("d2S", unit, lambda: m.dds),
-        Column("R35", "N", lambda: m.f3),
-        Column("R45", "N", lambda: m.f4),
-        Column("R21", "N", lambda: m.r21),
+    known = {name: told.of(unit="m" if slides else "rad") for name, told in quantities(Motion).items()}
+
+    def own(*names: str) -> list[Column]:
+        return [column(known[name], partial(getattr, m, name)) for name in names]
+
+    return [
+        Column(known["phi"].name, "deg", lambda: degrees(m.phi)),
+        Column(known["crank"].name, "deg", lambda: degrees(m.crank)),
+        Column(known["theta"].name, "deg", lambda: degrees(m.theta)),
+        *own("s"),
+        column(PIN[0], lambda: m.b.real),
+        column(PIN[1], lambda: m.b.imag),
+        *own("ds", "dds", "f3", "f4", "r21"),
+        *(own("normal", "couple") if slides else ()),
+        Column(known["delta"].name, "deg", lambda: np.degrees(m.delta)),
+        *own("moment"),
     ]
-    if slides:
-        columns += [Column("N", "N", lambda: m.normal), Column("M_N", "N*m", lambda: m.couple)]
-    columns += [Column("delta", "deg", lambda: np.degrees(m.delta)), Column("M_1", "N*m", lambda: m.moment)]
-    return columns

@@ -16,6 +16,7 @@ import numpy as np
 
 from tmmcalc.core.columns import Column
 from tmmcalc.core.plane import Real
+from tmmcalc.core.quantity import quantity_of
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask, judge
 from tmmcalc.feasibility.quantities import limits
 from tmmcalc.feasibility.rule import may_hold
@@ -23,6 +24,7 @@ from tmmcalc.linkage.synthesis.dwell.columns import columns_of
 from tmmcalc.linkage.synthesis.dwell.criteria import NAMES, Traits, achieved
 from tmmcalc.linkage.synthesis.dwell.motion import State
 from tmmcalc.linkage.synthesis.dwell.positions import motion_of
+from tmmcalc.linkage.synthesis.dwell.results import Dwell
 from tmmcalc.linkage.synthesis.dwell.sizes import scale_of, sizes_of
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.turn import Turn
@@ -98,7 +100,7 @@ def told_values(asked: DwellTask, turn: Turn, parameters: Mapping[str, Real], tr
     checks = achieved(asked, traits.stroke, traits.dwell, traits.far, length)
     found |= {f"{check_key(name)}.achieved": (values, "") for name, (values, _) in checks.items()}
     found |= {name: (values, "") for name, values in zip(NAMES, traits.criteria, strict=True)}
-    return found | {"dwell_error": (100 * traits.criteria.f1, "%")}
+    return found | {quantity_of(Dwell, "dwell_ratio").name: (100 * traits.criteria.f1, "%")}
 
 
 def told_columns(asked: DwellTask, turn: Turn, traits: Traits) -> dict[str, Column]:

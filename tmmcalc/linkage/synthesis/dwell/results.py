@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.synthesis.dwell.task import OutputKind
 
 
 @record
 class Largest:
-    """A largest value, and the turn of the crank from position 1 where it stands [rad]."""
+    """A largest value, and where it stands."""
 
-    name: str
-    value: float
-    unit: str
-    at: float
+    name: str = quantity("name", "name of the quantity")
+    value: float = quantity("value", "its largest value")
+    unit: str = quantity("unit", "unit of the value")
+    at: float = quantity("at[rad]", "turn of the crank from position 1")
 
 
 @record
@@ -26,31 +27,33 @@ class Motion:
     """
 
     labels: tuple[str, ...]  # (n,)
-    phi: Real  # (n,) turn of the crank from position 1 [rad]
-    crank: Real  # (n,) its angle [rad]
-    theta: Real  # (n,) angle of A -> C [rad]
-    s: Real  # (n,) S [m or rad]
+    phi: Real = quantity("phi[rad]", "turn of the crank from position 1")  # (n,)
+    crank: Real = quantity("phi_1[rad]", "angle of the crank")  # (n,)
+    theta: Real = quantity("theta[rad]", "angle of A -> C")  # (n,)
+    s: Real = quantity("S[{unit}]", "displacement of the output")  # (n,)
     b: Plane  # (n,) place of B [m]
-    ds: Real  # (n,) S' [m or rad]
-    dds: Real  # (n,) S''
-    f3: Real  # (n,) compressive force of bar CB, R35 [N]
-    f4: Real  # (n,) of bar DE, R45 [N]
-    r21: Real  # (n,) between crank and coupler [N]
-    normal: Real  # (n,) of the guide on the slider, along the left normal of u [N]; 0 of a rocker
-    couple: Real  # (n,) of the guide on the slider, about B [N*m]; 0 of a rocker
-    delta: Real  # (n,) pressure angle [rad]
-    moment: Real  # (n,) driving moment on the crank [N*m]
+    ds: Real = quantity("dS[{unit}]", "first transfer function S'")  # (n,)
+    dds: Real = quantity("d2S[{unit}]", "second transfer function S''")  # (n,)
+    f3: Real = quantity("R35[N]", "compressive force of bar CB")  # (n,)
+    f4: Real = quantity("R45[N]", "compressive force of bar DE")  # (n,)
+    r21: Real = quantity("R21[N]", "force between crank and coupler")  # (n,)
+    # (n,) 0 of a rocker
+    normal: Real = quantity("N[N]", "force of the guide on the slider, along the left normal of u")
+    couple: Real = quantity("M_N[N*m]", "couple of the guide on the slider, about B")  # (n,) 0 of a rocker
+    delta: Real = quantity("delta[rad]", "pressure angle")  # (n,)
+    moment: Real = quantity("M_1[N*m]", "driving moment on the crank")  # (n,)
 
 
 @record
 class CrossCheck:
     """The method of the relative trajectory against the exact motion: largest errors as parts of the stroke."""
 
-    steps: int  # of the arc
-    uniform: float  # its points at equal steps of bar BC, or of an angle around where the arc changes its branch
-    cosine: float  # its points in cosine spacing
-    first: float  # ends of the arc, angle of bar BC [rad]
-    last: float
+    steps: int = quantity("steps", "steps of the arc")
+    # equal steps of bar BC, or of an angle around where the arc changes its branch
+    uniform: float = quantity("uniform", "largest error with equal steps of the arc, against the stroke")
+    cosine: float = quantity("cosine", "largest error with cosine spacing, against the stroke")
+    first: float = quantity("first", "angle of bar BC at the begin of the arc [rad]")
+    last: float = quantity("last", "angle of bar BC at the end of the arc [rad]")
 
 
 @record
@@ -65,10 +68,10 @@ class Slots:
 class Agreement:
     """Largest differences between methods, against the largest value of each kind."""
 
-    motion: float  # S, S', S'' of the kinematics room and of the two closures
-    forces: float  # bars, crank, guide: the forces room and the two equations of equilibrium
-    virtual_work: float  # M_1 and F S'
-    positions: float  # |S| in positions 2 and 3 against the stroke
+    motion: float = quantity("motion", "S, S', S'' of the kinematics stage and of the two closures")
+    forces: float = quantity("forces", "bars, crank, guide: the forces stage and the two equations of equilibrium")
+    virtual_work: float = quantity("virtual_work", "M_1 and F S'")
+    positions: float = quantity("positions", "|S| in positions 2 and 3 against the stroke")
 
 
 @record
@@ -78,18 +81,22 @@ class Dwell:
     output: OutputKind
     stroke: float  # h [m], or swing [rad]
     dwell_error: float  # max |S| over the dwell [m or rad]
-    dwell_ratio: float  # the same as a part of the stroke
+    dwell_ratio: float = quantity("dwell_error", "max |S| over the dwell as a part of the stroke")
     dwell_angle: float  # phi_B [rad]
     positions: tuple[float, ...]  # turns of the crank in positions 1 to 3 [rad]
-    extremes: tuple[Largest, ...]  # all positions where the output turns back, along the motion
-    working: tuple[float, float]  # begin and end of the working stroke, turn of the crank along the motion [rad]
-    idle: tuple[float, float]
-    maxima: tuple[Largest, ...]
+    extremes: tuple[Largest, ...] = quantity("extremes", "positions where the output turns back, along the motion")
+    working: tuple[float, float] = quantity(
+        "working[rad]", "turn of the crank along the motion at the begin and end of the working stroke"
+    )
+    idle: tuple[float, float] = quantity("idle[rad]", "the same of the idle stroke")
+    maxima: tuple[Largest, ...] = quantity("maxima", "largest values")
     criteria: tuple[float, ...]  # f1 to f5 with lengths in parts of l_OB
-    cost: float | None  # their weighted sum, of an optimisation
+    cost: float | None = quantity("cost", "weighted sum of the criteria")  # None: no optimisation
     motion: Motion  # at the positions
     fine: Motion  # every degree, for drawing
     slots: Slots
-    cross_check: CrossCheck | None  # None where the method does not apply
+    cross_check: CrossCheck | None = quantity(  # None where the method does not apply
+        "relative_trajectory", "the method of the relative trajectory"
+    )
     unchecked: str  # why it does not; empty where it does
-    agreement: Agreement
+    agreement: Agreement = quantity("agreement", "largest differences between methods")

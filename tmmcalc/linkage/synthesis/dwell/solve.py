@@ -12,6 +12,7 @@ import numpy as np
 from tmmcalc.core.errors import AccuracyError, AssemblyError, NoSolutionError, SingularityError, UsageError
 from tmmcalc.core.plane import Real
 from tmmcalc.core.progress import tell
+from tmmcalc.core.quantity import keyed, quantity_of
 from tmmcalc.linkage.synthesis.designs import CLOSED, SPEED, largest_residual, remarks
 from tmmcalc.linkage.synthesis.dwell.advice import advice
 from tmmcalc.linkage.synthesis.dwell.analysis import analysed
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 
 WHERE = "synthesis.dwell"
 STEPS = 360  # of the turn of a linkage that is analysed
-ERROR = "dwell_error[%]"
+ERROR = quantity_of(Dwell, "dwell_ratio").shown("%")[0]
 FREE = ("n", "left")  # which have usual values where nothing is sought
 
 
@@ -175,9 +176,9 @@ def _checks(asked: DwellTask, found: Figures, dwell: Dwell, met: bool) -> Iterat
 
 
 def _merits(dwell: Dwell) -> dict[str, float]:
-    merits = {ERROR: 100 * dwell.dwell_ratio}
+    merits = keyed(dwell, "dwell_ratio[%]")
     merits |= dict(zip(CRITERIA, dwell.criteria, strict=True))
-    return merits if dwell.cost is None else {**merits, "cost": dwell.cost}
+    return merits if dwell.cost is None else merits | keyed(dwell, "cost")
 
 
 def _defects(task: SynthesisTask, found: Figures) -> Iterator[str]:
