@@ -64,6 +64,14 @@ class Quantity(NamedTuple):
         name = (self.header or self.key).partition("[")[0]
         return f"{name}[{unit}]", FORMS[self.unit, unit]
 
+    def value(self, value: Any) -> dict[str, Any]:
+        """One value by its key.
+
+        >>> Quantity("M[m]", "size over balls").value(0.25)
+        {'M[m]': 0.25}
+        """
+        return {self.key: value}
+
 
 def quantity(
     key: str,
@@ -110,15 +118,22 @@ def quantities(kind: Any) -> dict[str, Quantity]:
 def keyed(of: Any, *names: str, **places: object) -> dict[str, Any]:
     """The quantities of a record by their keys: those of these fields, or all; ``places`` are names of the scene.
 
+    ``"angle[deg]"`` is a field in a unit for people.
+
     >>> from tmmcalc.core.records import record
     >>> @record
     ... class Ball:
     ...     diameter: float = quantity("D_{wheel}[m]", "diameter of the ball")
-    >>> keyed(Ball(0.01), wheel=2)
-    {'D_2[m]': 0.01}
+    >>> keyed(Ball(0.01), wheel=2), keyed(Ball(0.25), "diameter[mm]", wheel=2)
+    ({'D_2[m]': 0.01}, {'D_2[mm]': 250.0})
     """
     known = quantities(type(of))
-    return {known[name].of(**places).key: getattr(of, name) for name in names or known}
+    found = {}
+    for asked in names or known:
+        name, _, unit = asked.removesuffix("]").partition("[")
+        told, value = known[name].of(**places), getattr(of, name)
+        found[f"{told.name}[{unit}]" if unit else told.key] = value * FORMS[told.unit, unit] if unit else value
+    return found
 
 
 def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dict[str, list[Any]]:
