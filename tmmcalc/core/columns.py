@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from fnmatch import fnmatchcase
+from functools import partial
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.quantity import Quantity
+from tmmcalc.core.quantity import Quantity, quantities
 
 Real = NDArray[np.floating[Any]]
 Values = TypeVar("Values")
@@ -34,8 +35,15 @@ class Column(NamedTuple):
 
 
 def column(told: Quantity, make: Callable[[], Real]) -> Column:
-    """The column of a quantity."""
-    return Column(told.name, told.unit, make)
+    """The column of a quantity; one that is a number has the unit ``-``."""
+    return Column(told.name, told.unit or "-", make)
+
+
+def columns_of(of: Any, *names: str) -> list[Column]:
+    """Columns of the fields of a record that are arrays (n,): of these, or of all; one that is None has no column."""
+    known = quantities(type(of))
+    arrays = (name for name in names or known if isinstance(getattr(of, name), np.ndarray))
+    return [column(known[name], partial(getattr, of, name)) for name in arrays]
 
 
 def degrees(phi: Real) -> Real:

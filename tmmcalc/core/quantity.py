@@ -75,6 +75,14 @@ class Quantity(NamedTuple):
         name = (self.header or self.key).partition("[")[0]
         return f"{name}[{unit}]", FORMS[self.unit, unit]
 
+    def value(self, value: Any) -> dict[str, Any]:
+        """One value by its key.
+
+        >>> Quantity("M[m]", "size over balls").value(0.25)
+        {'M[m]': 0.25}
+        """
+        return {self.key: value}
+
 
 def quantity(
     key: str,
@@ -126,19 +134,29 @@ def quantity_of(kind: Any, name: str, **places: object) -> Quantity:
 def keyed(of: Any, *names: str, **places: object) -> dict[str, Any]:
     """The quantities of a record by their keys: those of these fields, or all; ``places`` are names of the scene.
 
+<<<<<<< HEAD
     ``"angle[deg]"`` is a field in a unit for people. Tuples and arrays become lists.
+=======
+    ``"angle[deg]"`` is a field in a unit for people.
+>>>>>>> refs/heads/machinekeys
 
     >>> from tmmcalc.core.records import record
     >>> @record
     ... class Ball:
     ...     diameter: float = quantity("D_{wheel}[m]", "diameter of the ball")
+<<<<<<< HEAD
     >>> keyed(Ball(0.25), wheel=2), keyed(Ball(0.25), "diameter[mm]", wheel=2)
     ({'D_2[m]': 0.25}, {'D_2[mm]': 250.0})
+=======
+    >>> keyed(Ball(0.01), wheel=2), keyed(Ball(0.25), "diameter[mm]", wheel=2)
+    ({'D_2[m]': 0.01}, {'D_2[mm]': 250.0})
+>>>>>>> refs/heads/machinekeys
     """
     known = quantities(type(of))
     found = {}
     for asked in names or known:
         name, _, unit = asked.removesuffix("]").partition("[")
+<<<<<<< HEAD
         told, value = known[name].of(**places), _plain(getattr(of, name))
         if unit:
             found[f"{told.name}[{unit}]"] = _scaled(value, FORMS[told.unit, unit])
@@ -157,6 +175,11 @@ def _scaled(value: Any, factor: float) -> Any:
     if isinstance(value, list):
         return [_scaled(each, factor) for each in value]
     return None if value is None else factor * value
+=======
+        told, value = known[name].of(**places), getattr(of, name)
+        found[f"{told.name}[{unit}]" if unit else told.key] = value * FORMS[told.unit, unit] if unit else value
+    return found
+>>>>>>> refs/heads/machinekeys
 
 
 def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dict[str, list[Any]]:

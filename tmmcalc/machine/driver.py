@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
@@ -27,15 +28,15 @@ class Driver:
 class ConstantInertia:
     """Parts of the constant inertia, all reduced to the input shaft [kg*m^2]."""
 
-    rotor: float = 0.0
-    gears: float = 0.0
-    further: float = 0.0
-    flywheel: float = 0.0
-    train: str = ""  # the gear train whose inertia that of the gears is; empty: as given
+    rotor: float = quantity("J_rotor[kg*m^2]", "inertia of the motor's rotor", default=0.0)
+    gears: float = quantity("J_gears[kg*m^2]", "inertia of the gears", default=0.0)
+    further: float = quantity("J_further[kg*m^2]", "further constant inertia", default=0.0)
+    flywheel: float = quantity("J_flywheel[kg*m^2]", "inertia of the flywheel", default=0.0)
+    train: str = quantity("gear_train", "gear train whose inertia that of the gears is; empty: as given", default="")
 
-    @property
+    @derived("J_c[kg*m^2]", "constant inertia")
     def total(self) -> float:
-        """Their sum [kg*m^2]."""
+        """The sum of the parts."""
         return self.rotor + self.gears + self.further + self.flywheel
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.asked import INPUT, off_speed
 from tmmcalc.machine.cycle import Cycle
@@ -31,24 +32,31 @@ class Motion:
     labels: tuple[str, ...]  # (n,)
     phi: Values  # (n,) input coordinate counted from position 0 [rad]
     theta: Values  # (n,) the same along the motion
-    kind: Literal["motor", "positional", "none"]
-    characteristic: (
-        str  # name of the motor's characteristic; of positional forces "constant moment", of no drive "none"
+    kind: Literal["motor", "positional", "none"] = quantity("drive", "what drives the machine")
+    characteristic: str = quantity(  # of positional forces "constant moment", of no drive "none"
+        "characteristic", "name of the motor's characteristic"
     )
     inertia: ConstantInertia
     regime: Regime
     idle: Regime | None  # without technological loads; None where there is none
-    omega: Values  # (n,) angular speed [rad/s], positive
-    eps: Values  # (n,) angular acceleration [rad/s^2]
-    time: Values  # (n,) since position 0 [s]
-    driving: Values  # (n,) moment of the drive [N*m]
-    load: Values  # (n,) reduced moment of everything else at that speed [N*m]
-    omega_idle: Values | None  # (n,) [rad/s]
+    omega: Values = quantity("omega[rad/s]", "angular speed of the input, positive")  # (n,)
+    eps: Values = quantity("eps[rad/s^2]", "angular acceleration of the input")  # (n,)
+    time: Values = quantity("t[s]", "time since position 0")  # (n,)
+    driving: Values = quantity("M_d[N*m]", "moment of the drive")  # (n,)
+    load: Values = quantity("M_load[N*m]", "reduced moment of everything else at that speed")  # (n,)
+    omega_idle: Values | None = quantity("omega_idle[rad/s]", "angular speed without technological loads")  # (n,)
     textbook: Textbook | None
     verdicts: tuple[Verdict, ...]
-    balancing: float = 0.0  # moment of a diagram that closes its work before anything drives [N*m]
+    balancing: float = quantity(
+        "M_balancing[N*m]", "moment that closes the work of a diagram before anything drives", default=0.0
+    )
     motor: MotorSide | None = None  # the regime at the shaft of the motor; None without one
     scales: TimeScales | None = None  # time constants over the cycle; None: nothing depends on the speed of a motor
+
+    @derived("omega_textbook[rad/s]", "speed by the recurrence", source="(3.57)")
+    def omega_textbook(self) -> Values | None:
+        """At the positions (n,); None where the recurrence is not done."""
+        return self.textbook.regime.omega if self.textbook is not None else None
 
 
 def solve_motion(

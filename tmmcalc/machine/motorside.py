@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
@@ -23,14 +24,14 @@ class MotorSide:
 
     ratio: float  # u, speed of the motor over that of the input
     efficiency: float  # of the gears
-    mean_power: float  # over the time [W]
-    rms_moment: float  # over the time, which heats the motor [N*m]
-    largest: float  # moment [N*m]
+    mean_power: float = quantity("P_motor_mean[W]", "mean power of the motor")
+    rms_moment: float = quantity("M_motor_rms[N*m]", "root mean square of the motor's moment over the time")
+    largest: float = quantity("M_motor_max[N*m]", "largest moment of the motor")
     rated_moment: float | None  # at the rated speed by its characteristic [N*m]; None: not known
 
-    @property
+    @derived("M_motor_rms/M_N", "rms moment of the motor over its rated moment")
     def heating(self) -> float | None:
-        """The rms moment over the rated one: above 1 the motor overheats; None: not known."""
+        """Above 1 the motor overheats; None: not known."""
         return self.rms_moment / self.rated_moment if self.rated_moment else None
 
 

@@ -19,6 +19,7 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor
@@ -39,7 +40,7 @@ class WorkPart:
 
     name: str
     kind: str  # "load", "weight", "spring", "damper", "friction", "balance"
-    work: float  # [J]
+    work: float = quantity("work_{cause}[J]", "work of {cause} over a cycle")
     turnover: float = 0.0  # work of its magnitude, which tells work from rounding [J]; 0: not known
     error: float = 0.0  # estimated, of the work [J]
 
@@ -49,15 +50,17 @@ class MotorDuty:
     """The motor against its duty: what is asked of it at its shaft, and how it was found."""
 
     motor: Motor
-    ratio: float  # u, speed of the motor over the speed of the input shaft
-    chosen: bool  # from a catalogue, and not given
-    reasons: tuple[str, ...]
-    rotor: float  # J_R u^2 [kg*m^2], 0 if the inertia of the rotor is not known
-    mean_load: float  # mean resisting moment at the motor shaft over its rated moment [-]
-    peak_load: float  # largest resisting moment at the motor shaft over its rated moment [-]
+    ratio: float = quantity("u", "speed of the motor over the speed of the input shaft")
+    chosen: bool = quantity("motor_chosen", "the motor is from a catalogue, and not given")
+    reasons: tuple[str, ...] = quantity("motor_reasons", "why the motor was chosen")
+    rotor: float = quantity(  # 0 if the inertia of the rotor is not known
+        "J_rotor[kg*m^2]", "inertia J_R u^2 of the rotor at the input"
+    )
+    mean_load: float = quantity("mean_load", "mean resisting moment at the motor's shaft over its rated moment")
+    peak_load: float = quantity("peak_load", "largest resisting moment at the motor's shaft over its rated moment")
     curve: Curve | None = None  # ends of a direct-current motor's characteristic; None: another motor
     contradictions: tuple[str, ...] = ()  # among the data of the motor
-    ratio_of: str = ""  # the gear train whose ratio u is; empty: given, or of the speeds
+    ratio_of: str = quantity("u_of", "gear train whose ratio u is; empty: given, or of the speeds", default="")
     off_speed: str | None = None  # what is wrong with its speed against that of the spec
 
 
@@ -74,28 +77,57 @@ class PowerError:
 class Power:
     """Result of the power stage; moments and work are those of the input shaft."""
 
-    machine: Literal["working", "engine", "idle"]
+    machine: Literal["working", "engine", "idle"] = quantity("machine", "kind of the machine")
     parts: tuple[WorkPart, ...]
-    driving: float  # A_d > 0 [J]
-    resisting: float  # A_c < 0 [J]
-    losses: float  # A_F < 0 [J]
-    stored: float  # work of weights and springs over a cycle, 0 but for rounding [J]
-    efficiency: float | None  # eta [-]; None where nothing useful is done
-    cycle_time: float  # T [s] at the mean speed
-    mean_power: float  # that the loads leave over, or that they lack [W]
+    driving: float = quantity("A_d[J]", "work of the loads that drive, over a cycle")
+    resisting: float = quantity("A_c[J]", "work of the loads that resist, over a cycle; negative")
+    losses: float = quantity("A_F[J]", "work of friction and dampers over a cycle; negative")
+    stored: float = quantity("work_stored[J]", "work of weights and springs over a cycle, 0 but for rounding")
+    efficiency: float | None = quantity(  # None where nothing useful is done
+        "eta", "efficiency: useful work over work put in", source="(3.36), (3.37)"
+    )
+    cycle_time: float = quantity("cycle_time[s]", "time of a cycle at the mean speed", symbol="T")
+    mean_power: float = quantity("P_mean[W]", "mean power that the loads leave over, or that they lack")
     peak_power: tuple[float, float]  # least and largest instant power of all loads [W]
-    mean_moment: float  # that makes the work of the cycle zero [N*m]: of the drive, or < 0 of what is driven
-    peak_moment: float  # largest resisting reduced moment [N*m]
+    mean_moment: float = quantity(
+        "M_d_mean[N*m]", "moment that makes the work of the cycle zero: of the drive, or < 0 of what is driven"
+    )
+    peak_moment: float = quantity("M_peak[N*m]", "largest resisting reduced moment")
     peak_at: float  # theta there [rad]
     start_moment: float  # resisting reduced moment in position 0, 0 if none resists there [N*m]
-    transmission: float  # efficiency of the gears to the motor [-]
-    motor_power: float | None  # required of the motor, P/eta [W]; None where the loads leave power over
+    transmission: float = quantity("eta_gears", "efficiency of the gears to the motor")
+    motor_power: float | None = quantity(  # None where the loads leave power over
+        "P_required[W]", "power required of the motor, P_mean/eta_gears"
+    )
     duty: MotorDuty | None  # None without a motor
     error: PowerError
     counters: dict[str, int]
     speed: float  # of the input, at which all of this holds [rad/s]
     sense: float = 1.0  # of the input's motion: -1 clockwise; places are sense theta
-    balancing: float = 0.0  # moment of a diagram that closes its work beside the loads [N*m]
+    balancing: float = quantity(
+        "M_balancing[N*m]", "moment that closes the work of a diagram beside the loads", default=0.0
+    )
+
+    @derived("P_load_min[W]", "least instant power of all loads")
+    def least_power(self) -> float:
+        """Negative where they resist."""
+        return self.peak_power[0]
+
+    @derived("P_load_max[W]", "largest instant power of all loads")
+    def largest_power(self) -> float:
+        """Positive where they drive."""
+        return self.peak_power[1]
+
+    @derived("P_balancing[W]", "power of the moment that closes the work of a diagram")
+    def balancing_power(self) -> float:
+        """At the mean speed."""
+        return self.balancing * self.speed
+
+    @derived("M_N_input[N*m]", "rated moment of the motor at the input shaft")
+    def rated_moment(self) -> float | None:
+        """M_N u eta_gears; None without a motor."""
+        duty = self.duty
+        return None if duty is None else duty.motor.nominal_moment * duty.ratio * self.transmission
 
 
 def moment_at(cycle: Cycle, speed: float) -> Values:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Panels, Values
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.regimeerrors import (
@@ -34,17 +35,17 @@ class Regime:
     acceleration: Values  # angular acceleration [rad/s^2]
     driving: Values  # driving moment M_d [N*m]
     time: Values  # since theta = 0, at the edges (K + 1,) [s]
-    omega_min: float  # [rad/s]
+    omega_min: float = quantity("omega_min[rad/s]", "least speed of the input")
     theta_min: float  # where it stands [rad]
-    omega_max: float
+    omega_max: float = quantity("omega_max[rad/s]", "largest speed of the input")
     theta_max: float
-    mean: float  # (omega_max + omega_min)/2, the mean of the textbook (3.52) [rad/s]
-    time_mean: float  # period angle over cycle time [rad/s]
-    delta: float  # coefficient of speed fluctuation (omega_max - omega_min)/mean [-]
-    cycle_time: float  # [s]
-    mean_moment: float  # of the driving moment over the angle: work of a cycle per radian [N*m]
-    rms_moment: float  # of the driving moment over the time, which heats the motor [N*m]
-    mean_power: float  # of the driving moment [W]
+    mean: float = quantity("omega_mean[rad/s]", "mean speed (omega_max + omega_min)/2", source="(3.52)")
+    time_mean: float = quantity("omega_time_mean[rad/s]", "mean speed over the time: angle over time of a cycle")
+    delta: float = quantity("delta", "coefficient of speed fluctuation (omega_max - omega_min)/omega_mean")
+    cycle_time: float = quantity("cycle_time[s]", "time of a cycle", symbol="T")
+    mean_moment: float = quantity("M_d_mean[N*m]", "mean driving moment over the angle: work of a cycle per radian")
+    rms_moment: float = quantity("M_d_rms[N*m]", "root mean square of the driving moment over the time")
+    mean_power: float = quantity("P_mean[W]", "mean driving power")
     multipliers: tuple[complex, ...]  # factors by which deviations change in a cycle, the slowest to die first
     stable: bool | None  # None: indifferent, for nothing depends on the speed
     constant_inertia: float  # J_c [kg*m^2]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 
@@ -10,8 +11,8 @@ from tmmcalc.core.records import record
 class Turn:
     """One cycle of the textbook's iteration (3.58)."""
 
-    first: float  # w_0 [rad/s]
-    last: float  # w_n [rad/s]
+    first: float = quantity("textbook_first[rad/s]", "speed at the beginning of the cycle", symbol="omega_0")
+    last: float = quantity("textbook_last[rad/s]", "speed at the end of the cycle", symbol="omega_n")
 
 
 @record
@@ -21,17 +22,21 @@ class NodalRegime:
     omega: Values  # (n + 1,) [rad/s]
     node_min: int
     node_max: int
-    delta: float  # coefficient of speed fluctuation over the nodes [-]
+    delta: float = quantity("delta_textbook", "coefficient of speed fluctuation over the nodes")
     multiplier: float  # factor of a deviation of w_0^2 after one cycle [-]
-    warning: float  # largest B dphi / J [-]: above 1 the recurrence alternates and the step is too wide
+    warning: float = quantity(
+        "B_dphi_over_J", "largest B dphi/J: above 1 the recurrence alternates and the step is too wide"
+    )
 
 
 @record
 class Textbook:
     """The motion by the recurrence (3.57) on the grid of the positions."""
 
-    a: float  # A of the parabola M_d = A - B omega^2 [N*m]
-    b: float  # B [N*m*s^2/rad^2]
+    a: float = quantity("A[N*m]", "A of the parabola M_d = A - B omega^2")
+    b: float = quantity("B[N*m*s^2/rad^2]", "B of the parabola M_d = A - B omega^2")
     regime: NodalRegime  # the periodic one, directly
     turns: tuple[Turn, ...]  # the iteration from the rated speed (3.58)
-    error: float  # largest difference of its speeds from the exact regime, against the mean speed [-]
+    error: float = quantity(
+        "omega_textbook_error", "largest difference of its speeds from the exact regime, against the mean speed"
+    )

@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.transient.stability import stable_step
 
@@ -18,15 +19,17 @@ from tmmcalc.machine.transient.stability import stable_step
 class TimeScales:
     """Time constants over a duration; those longer than it count as the duration."""
 
-    fastest: float  # shortest time constant 1/|lambda| [s]
-    slowest: float  # longest [s]
-    duration: float  # [s]
-    stable_step: float  # longest fixed step of Kutta-Merson that stays bounded, the duration at most [s]
-    steps: float  # explicit steps that stability alone asks for
+    fastest: float = quantity("fastest[s]", "shortest time constant 1/|lambda|")
+    slowest: float = quantity("slowest[s]", "longest time constant 1/|lambda|")
+    duration: float = quantity("duration[s]", "duration of the motion")
+    stable_step: float = quantity(
+        "stable_step[s]", "longest fixed step of Kutta-Merson that stays bounded, the duration at most"
+    )
+    steps: float = quantity("explicit_steps", "explicit steps that stability alone asks for")
 
-    @property
+    @derived("ratio", "slowest over fastest time constant")
     def ratio(self) -> float:
-        """Slowest over fastest time constant."""
+        """How stiff the equations are."""
         return self.slowest / self.fastest
 
 

@@ -5,11 +5,13 @@ A fact has a text for people and values for programs, so that ``--format json`` 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from typing import Any
 
+from tmmcalc.core.quantity import quantities
 from tmmcalc.core.records import record
+from tmmcalc.report.numbers import number
 
 Value = float | int | str | bool | None
 
@@ -49,3 +51,17 @@ class Document:
     wide: bool = False  # the table may be cut to the width of the terminal
     more: str = ""  # said under a table that was cut
     parts: tuple[Document, ...] = ()  # each under its own title; programs find them by it
+
+
+def untold(facts: Iterable[Fact], of: Any, but: Collection[str] = ()) -> Iterator[Fact]:
+    """A fact for every number that a record gives out and no fact tells; ``but`` are fields that need none.
+
+    So a number that is declared on a record is told without being named again.
+    """
+    told = {key for fact in facts for key in fact.values}
+    for name, each in quantities(type(of)).items():
+        if name in but or each.key in told:
+            continue
+        value = getattr(of, name)
+        if isinstance(value, int | float):
+            yield Fact(each.meaning, f"{number(value)} {each.unit}".rstrip(), each.value(value))

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.linkage.facts.places import Shaft, phi_of
 from tmmcalc.machine.facts.motion import inertia_fact, unevenness
 from tmmcalc.machine.flywheel.materials import RECOMMENDED
@@ -19,24 +20,29 @@ from tmmcalc.machine.flywheel.placement import Wheel
 from tmmcalc.machine.flywheel.positional import FlywheelMethod
 from tmmcalc.machine.flywheel.task import Flywheel
 from tmmcalc.machine.flywheel.trials import RequiredInertia, Trial
-from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.document import Document, Fact, View, untold
 from tmmcalc.report.numbers import angle, number
 
 CALLED = {"book": "textbook", "mertsalov": "Mertsalov", "artobolevsky": "Artobolevsky"}
 STALLS = "stalls"  # in place of a delta that a machine does not reach
 
+MAX_AT = Quantity("max_at[deg]", "phi where the tangent of the largest speed touches")
+MIN_AT = Quantity("min_at[deg]", "phi where the tangent of the least speed touches")
+ERROR, _ = quantities(FlywheelMethod)["error"].shown("%")
+BY_TABLE = Quantity("J_F_by_table[kg*m^2]", "total constant inertia by the textbook's table of positions")
+
 
 def summary(result: Flywheel, title: str) -> Document:
     """Facts and notes with the table of methods, which is short."""
     facts = (
-        _allowed_fact(result.delta),
-        inertia_fact("inertia at hand", "J_at_hand", result.at_hand),
+        _allowed_fact(result),
+        inertia_fact("inertia at hand", keyed(result, "without"), result.at_hand),
         _needed_fact(result),
         *_existing_facts(result),
         *([] if result.rim is None else _rim_facts(result)),
         *([] if result.addition <= 0 else _elsewhere_facts(result.wheels[1:])),
-        _legend_fact(result),
     )
+    facts += (*untold(facts, result, but=("existing",)), _legend_fact(result))
     return Document(title, facts, tuple(str(verdict) for verdict in result.verdicts), _methods_view(result))
 
 
@@ -59,28 +65,22 @@ def document(result: Flywheel, title: str) -> Document:
     )
 
 
-def _allowed_fact(delta: float) -> Fact:
+def _allowed_fact(result: Flywheel) -> Fact:
     """The unevenness to keep, and the machines for which it is customary."""
+    delta = result.delta
     for_whom = [kind.machine for kind in RECOMMENDED if kind.smallest * 0.999 <= delta <= kind.largest * 1.001]
     usual = f"customary for {'; '.join(for_whom)}" if for_whom else "not customary for any kind of machine"
-    return Fact("allowed delta", f"{unevenness(delta)}, {usual}", {"delta_allowed": delta})
+    return Fact("allowed delta", f"{unevenness(delta)}, {usual}", keyed(result, "delta"))
 
 
 def _needed_fact(result: Flywheel) -> Fact:
     """The flywheel, on the input shaft and on its own shaft."""
-    values = {
-        "J_F[kg*m^2]": result.inertia,
-        "J_add[kg*m^2]": result.addition,
-        "J_own[kg*m^2]": result.own,
-        "ratio_flywheel": result.ratio,
-        "omega_flywheel_max[rad/s]": result.wheels[0].speed,
-    }
+    reached = () if result.reached is None else ("reached",)
+    values = keyed(result, "inertia", "addition", "own", "ratio", "fastest", *reached)
     if result.addition <= 0:
-        required = result.required
-        without = required.delta if required is not None else result.rows[0].positional.delta
-        under = f" under {result.under}" if required is not None else ""
-        text = "none" if without is None else f"none: with what is at hand delta is {number(without)}{under}"
-        return Fact("flywheel needed", text, values if without is None else values | {"delta_reached": without})
+        under = f" under {result.under}" if result.required is not None else ""
+        without = "" if result.reached is None else f": with what is at hand delta is {number(result.reached)}{under}"
+        return Fact("flywheel needed", f"none{without}", values)
     lines = [
         f"{number(result.addition)} kg*m^2 at the input shaft",
         f"J_F = {number(result.inertia)} kg*m^2 with what is at hand",
@@ -88,9 +88,9 @@ def _needed_fact(result: Flywheel) -> Fact:
     if result.required is None:
         lines.append("by the exact tangents, for forces of position")
     else:
-        reached, mean = result.required.delta, result.required.regime.mean
-        lines.append(f"delta = {number(reached)} under {result.under} at {number(mean)} rad/s")
-        values |= {"delta_reached": reached, "omega_mean[rad/s]": mean}
+        regime = result.required.regime
+        lines.append(f"delta = {number(result.required.delta)} under {result.under} at {number(regime.mean)} rad/s")
+        values |= keyed(regime, "mean")
     if result.ratio != 1:
         lines.append(f"{number(result.own)} kg*m^2 on its own shaft, turning {number(result.ratio)} times as fast")
     return Fact("flywheel needed", "\n".join(lines), values)
@@ -105,8 +105,7 @@ def _existing_facts(result: Flywheel) -> list[Fact]:
         text += f", {number(result.existing / result.ratio**2)} kg*m^2 on its own shaft"
     lacking = result.addition - result.existing
     text += ": it does" if result.sufficient else f": too light by {number(lacking)} kg*m^2"
-    values = {"J_existing[kg*m^2]": result.existing, "existing_suffices": result.sufficient}
-    return [Fact("flywheel there", text, values)]
+    return [Fact("flywheel there", text, keyed(result, "existing", "sufficient"))]
 
 
 def _rim_facts(result: Flywheel) -> list[Fact]:
@@ -118,39 +117,36 @@ def _rim_facts(result: Flywheel) -> list[Fact]:
     diameters = ", ".join(f"{word} {number(1e3 * value, 5)}" for word, value in sizes.items())
     section = {"width": rim.width, "thickness": rim.thickness}
     sections = ", ".join(f"{word} {number(1e3 * value, 5)} mm" for word, value in section.items())
-    named = {f"rim_{word}_diameter[m]": value for word, value in sizes.items()}
+    named = keyed(rim, "diameter", "outer", "inner", "width", "thickness")
     return [
-        Fact("its rim", f"diameters: {diameters} mm\n{sections}", {**named, **_keyed("rim_{}[m]", section)}),
+        Fact("its rim", f"diameters: {diameters} mm\n{sections}", named),
         Fact(
             "inertia of the rim",
             f"{number(rim.inertia)} kg*m^2, {number(100 * rim.inertia / result.own, 3)} % of the wheel's"
             "\n(arms and hub are to give the rest)",
-            {"rim_inertia[kg*m^2]": rim.inertia},
+            keyed(rim, "inertia"),
         ),
         Fact(
             "mass of the rim",
             f"{number(rim.mass)} kg, {number(rim.total_mass)} kg with arms and hub"
             f"\n(4 J/D^2 = {number(rim.thin_mass)} kg as a thin rim alone)",
-            _keyed("rim_{}[kg]", {"mass": rim.mass, "total_mass": rim.total_mass, "thin_mass": rim.thin_mass}),
+            keyed(rim, "mass", "total_mass", "thin_mass"),
         ),
         Fact(
             "speed of the rim",
             f"{number(rim.speed, 5)} m/s at its edge, {number(material.rim_speed)} m/s allowed for {material.name}",
             {
-                "rim_speed[m/s]": rim.speed,
-                "rim_speed_limit[m/s]": material.rim_speed,
-                "rim_allowed": rim.allowed,
-                "rim_material": material.name,
-                "rim_density[kg/m^3]": material.density,
-                "rim_strength[Pa]": material.strength,
-                "rim_material_source": material.source,
+                **keyed(rim, "speed"),
+                **keyed(material, "rim_speed"),
+                **keyed(rim, "allowed"),
+                **keyed(material, "name", "density", "strength", "source"),
             },
         ),
         Fact(
             "stress in the rim",
             f"{number(rim.stress / 1e6, 5)} MPa as a thin ring, {number(rim.peak_stress / 1e6, 5)} MPa inside"
             f"\nsafety {number(rim.safety, 4)} against {number(material.strength / 1e6)} MPa",
-            {"rim_stress[Pa]": rim.stress, "rim_peak_stress[Pa]": rim.peak_stress, "rim_safety": rim.safety},
+            keyed(rim, "stress", "peak_stress", "safety"),
         ),
     ]
 
@@ -162,18 +158,14 @@ def _elsewhere_facts(wheels: Sequence[Wheel]) -> list[Fact]:
 
 def _elsewhere_fact(wheel: Wheel) -> Fact:
     rim, name = wheel.rim, f"{wheel.shaft} shaft"
-    values: dict[str, float] = {f"J_{wheel.shaft}_shaft[kg*m^2]": wheel.inertia}
+    values = keyed(wheel, "inertia", shaft=wheel.shaft)
     faster = "" if wheel.ratio == 1 else f", turning {number(wheel.ratio)} times as fast as the input"
     lines = [f"{number(wheel.inertia)} kg*m^2{faster}"]
     if rim is not None:
         lines.append(f"rim: mean diameter {number(1e3 * rim.diameter, 4)} mm, {number(rim.mass, 4)} kg")
-        sizes = {"rim_mean_diameter[m]": rim.diameter, "rim_mass[kg]": rim.mass, "rim_speed[m/s]": rim.speed}
+        sizes = keyed(rim, "diameter", "mass", "speed")
         values |= {f"{wheel.shaft}_shaft_{key}": value for key, value in sizes.items()}
     return Fact(f"or on the {name}", "\n".join((*lines, *wheel.remarks)), values)
-
-
-def _keyed(pattern: str, values: dict[str, float]) -> dict[str, float]:
-    return {pattern.format(word): value for word, value in values.items()}
 
 
 def _methods_view(result: Flywheel) -> View:
@@ -182,19 +174,17 @@ def _methods_view(result: Flywheel) -> View:
     found = [row.positional for row in rows]
     columns: dict[str, list[Any]] = {
         "method": [called(method) for method in found],
-        "J_F[kg*m^2]": [method.inertia for method in found],
-        "J_add[kg*m^2]": [method.addition for method in found],
-        "max_at[deg]": [phi_of(shaft, method.theta_max) for method in found],
-        "min_at[deg]": [phi_of(shaft, method.theta_min) for method in found],
+        **table(found, FlywheelMethod, "inertia", *(("addition",) if result.addition > 0 else ())),
+        MAX_AT.key: [phi_of(shaft, method.theta_max) for method in found],
+        MIN_AT.key: [phi_of(shaft, method.theta_min) for method in found],
     }
     if result.addition <= 0:
-        del columns["J_add[kg*m^2]"]
         return View(list(columns), list(columns.values()))
     columns["delta"] = _deltas([method.delta for method in found])
     if motor:
         columns[_reached(result)] = _deltas([row.delta for row in rows])
     errors = [row.error if row.error is not None else row.positional.error for row in rows]
-    columns["error[%]"] = [100 * error for error in errors]
+    columns[ERROR] = [100 * error for error in errors]
     return View(list(columns), list(columns.values()))
 
 
@@ -244,16 +234,8 @@ def _tangents_fact(result: Flywheel) -> Fact:
         f"J_F = GH/(delta omega^2) = {number(picture.inertia)} kg*m^2",
         f"T_0 = {number(picture.energy)} J, mean moment of the drive {number(picture.drive)} N*m",
     )
-    values = {
-        "slope_max[rad^2/s^2]": fast,
-        "slope_min[rad^2/s^2]": slow,
-        "G[J]": high,
-        "H[J]": low,
-        "J_F_exact[kg*m^2]": picture.inertia,
-        "T_0[J]": picture.energy,
-        "M_d_mean[N*m]": picture.drive,
-    }
-    return Fact("energy-mass curve", "\n".join(lines), values)
+    parts = ("slope_max", "slope_min", "upper", "lower", "inertia", "energy", "drive")
+    return Fact("energy-mass curve", "\n".join(lines), keyed(picture, *parts))
 
 
 def _nodal_facts(result: Flywheel) -> list[Fact]:
@@ -266,7 +248,7 @@ def _nodal_facts(result: Flywheel) -> list[Fact]:
         f"J_F = {number(nodal.inertia)} kg*m^2{off}",
         "(on the positions alone, the work by the trapezoid rule)",
     )
-    return [Fact("textbook by its table", "\n".join(lines), {"J_F_by_table[kg*m^2]": nodal.inertia})]
+    return [Fact("textbook by its table", "\n".join(lines), BY_TABLE.value(nodal.inertia))]
 
 
 def _search_facts(required: RequiredInertia, delta: float) -> list[Fact]:
@@ -281,14 +263,14 @@ def _search_facts(required: RequiredInertia, delta: float) -> list[Fact]:
         lines.append(f"{number(required.inertia)} kg*m^2: delta = {number(required.delta)}, enough")
     error = required.regime.error
     return [
-        Fact("bounds of J_F", "\n".join(lines), {"trials": _trials(required.trials), "monotone": required.monotone}),
+        Fact("bounds of J_F", "\n".join(lines), {"trials": _trials(required.trials), **keyed(required, "monotone")}),
         Fact("error of its speed (est.)", f"{error:.0e} (relative)", {"error": {"speed": error}}),
     ]
 
 
 def _trials(trials: Sequence[Trial]) -> list[dict[str, float]]:
     """Trials for programs; one that stalls has no delta."""
-    return [{"J[kg*m^2]": trial.inertia, **({} if trial.delta is None else {"delta": trial.delta})} for trial in trials]
+    return [keyed(trial, "inertia", *(() if trial.delta is None else ("delta",))) for trial in trials]
 
 
 def _correction_facts(history: Sequence[Trial]) -> list[Fact]:

@@ -7,9 +7,11 @@ moments that drive.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
+from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.linkage.facts.places import Shaft, span_fact
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.machine.columns import motion_columns
@@ -19,9 +21,9 @@ from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.motorside import MotorSide
 from tmmcalc.machine.recurrence import BOOK
 from tmmcalc.machine.regime import LOST, Regime
-from tmmcalc.machine.textbook import Textbook
+from tmmcalc.machine.textbook import Textbook, Turn
 from tmmcalc.machine.verdicts import SLACK
-from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.document import Document, Fact, untold
 from tmmcalc.report.numbers import NOISE, number
 from tmmcalc.report.positions import with_positions
 
@@ -29,15 +31,20 @@ NAMES = {"kloss": "Kloss", "table": "tabulated"}
 SHOWN = 6  # speeds of the iteration that are named
 STEADY = 1e-9  # of a moment: it changes by less and is constant
 
+SPEED, IDLE_SPEED, DRIVING = (quantities(Motion)[name] for name in ("omega", "omega_idle", "driving"))
+IDLE_DELTA = Quantity("delta_idle", "coefficient of speed fluctuation without technological loads")
+IDLE_POWER = Quantity("P_idle_mean[W]", "mean driving power without technological loads")
+OF_DRIVE = ("mean_moment", "rms_moment", "mean_power")  # of a regime: told where something drives
+
 
 def summary(result: Motion, title: str) -> Document:
     """Facts and notes, without the table of positions."""
     regime, shaft = result.regime, Shaft(result.phi)
     facts = (
         _driver_fact(result),
-        inertia_fact("constant inertia", "J_c", result.inertia),
+        inertia_fact("constant inertia", keyed(result.inertia, "total"), result.inertia),
         _delta_fact(result),
-        _speed_fact(shaft, "speed", "omega", regime),
+        _speed_fact(shaft, "speed", SPEED, regime),
         *_mean_facts(regime),
         *(_driving_facts(shaft, regime) if result.kind != "none" else ()),
         *_motor_facts(result.motor),
@@ -46,6 +53,10 @@ def summary(result: Motion, title: str) -> Document:
         *_textbook_facts(result),
         *_method_facts(result),
         *_check_facts(regime),
+    )
+    facts += (
+        *untold(facts, regime, but=OF_DRIVE if result.kind == "none" else ()),
+        *untold(facts, result, but=("balancing",)),
     )
     return Document(title, facts, tuple(str(verdict) for verdict in result.verdicts))
 
@@ -73,19 +84,17 @@ def unevenness(delta: float, digits: int = 7) -> str:
     return f"{number(delta, digits)} = 1/{number(1 / delta, 4)}" if delta > NOISE else "0"
 
 
-def inertia_fact(label: str, key: str, inertia: ConstantInertia) -> Fact:
-    """A constant inertia and its parts."""
+def inertia_fact(label: str, total: Mapping[str, Any], inertia: ConstantInertia) -> Fact:
+    """A constant inertia, its ``total`` under its key, and its parts."""
     parts = {name: getattr(inertia, name) for name in ("rotor", "gears", "further", "flywheel")}
     whence = {"gears": f" (gear train {inertia.train})" if inertia.train else ""}
     text = " + ".join(f"{name} {number(value)}{whence.get(name, '')}" for name, value in parts.items() if value)
-    values = {f"{key}[kg*m^2]": inertia.total, **{f"J_{name}[kg*m^2]": value for name, value in parts.items() if value}}
-    if inertia.train:
-        values["gear_train"] = inertia.train
+    values = {**total, **{key: value for key, value in keyed(inertia, *parts, "train").items() if value}}
     return Fact(label, f"{number(inertia.total)} kg*m^2{f' = {text}' if text else ''}", values)
 
 
 def _driver_fact(result: Motion) -> Fact:
-    values = {"drive": result.kind, "characteristic": result.characteristic}
+    values = keyed(result, "kind", "characteristic")
     if result.kind == "motor":
         name = NAMES.get(result.characteristic, result.characteristic)
         return Fact("driven by", f"a motor with the {name} characteristic", values)
@@ -94,7 +103,7 @@ def _driver_fact(result: Motion) -> Fact:
     moment, balancing = result.regime.mean_moment, result.balancing
     if balancing:
         text = f"the diagram with its balancing moment of {number(balancing)} N*m"
-        return Fact("driven by", f"{text}: nothing is left to drive", values | {"M_balancing[N*m]": balancing})
+        return Fact("driven by", f"{text}: nothing is left to drive", values | keyed(result, "balancing"))
     what = "a constant moment" if moment >= 0 else "its loads, against a constant moment"
     return Fact("driven by", f"{what} that makes the work of a cycle zero", values)
 
@@ -102,17 +111,17 @@ def _driver_fact(result: Motion) -> Fact:
 def _delta_fact(result: Motion) -> Fact:
     """The unevenness, and that of the idle run beside it."""
     delta, idle = result.regime.delta, result.idle
-    values = {"delta": delta}
+    values = keyed(result.regime, "delta")
     text = f"{unevenness(delta)}, coefficient of speed fluctuation"
     if idle is not None:
         text += f"\n{unevenness(idle.delta)} without technological loads"
-        values["delta_idle"] = idle.delta
+        values |= IDLE_DELTA.value(idle.delta)
     return Fact("delta", text, values)
 
 
-def _speed_fact(shaft: Shaft, label: str, key: str, regime: Regime) -> Fact:
+def _speed_fact(shaft: Shaft, label: str, told: Quantity, regime: Regime) -> Fact:
     extremes = Extreme(regime.omega_min, regime.theta_min), Extreme(regime.omega_max, regime.theta_max)
-    return span_fact(shaft, label, key, "rad/s", extremes)
+    return span_fact(shaft, label, told.name, told.unit, extremes)
 
 
 def _mean_facts(regime: Regime) -> list[Fact]:
@@ -120,8 +129,8 @@ def _mean_facts(regime: Regime) -> list[Fact]:
     text = f"{number(mean)} rad/s ({number(mean * 30 / math.pi)} rpm), between the extremes\n"
     text += f"{number(over_time)} rad/s ({number(over_time * 30 / math.pi)} rpm), over the time"
     return [
-        Fact("mean speed", text, {"omega_mean[rad/s]": mean, "omega_time_mean[rad/s]": over_time}),
-        Fact("cycle time", f"{number(time)} s", {"cycle_time[s]": time}),
+        Fact("mean speed", text, keyed(regime, "mean", "time_mean")),
+        Fact("cycle time", f"{number(time)} s", keyed(regime, "cycle_time")),
     ]
 
 
@@ -129,14 +138,15 @@ def _driving_facts(shaft: Shaft, regime: Regime) -> list[Fact]:
     """Moment and power of the drive."""
     (least, least_at), (largest, largest_at) = regime.panels.extremes(regime.driving)
     mean, rms = regime.mean_moment, regime.rms_moment
-    fact = span_fact(shaft, "driving moment", "M_d", "N*m", (Extreme(least, least_at), Extreme(largest, largest_at)))
+    extremes = Extreme(least, least_at), Extreme(largest, largest_at)
+    fact = span_fact(shaft, "driving moment", DRIVING.name, DRIVING.unit, extremes)
     text = fact.text
     if largest - least > STEADY * max(abs(least), abs(largest)):
         text += f"\nmean {number(mean)} N*m, rms over the time {number(rms)} N*m"
-    values = {**fact.values, "M_d_mean[N*m]": mean, "M_d_rms[N*m]": rms}
+    values = {**fact.values, **keyed(regime, "mean_moment", "rms_moment")}
     return [
         replace(fact, text=text, values=values),
-        Fact("mean driving power", f"{number(regime.mean_power)} W", {"P_mean[W]": regime.mean_power}),
+        Fact("mean driving power", f"{number(regime.mean_power)} W", keyed(regime, "mean_power")),
     ]
 
 
@@ -145,16 +155,15 @@ def _motor_facts(motor: MotorSide | None) -> list[Fact]:
     if motor is None:
         return []
     gears = f", through gears of the efficiency {number(motor.efficiency)}" if motor.efficiency != 1 else ""
-    values = {"P_motor_mean[W]": motor.mean_power, "M_motor_max[N*m]": motor.largest}
     text = f"mean {number(motor.mean_power)} W{gears}\nlargest moment {number(motor.largest)} N*m"
-    facts = [Fact("at the motor's shaft", text, values)]
+    facts = [Fact("at the motor's shaft", text, keyed(motor, "mean_power", "largest"))]
     rms, heating = f"rms moment {number(motor.rms_moment)} N*m", motor.heating
-    values = {"M_motor_rms[N*m]": motor.rms_moment}
+    values = keyed(motor, "rms_moment")
     if heating is None:
         return [*facts, Fact("heating of the motor", f"{rms}; its rated moment is not known", values)]
     says = "it overheats" if heating > 1 + SLACK else "it bears that"
     text = f"{rms}, {number(heating, 4)} of the rated {number(motor.rated_moment or 0.0)} N*m: {says}"
-    return [*facts, Fact("heating of the motor", text, values | {"M_motor_rms/M_N": heating})]
+    return [*facts, Fact("heating of the motor", text, values | keyed(motor, "heating"))]
 
 
 def _stability_fact(regime: Regime) -> Fact:
@@ -178,10 +187,9 @@ def _idle_facts(shaft: Shaft, idle: Regime | None) -> list[Fact]:
     """The run without technological loads."""
     if idle is None:
         return []
-    power = {"P_idle_mean[W]": idle.mean_power}
     return [
-        _speed_fact(shaft, "speed when idle", "omega_idle", idle),
-        Fact("idle driving power", f"{number(idle.mean_power)} W", power),
+        _speed_fact(shaft, "speed when idle", IDLE_SPEED, idle),
+        Fact("idle driving power", f"{number(idle.mean_power)} W", IDLE_POWER.value(idle.mean_power)),
     ]
 
 
@@ -205,13 +213,11 @@ def _textbook_facts(result: Motion) -> list[Fact]:
         *_turns(book),
     )
     values = {
-        "A[N*m]": book.a,
-        "B[N*m*s^2/rad^2]": book.b,
-        "delta_textbook": nodal,
-        "omega_textbook_error": book.error,
-        "textbook_first[rad/s]": [turn.first for turn in book.turns],
-        "textbook_last[rad/s]": [turn.last for turn in book.turns],
-        "B_dphi_over_J": book.regime.warning,
+        **keyed(book, "a", "b"),
+        **keyed(book.regime, "delta"),
+        **keyed(book, "error"),
+        **table(book.turns, Turn),
+        **keyed(book.regime, "warning"),
     }
     return [Fact("recurrence (3.57)", "\n".join(lines), values)]
 

@@ -5,16 +5,15 @@ Work, moments and power are those of the input shaft at its mean speed; what dri
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.quantity import keyed, quantities
 from tmmcalc.linkage.facts.places import Shaft, extreme_values, place
 from tmmcalc.linkage.results import Extreme
-from tmmcalc.machine.motors.model import Motor
 from tmmcalc.machine.motors.plausibility import Curve
 from tmmcalc.machine.power import MotorDuty, Power, WorkPart
 from tmmcalc.report.document import Document, Fact
@@ -28,37 +27,30 @@ MACHINES = {
 UNNAMED = "motor"  # name of a motor that the spec gives by its data alone
 STORED = 1e-9  # of what the loads could do: less is no work that weights and springs keep
 
+PEAK, REASONS = quantities(Power)["peak_moment"], quantities(MotorDuty)["reasons"]
+
 
 class Datum(NamedTuple):
     """A datum of the name plate."""
 
-    field: str
+    name: str  # of a `Motor`
     text: str  # for people
-    key: str  # for programs
-    factor: float = 1.0  # from SI to the unit of both
 
 
-RPM = 30 / math.pi
 PLATE = (  # a line each
     (
-        Datum("power", "{} W", "P_N[W]"),
-        Datum("speed", "{} rpm", "n_N[rpm]", RPM),
-        Datum("synchronous", "no load {} rpm", "n_sync[rpm]", RPM),
-        Datum("nominal_moment", "M_N = {} N*m", "M_N[N*m]"),
+        Datum("power", "{} W"),
+        Datum("rated_rpm", "{} rpm"),
+        Datum("synchronous_rpm", "no load {} rpm"),
+        Datum("nominal_moment", "M_N = {} N*m"),
     ),
+    (Datum("overload", "largest moment {} M_N"), Datum("start", "starting moment {} M_N")),
+    (Datum("inertia", "rotor J_R = {} kg*m^2"), Datum("time_constant", "time constant {} s")),
     (
-        Datum("overload", "largest moment {} M_N", "K"),
-        Datum("start", "starting moment {} M_N", "M_start/M_N"),
-    ),
-    (
-        Datum("inertia", "rotor J_R = {} kg*m^2", "J_R[kg*m^2]"),
-        Datum("time_constant", "time constant {} s", "tau_e[s]"),
-    ),
-    (
-        Datum("voltage", "{} V", "U[V]"),
-        Datum("resistance", "armature {} ohm", "R[ohm]"),
-        Datum("constant", "constant {} V*s/rad", "k[V*s/rad]"),
-        Datum("efficiency", "efficiency {}", "eta_motor"),
+        Datum("voltage", "{} V"),
+        Datum("resistance", "armature {} ohm"),
+        Datum("constant", "constant {} V*s/rad"),
+        Datum("efficiency", "efficiency {}"),
     ),
 )
 
@@ -93,27 +85,28 @@ def _part_fact(result: Power, part: WorkPart) -> Fact:
     scale = _scale(result)
     power = number(part.work / result.cycle_time, peak=scale / result.cycle_time)
     text = f"{number(part.work, peak=scale)} J a cycle, {power} W"
-    return Fact(f"work of {called}", text, {f"work_{key}[J]": part.work})
+    return Fact(f"work of {called}", text, keyed(part, "work", cause=key))
 
 
 def _work_facts(result: Power) -> list[Fact]:
     """Kind of the machine, work told apart by its sign, efficiency."""
     scale = _scale(result)
     parts = (
-        ("driving work A_d", "A_d[J]", result.driving, "of loads that drive", "no load drives"),
-        ("resisting work A_c", "A_c[J]", result.resisting, "of loads that resist", "no load resists"),
-        ("lost work A_F", "A_F[J]", result.losses, "of friction and dampers", "no friction, no dampers"),
+        ("driving work A_d", "driving", "of loads that drive", "no load drives"),
+        ("resisting work A_c", "resisting", "of loads that resist", "no load resists"),
+        ("lost work A_F", "losses", "of friction and dampers", "no friction, no dampers"),
     )
-    facts = [Fact("machine", MACHINES[result.machine], {"machine": result.machine})]
-    for label, key, work, whose, none in parts:
+    facts = [Fact("machine", MACHINES[result.machine], keyed(result, "machine"))]
+    for label, name, whose, none in parts:
+        work = getattr(result, name)
         text = f"{number(work, peak=scale)} J a cycle, {whose}" if work else f"0 J, {none}"
-        facts.append(Fact(label, text, {key: float(work)}))
+        facts.append(Fact(label, text, keyed(result, name)))
     if abs(result.stored) > STORED * scale:
         text = f"{number(result.stored)} J a cycle, of weights and springs"
-        facts.append(Fact("stored work", text, {"work_stored[J]": result.stored}))
+        facts.append(Fact("stored work", text, keyed(result, "stored")))
     if result.efficiency is not None:
         text = f"{number(result.efficiency)} = {_formula(result)}"
-        facts.append(Fact("efficiency", text, {"eta": result.efficiency}))
+        facts.append(Fact("efficiency", text, keyed(result, "efficiency")))
     return facts
 
 
@@ -130,18 +123,18 @@ def _power_facts(result: Power) -> list[Fact]:
     shaft = Shaft(np.array([0.0, result.sense]))
     where = f", resisting at {place(shaft, result.peak_at)}" if result.peak_moment else ": nothing ever resists"
     facts = [
-        Fact("cycle at mean speed", f"{number(result.cycle_time)} s", {"cycle_time[s]": result.cycle_time}),
-        Fact("mean power", f"{number(result.mean_power, peak=peak)} W {whose}", {"P_mean[W]": result.mean_power}),
-        Fact("mean moment", f"{number(abs(mean))} N*m", {"M_d_mean[N*m]": mean}),
+        Fact("cycle at mean speed", f"{number(result.cycle_time)} s", keyed(result, "cycle_time")),
+        Fact("mean power", f"{number(result.mean_power, peak=peak)} W {whose}", keyed(result, "mean_power")),
+        Fact("mean moment", f"{number(abs(mean))} N*m", keyed(result, "mean_moment")),
         Fact(
             "peak resisting moment",
             f"{number(result.peak_moment)} N*m{where}",
-            extreme_values(shaft, "M_peak", "N*m", Extreme(result.peak_moment, result.peak_at)),
+            extreme_values(shaft, PEAK.name, PEAK.unit, Extreme(result.peak_moment, result.peak_at)),
         ),
         Fact(
             "instant power",
             f"from {number(least, peak=peak)} W to {number(largest, peak=peak)} W, of all loads together",
-            {"P_load_min[W]": least, "P_load_max[W]": largest},
+            keyed(result, "least_power", "largest_power"),
         ),
     ]
     if result.balancing:
@@ -149,7 +142,7 @@ def _power_facts(result: Power) -> list[Fact]:
     if result.motor_power is not None:
         gears = result.transmission
         over = f", through gears of the efficiency {number(gears)}" if gears != 1 else ""
-        values = {"P_required[W]": result.motor_power, "eta_gears": gears}
+        values = keyed(result, "motor_power", "transmission")
         facts.append(Fact("required motor power", f"{number(result.motor_power)} W{over}", values))
     return facts
 
@@ -164,10 +157,9 @@ def _whose(result: Power) -> str:
 def _balancing_fact(result: Power) -> Fact:
     """The moment of a balanced diagram that stands for what is driven, or for the drive."""
     moment = result.balancing
-    power = moment * result.speed
     part = "the load of the engine" if moment < 0 else "the drive"
-    text = f"{number(moment)} N*m, {number(power)} W: {part}, which makes the work of a cycle zero"
-    return Fact("balancing moment", text, {"M_balancing[N*m]": moment, "P_balancing[W]": power})
+    text = f"{number(moment)} N*m, {number(result.balancing_power)} W: {part}, which makes the work of a cycle zero"
+    return Fact("balancing moment", text, keyed(result, "balancing", "balancing_power"))
 
 
 def _motor_facts(result: Power) -> list[Fact]:
@@ -175,53 +167,53 @@ def _motor_facts(result: Power) -> list[Fact]:
     duty = result.duty
     if duty is None:
         return []
-    facts = [_plate_fact(duty.motor, duty.chosen)]
+    facts = [_plate_fact(duty)]
     if duty.curve is not None:
         facts.append(_curve_fact(duty.curve))
     if duty.reasons:
-        facts.append(Fact("chosen because", "\n".join(duty.reasons), {"motor_reasons": list(duty.reasons)}))
-    rated = duty.motor.nominal_moment * duty.ratio * result.transmission
+        facts.append(Fact("chosen because", "\n".join(duty.reasons), {REASONS.key: list(duty.reasons)}))
     text = f"mean {number(duty.mean_load, 4)}, peak {number(duty.peak_load, 4)} of the rated moment"
     facts += [
         _ratio_fact(duty),
-        Fact("rated at the input", f"{number(rated)} N*m", {"M_N_input[N*m]": rated}),
-        Fact("load of the motor", text, {"mean_load": duty.mean_load, "peak_load": duty.peak_load}),
+        Fact("rated at the input", f"{number(result.rated_moment or 0.0)} N*m", keyed(result, "rated_moment")),
+        Fact("load of the motor", text, keyed(duty, "mean_load", "peak_load")),
     ]
     if duty.motor.inertia is not None:
         text = f"{number(duty.rotor)} kg*m^2 = J_R u^2"
-        facts.append(Fact("rotor at the input", text, {"J_rotor[kg*m^2]": duty.rotor}))
+        facts.append(Fact("rotor at the input", text, keyed(duty, "rotor")))
     return facts
 
 
 def _ratio_fact(duty: MotorDuty) -> Fact:
     """The ratio of the gears, and whose it is."""
     whose = f", of gear train {duty.ratio_of}" if duty.ratio_of else ""
-    values = {"u": duty.ratio, **({"u_of": duty.ratio_of} if duty.ratio_of else {})}
+    values = keyed(duty, "ratio", *(("ratio_of",) if duty.ratio_of else ()))
     return Fact("gear ratio u", f"{number(duty.ratio)}, motor over input shaft{whose}", values)
 
 
-def _plate_fact(motor: Motor, chosen: bool) -> Fact:
+def _plate_fact(duty: MotorDuty) -> Fact:
     """The data of the motor that are known, and where they come from."""
+    motor = duty.motor
     lines: list[str] = [motor.name if motor.name != UNNAMED else "given by its data"]
-    values: dict[str, Any] = {"motor": motor.name, "motor_kind": motor.kind, "motor_chosen": chosen}
+    values = {**keyed(motor, "name", "kind"), **keyed(duty, "chosen")}
     for line in PLATE:
-        known = [(datum, value * datum.factor) for datum in line if (value := getattr(motor, datum.field))]
-        values |= {datum.key: value for datum, value in known}
-        lines.append(", ".join(datum.text.format(number(value)) for datum, value in known))
+        known = [datum for datum in line if getattr(motor, datum.name)]
+        values |= keyed(motor, *(datum.name for datum in known)) if known else {}
+        lines.append(", ".join(datum.text.format(number(getattr(motor, datum.name))) for datum in known))
     if motor.source:
         lines.append(f"data: {motor.source}")
-        values["motor_source"] = motor.source
+        values |= keyed(motor, "source")
     return Fact("motor", "\n".join(line for line in lines if line), values)
 
 
 def _curve_fact(curve: Curve) -> Fact:
     """Where the curve of a direct-current motor meets both axes, on its own shaft."""
-    values = {"M_stall[N*m]": curve.stall}
-    if curve.no_load is None:
+    values = keyed(curve, "stall")
+    if curve.no_load_rpm is None:
         idle = "runs away without load"
     else:
-        idle = f"no load at {number(curve.no_load * RPM)} rpm"
-        values["n_no_load[rpm]"] = curve.no_load * RPM
+        idle = f"no load at {number(curve.no_load_rpm)} rpm"
+        values |= keyed(curve, "no_load_rpm")
     return Fact("its characteristic", f"{idle}, {number(curve.stall)} N*m at standstill", values)
 
 

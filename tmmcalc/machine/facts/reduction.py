@@ -9,19 +9,26 @@ from dataclasses import replace
 import numpy as np
 
 from tmmcalc.core.plane import Real
+from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.linkage.facts.places import span_fact, speed_text
 from tmmcalc.linkage.results import Extreme
-from tmmcalc.machine.reduction.columns import EFFICIENCY, cells, columns, contribution_name
+from tmmcalc.machine.reduction.columns import EFFICIENCY, cells, columns, contribution_name, reduced
 from tmmcalc.machine.reduction.results import Contribution, Reduction
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import NOISE, number
 from tmmcalc.report.positions import with_positions
 
+WORK = Quantity("work[J]", "work of everything over the cycle")
+MEAN_POWER = Quantity("P_red_mean[W]", "mean power of everything")
+SIMPSON_OFF = Quantity("work_Simpson_{cause}_off[%]", "how far Simpson's rule is off in the work of {cause}")
+LUMPED = Quantity("lumped_rods", "connecting rods")
+LUMPING = Quantity("lumping[%]", "largest change by rods as masses in their pins, of the variable part")
+
 
 def summary(result: Reduction, title: str) -> Document:
     """Facts and notes, without the table of positions."""
     facts = (
-        Fact("taken at", f"{speed_text(result)} of the input", {_speed_key(result): result.speed}),
+        Fact("taken at", f"{speed_text(result)} of the input", reduced(result).speed.value(result.speed)),
         *(_work_fact(result, contribution) for contribution in result.contributions),
         *_sum_facts(result),
         *_moment_facts(result),
@@ -38,7 +45,7 @@ def _rods_facts(result: Reduction) -> list[Fact]:
         return []
     rods = ", ".join(map(str, result.rod_links))
     how = "as they are" if result.rods == "exact" else "as masses in their pins: statically lumped"
-    return [Fact("rods", f"{rods}, {how}", {"rods": result.rods})]
+    return [Fact("rods", f"{rods}, {how}", keyed(result, "rods"))]
 
 
 def document(
@@ -64,7 +71,7 @@ def document(
 def _blanked(result: Reduction, view: View, rows: Sequence[int] | None) -> View:
     """The table with blanks where an efficiency has no value."""
     for column in columns(result):
-        if column.name == EFFICIENCY and column.header in view.headers:
+        if column.name == EFFICIENCY.name and column.header in view.headers:
             own = cells(result, column)
             kept = own if rows is None else [own[k] for k in rows]
             at = list(view.headers).index(column.header)
@@ -75,15 +82,6 @@ def _blanked(result: Reduction, view: View, rows: Sequence[int] | None) -> View:
 def mean_moment(result: Reduction) -> float:
     """Mean of the whole reduced moment over the cycle, algebraic like its columns [N*m, of a driven slider N]."""
     return math.copysign(1.0, result.speed) * _work(result) / result.cycle.period
-
-
-def _speed_key(result: Reduction) -> str:
-    return f"speed[{'rad/s' if result.turns else 'm/s'}]"
-
-
-def _moment(result: Reduction) -> tuple[str, str, str]:
-    """What is reduced, its column and its unit."""
-    return ("moment", "M_red", "N*m") if result.turns else ("force", "F_red", "N")
 
 
 def _work(result: Reduction) -> float:
@@ -105,14 +103,14 @@ def _scale(result: Reduction) -> float:
 def _work_fact(result: Reduction, contribution: Contribution) -> Fact:
     """Exact work of a contribution, and that of Simpson's rule over the positions beside it."""
     name, work, scale = contribution_name(result, contribution), contribution.work, _scale(result)
-    values = {f"work_{name}[J]": work}
+    values = keyed(contribution, "work", cause=name)
     text = f"{number(work, peak=scale)} J {_cycle(result)}"
     if contribution.simpson is not None:
-        values[f"work_Simpson_{name}[J]"] = contribution.simpson
+        values |= keyed(contribution, "simpson", cause=name)
         text += f"\nby Simpson's rule {number(contribution.simpson, peak=scale)} J"
         if abs(work) > NOISE * scale:
             off = 100 * (contribution.simpson / work - 1)
-            values[f"work_Simpson_{name}_off[%]"] = off
+            values |= SIMPSON_OFF.of(cause=name).value(off)
             size = number(abs(off), 3, peak=100.0)
             text += f", {size} % too {'much' if off > 0 else 'little'}" if size != "0" else ", the same"
     return Fact(f"work of {_called(contribution)}", text, values)
@@ -125,34 +123,36 @@ def _called(contribution: Contribution) -> str:
 
 def _sum_facts(result: Reduction) -> list[Fact]:
     """Work of everything, the mean moment, and the mean power that the drive must make up for."""
-    what, key, unit = _moment(result)
+    told = reduced(result)
     work, scale, mean = _work(result), _scale(result), mean_moment(result)
     power = work * abs(result.speed) / result.cycle.period
-    text = f"{number(mean, peak=scale / result.cycle.period)} {unit} ({number(power, peak=scale)} W)"
+    text = f"{number(mean, peak=scale / result.cycle.period)} {told.mean.unit} ({number(power, peak=scale)} W)"
     return [
-        Fact("work of everything", f"{number(work, peak=scale)} J {_cycle(result)}", {"work[J]": work}),
-        Fact(f"mean reduced {what}", text, {f"{key}_mean[{unit}]": mean, "P_red_mean[W]": power}),
+        Fact("work of everything", f"{number(work, peak=scale)} J {_cycle(result)}", WORK.value(work)),
+        Fact(f"mean reduced {told.force}", text, told.mean.value(mean) | MEAN_POWER.value(power)),
     ]
 
 
 def _moment_facts(result: Reduction) -> list[Fact]:
     """Extremes of every contribution and of their sum."""
-    what, key, unit = _moment(result)
+    told = reduced(result)
     total = math.copysign(1.0, result.speed) * result.parts.sum(axis=0)
     least, largest = result.cycle.panels.extremes(total)
-    facts = [span_fact(result, f"reduced {what}", key, unit, (Extreme(*least), Extreme(*largest)))]
+    extremes = Extreme(*least), Extreme(*largest)
+    facts = [span_fact(result, f"reduced {told.force}", told.moment.name, told.moment.unit, extremes)]
     if len(result.contributions) < 2:
         return facts
     for c in result.contributions:
-        name = contribution_name(result, c)
-        facts.append(span_fact(result, f"{what} of {_called(c)}", f"{key}_{name}", unit, (c.least, c.largest)))
+        own = told.of_cause.of(cause=contribution_name(result, c))
+        facts.append(span_fact(result, f"{told.force} of {_called(c)}", own.name, own.unit, (c.least, c.largest)))
     return facts
 
 
 def _inertia_facts(result: Reduction) -> list[Fact]:
     """Range of the reduced inertia, and what static lumping of the rods would change."""
-    what, key, unit = ("inertia", "J_red", "kg*m^2") if result.turns else ("mass", "m_red", "kg")
-    facts = [span_fact(result, f"reduced {what}", key, unit, result.inertia_range)]
+    told = reduced(result)
+    name, unit = told.inertia.name, told.inertia.unit
+    facts = [span_fact(result, f"reduced {told.mass}", name, unit, result.inertia_range)]
     least, largest = (extreme.value for extreme in result.inertia_range)
     if result.other is None or largest - least <= NOISE * largest:
         return facts
@@ -160,9 +160,9 @@ def _inertia_facts(result: Reduction) -> list[Fact]:
     share = 100 * change / (largest - least)
     rods = ", ".join(map(str, result.rod_links))
     label = f"static lumping of {rods}"
-    values = {"lumped_rods": list(result.rod_links), f"lumping_{key}[{unit}]": change, "lumping[%]": share}
+    values = {LUMPED.key: list(result.rod_links), **told.lumping.value(change), **LUMPING.value(share)}
     if abs(change) <= NOISE * largest:
-        return [*facts, Fact(label, f"the same reduced {what}", values)]
+        return [*facts, Fact(label, f"the same reduced {told.mass}", values)]
     text = f"up to {number(change, 4)} {unit}, {number(share, 3)} % of the variable part"
     return [*facts, Fact(label, text, values)]
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from tmmcalc.core.columns import Column, select
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import Quantity, quantities, table
 from tmmcalc.machine.transient.columns import timed_columns
 from tmmcalc.machine.transient.results import Event
 from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
@@ -18,6 +19,9 @@ from tmmcalc.report.positions import more
 
 SHOWN = 24  # equal steps of time, at whose rows a motion is shown
 ROUNDING = 1e-9  # of a turn: an angle so near to a whole turn is one
+
+TURNS = Quantity("turns", "whole turns of the crank")
+ANGLE, _ = quantities(Event)["angle"].shown("deg")
 
 
 def within(radians: float) -> float:
@@ -36,11 +40,10 @@ def events_view(events: Sequence[Event]) -> View | None:
         return None
     angles = [event.angle for event in events]
     columns: dict[str, list[Any]] = {
-        "t[s]": [event.time for event in events],
-        "turns": [math.floor(math.degrees(a) / 360.0 + ROUNDING) for a in angles],
-        "angle[deg]": [within(a) for a in angles],
-        "omega[rad/s]": [event.speed for event in events],
-        "event": [event.message for event in events],
+        **table(events, Event, "time"),
+        TURNS.key: [math.floor(math.degrees(a) / 360.0 + ROUNDING) for a in angles],
+        ANGLE: [within(a) for a in angles],
+        **table(events, Event, "speed", "message"),
     }
     fastest = max(abs(event.speed) for event in events)
     return View(list(columns), list(columns.values()), [0.0, 0.0, 0.0, fastest, 0.0])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tmmcalc.core.quantity import keyed
 from tmmcalc.machine.timescales import TimeScales
 from tmmcalc.report.document import Fact
 from tmmcalc.report.numbers import number
@@ -17,14 +18,7 @@ def scales_fact(scales: TimeScales | None, label: str = "time scales") -> Fact:
         f"explicit steps stay bounded up to {seconds(scales.stable_step)}: {number(scales.steps, 3)} for the sake of "
         f"stability alone in {seconds(scales.duration)}",
     )
-    values = {
-        "fastest[s]": scales.fastest,
-        "slowest[s]": scales.slowest,
-        "ratio": scales.ratio,
-        "duration[s]": scales.duration,
-        "stable_step[s]": scales.stable_step,
-        "explicit_steps": scales.steps,
-    }
+    values = keyed(scales, "fastest", "slowest", "ratio", "duration", "stable_step", "steps")
     return Fact(label, "\n".join(lines), {"time_scales": values})
 
 

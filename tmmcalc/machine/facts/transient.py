@@ -13,16 +13,17 @@ from dataclasses import replace
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
-from tmmcalc.machine.facts.timed import course, events_view, whole_table, within
+from tmmcalc.core.quantity import Quantity, keyed
+from tmmcalc.machine.facts.timed import TURNS, course, events_view, whole_table, within
 from tmmcalc.machine.facts.timescales import scales_fact
+from tmmcalc.machine.transient.columns import SHAFT
 from tmmcalc.machine.transient.results import End, Event
-from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
+from tmmcalc.machine.transient.timed import TURN, TimedMotion, TimedMotions
 from tmmcalc.machine.transient.verdicts import rms
 from tmmcalc.machine.verdicts import SLACK
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import number
 
-TURN = 2 * math.pi
 NOTHING = 1e-9  # of the largest moment or energy: less is none
 ENDS: dict[End, str] = {
     "time": "its time is up",
@@ -33,6 +34,20 @@ ENDS: dict[End, str] = {
     "steady": "it repeats itself from cycle to cycle",
     "runaway": "it runs away, faster and faster",
 }
+
+LARGEST_SPEED = Quantity("omega_largest[rad/s]", "largest speed of the crank, between the rows too")
+LARGEST_SPEED_AT = Quantity("omega_largest_at_t[s]", "time of the largest speed of the crank")
+SWING_LOW = Quantity("swing_low[rad/s]", "least speed in the last turn under the motor")
+SWING_HIGH = Quantity("swing_high[rad/s]", "largest speed in the last turn under the motor")
+SWING_DELTA = Quantity("swing_delta", "coefficient of speed fluctuation in the last turn under the motor")
+MOTOR_RMS = Quantity("M_motor_rms[N*m]", "root mean square of the motor's moment over the time")
+MOTOR_OVER_RATED = Quantity("M_motor_rms_over_rated", "rms moment of the motor over its rated moment")
+LARGEST = Quantity("{moment}_largest[N*m]", "largest moment of the shaft, between the rows too")
+LARGEST_AT = Quantity("{moment}_largest_at_t[s]", "time of the largest moment of the shaft")
+MEAN = Quantity("{moment}_mean[N*m]", "mean moment of the shaft over the time")
+RIGID = Quantity("{moment}_rigid[N*m]", "largest moment if all shafts were rigid")
+FACTOR = Quantity("{moment}_dynamic_factor", "largest moment over that with rigid shafts")
+WORK = Quantity("work_{cause}[J]", "work of {cause}")
 
 
 def summary(result: TimedMotions, title: str) -> Document:
@@ -91,29 +106,17 @@ def _method_fact(motion: TimedMotion) -> Fact:
     count = motion.counters
     text = f"{motion.method}: {motion.reason}"
     text += f"\n{count['steps']} steps, {count['rejected']} rejected, {count['evaluations']} evaluations"
-    return Fact("integrated by", text, {"method": motion.method, "method_reason": motion.reason, "counters": count})
-
-
-def _turned(motion: TimedMotion) -> float:
-    """Angle that the crank has turned by [rad]."""
-    return float(motion.theta[-1, -1] - motion.theta[-1, 0])
+    return Fact("integrated by", text, keyed(motion, "method", "reason", "counters"))
 
 
 def _end_fact(motion: TimedMotion) -> Fact:
     """What ended the motion, when, where, and how fast the crank still was."""
-    time, speed, turns = float(motion.t[-1]), float(motion.omega[-1, -1]), _turned(motion) / TURN
     lines = (
-        f"at t = {number(time)} s: {ENDS[motion.end]}",
-        f"after {number(turns, 5)} turns, at {_rpm(speed)}",
+        f"at t = {number(motion.end_time)} s: {ENDS[motion.end]}",
+        f"after {number(motion.turns, 5)} turns, at {_rpm(motion.end_speed)}",
         f"crank at {number(within(float(motion.theta[-1, -1])), 5)} deg",
     )
-    values = {
-        "end": motion.end,
-        "end_time[s]": time,
-        "end_angle[deg]": math.degrees(float(motion.theta[-1, -1])),
-        "end_omega[rad/s]": speed,
-        "turns": turns,
-    }
+    values = keyed(motion, "end", "end_time", "end_angle", "end_speed", "turns")
     return Fact("ends", "\n".join(lines), values)
 
 
@@ -131,15 +134,13 @@ def _target_facts(motion: TimedMotion) -> list[Fact]:
         f"{_rpm(speed)} after {number(event.time)} s, {number((event.angle - began) / TURN, 4)} turns"
         for speed, event in found
     ]
-    reached = [
-        {"omega[rad/s]": speed, "t[s]": event.time, "turns": (event.angle - began) / TURN} for speed, event in found
-    ]
+    reached = [{**keyed(event, "speed", "time"), **TURNS.value((event.angle - began) / TURN)} for _, event in found]
     return [Fact("reaches", "\n".join(lines), {"reached": reached})]
 
 
 def _speed_fact(motion: TimedMotion) -> Fact:
     """Speed of the crank at the beginning, and its largest one."""
-    first = float(motion.omega[-1, 0])
+    first = motion.begin_speed
     speeds = np.concatenate((motion.omega[-1], motion.turning[2]))
     times = np.concatenate((motion.t, motion.turning[0]))
     k = int(np.argmax(speeds))
@@ -147,7 +148,7 @@ def _speed_fact(motion: TimedMotion) -> Fact:
     text = f"at first {_rpm(first)}"
     if at > motion.t[0]:
         text += f"\nlargest {_rpm(largest)} at t = {number(at, 5)} s"
-    values = {"omega_begin[rad/s]": first, "omega_largest[rad/s]": largest, "omega_largest_at_t[s]": at}
+    values = {**keyed(motion, "begin_speed"), **LARGEST_SPEED.value(largest), **LARGEST_SPEED_AT.value(at)}
     return Fact("speed of the crank", text, values)
 
 
@@ -159,11 +160,11 @@ def _swing_facts(motion: TimedMotion) -> list[Fact]:
         return []
     low, high = float(speeds.min()), float(speeds.max())
     text = f"between {number(low)} and {number(high)} rad/s"
-    values = {"swing_low[rad/s]": low, "swing_high[rad/s]": high}
+    values = SWING_LOW.value(low) | SWING_HIGH.value(high)
     if low > 0:
         delta = 2 * (high - low) / (high + low)
         text += f", delta = {number(delta, 4)}"
-        values["swing_delta"] = delta
+        values |= SWING_DELTA.value(delta)
     return [Fact("in the last turn", text, values)]
 
 
@@ -175,24 +176,23 @@ def mean_of(t: Values, values: Values) -> float:
 
 def _motor_facts(motion: TimedMotion) -> list[Fact]:
     """The motor's largest moment, and the root mean square that its heating goes with."""
-    moment = motion.motor_moment
-    largest, at = motion.largest_moment[:, -1].tolist()
+    largest, at = motion.largest_motor, motion.largest_motor_at
     if not largest:
         return []
-    mean, rated = rms(motion.t, moment), motion.rated_moment
+    mean, rated = rms(motion.t, motion.motor_moment), motion.rated_moment
     text = f"largest {number(largest)} N*m at t = {number(at, 5)} s"
     text += f"\nrms over the time {number(mean, 4)} N*m, whose square heats it"
-    values = {"M_motor_largest[N*m]": largest, "M_motor_largest_at_t[s]": at, "M_motor_rms[N*m]": mean}
+    values = {**keyed(motion, "largest_motor", "largest_motor_at"), **MOTOR_RMS.value(mean)}
     if rated is not None and rated > 0:
         kept = "does not exceed" if mean <= rated * (1 + SLACK) else "exceeds"
         text += f"\n{number(mean / rated, 4)} times the rated {number(rated, 4)} N*m: {kept} it"
-        values |= {"M_motor_rated[N*m]": rated, "M_motor_rms_over_rated": mean / rated}
+        values |= {**keyed(motion, "rated_moment"), **MOTOR_OVER_RATED.value(mean / rated)}
     return [Fact("moment of the motor", text, values)]
 
 
 def _shaft_fact(motion: TimedMotion, k: int) -> Fact:
     """The largest moment of a shaft, and how many times that of the same motion with rigid shafts it is."""
-    name, moment = f"M_{k + 1}_{k + 2}", motion.shaft_moment[k]
+    name, moment = SHAFT.of(before=k + 1, after=k + 2).name, motion.shaft_moment[k]
     largest, at = motion.largest_moment[:, k].tolist()
     mean = mean_of(motion.t, moment)
     text = f"{motion.masses[k]} to {motion.masses[k + 1]}"
@@ -200,12 +200,13 @@ def _shaft_fact(motion: TimedMotion, k: int) -> Fact:
         text += ", taken as rigid"
     text += f"\nlargest {number(largest)} N*m at t = {number(at, 5)} s"
     text += f"\nmean over the time {number(mean, 4, abs(largest))} N*m"
-    values = {f"{name}_largest[N*m]": largest, f"{name}_largest_at_t[s]": at, f"{name}_mean[N*m]": mean}
+    found = zip((LARGEST, LARGEST_AT, MEAN), (largest, at, mean), strict=True)
+    values = {told.of(moment=name).key: value for told, value in found}
     rigid = motion.rigid_moment[k] if motion.rigid_moment else 0.0
     if rigid > NOTHING * abs(largest):
         factor = abs(largest) / rigid
         text += f"\nif all shafts were rigid {number(rigid)} N*m: dynamic factor {number(factor, 4)}"
-        values |= {f"{name}_rigid[N*m]": rigid, f"{name}_dynamic_factor": factor}
+        values |= {**RIGID.of(moment=name).value(rigid), **FACTOR.of(moment=name).value(factor)}
     return Fact(f"shaft {name}", text, values)
 
 
@@ -218,7 +219,7 @@ def _energy_facts(motion: TimedMotion) -> list[Fact]:
         "shafts": motion.shaft_loss,
     }
     works = {name: float(work[-1]) for name, work in causes.items()}
-    begin, end = (float(motion.kinetic[k] + motion.elastic[k]) for k in (0, -1))
+    begin, end = motion.begin_energy, motion.end_energy
     peak = max(begin, end, *map(abs, works.values()))
     parts = [f"{name} {number(work, 5)} J" for name, work in works.items() if abs(work) > NOTHING * peak]
     lines = (
@@ -227,9 +228,8 @@ def _energy_facts(motion: TimedMotion) -> list[Fact]:
         f"the balance is open by {motion.imbalance:.0e} of the largest" if motion.imbalance else "the balance is exact",
     )
     values = {
-        "energy_begin[J]": begin,
-        "energy_end[J]": end,
-        **{f"work_{name}[J]": work for name, work in works.items()},
+        **keyed(motion, "begin_energy", "end_energy"),
+        **{WORK.of(cause=name).key: work for name, work in works.items()},
         "residual": {"energy": motion.imbalance},
     }
     return [Fact("energy and work", "\n".join(lines), values)]
@@ -237,16 +237,7 @@ def _energy_facts(motion: TimedMotion) -> list[Fact]:
 
 def _event_facts(events: Sequence[Event]) -> list[Fact]:
     """All events for programs, how many there are for people."""
-    found = [
-        {
-            "kind": event.kind,
-            "t[s]": event.time,
-            "angle[deg]": math.degrees(event.angle),
-            "omega[rad/s]": event.speed,
-            "message": event.message,
-        }
-        for event in events
-    ]
+    found = [keyed(event, "kind", "time", "angle[deg]", "speed", "message") for event in events]
     if not found:
         return [Fact("events", "none")]
     text = "in the table, with the crank's turns and its angle"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 
@@ -9,11 +10,11 @@ from tmmcalc.core.records import record
 class Material:
     """A rim material."""
 
-    name: str
-    density: float  # [kg/m^3]
-    rim_speed: float  # largest speed of the rim [m/s]
-    strength: float  # tensile strength [Pa]
-    source: str
+    name: str = quantity("rim_material", "material of the rim")
+    density: float = quantity("rim_density[kg/m^3]", "density of the rim")
+    rim_speed: float = quantity("rim_speed_limit[m/s]", "largest speed of the rim that is allowed")
+    strength: float = quantity("rim_strength[Pa]", "tensile strength of the rim")
+    source: str = quantity("rim_material_source", "where the data of the material are from")
 
 
 CAST_IRON = Material(

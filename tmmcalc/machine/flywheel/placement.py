@@ -10,6 +10,7 @@ from dataclasses import replace
 from typing import Literal
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.flywheel.materials import MATERIALS, Material
 from tmmcalc.machine.flywheel.rim import (
@@ -35,7 +36,7 @@ class Wheel:
 
     shaft: ShaftName
     ratio: float  # u, speed of the shaft over that of the input shaft
-    inertia: float  # of the wheel itself, J/u^2 [kg*m^2]
+    inertia: float = quantity("J_{shaft}_shaft[kg*m^2]", "inertia J/u^2 of the flywheel on the {shaft} shaft")
     speed: float  # largest speed of the shaft [rad/s]
     rim: Rim | None  # None if no flywheel is needed, or none can be made
     remarks: tuple[str, ...]  # what speaks against it

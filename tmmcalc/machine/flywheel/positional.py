@@ -12,6 +12,7 @@ import numpy as np
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import EnergyCurve, energy_curve, nodal_curve
@@ -24,12 +25,16 @@ class FlywheelMethod:
     """What one method asks for, and what comes of it."""
 
     method: str
-    inertia: float  # J_F, total constant inertia asked for [kg*m^2]; negative if the links alone suffice
-    addition: float  # to be added beyond the constant inertia at hand [kg*m^2], not negative
+    inertia: float = quantity(
+        "J_F[kg*m^2]", "total constant inertia asked for; negative if the links alone suffice", source="(3.53)"
+    )
+    addition: float = quantity("J_add[kg*m^2]", "inertia to be added beyond the constant one at hand, not negative")
     theta_max: float  # position of the tangent of the largest speed [rad]
     theta_min: float  # position of the tangent of the smallest speed [rad]
-    delta: float | None  # coefficient of speed fluctuation reached with it, exactly; None: it cannot carry the cycle
-    error: float  # relative error of J_F against the exact method [-]
+    delta: float | None = quantity(  # None: it cannot carry the cycle
+        "delta", "coefficient of speed fluctuation reached with it, exactly"
+    )
+    error: float = quantity("error", "relative error of J_F against the exact method")
     remark: str
 
 

@@ -18,6 +18,7 @@ import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.flywheel.materials import CAST_IRON, Material
 
@@ -42,27 +43,29 @@ class Rim:
     """A rim and what it is loaded with."""
 
     material: Material
-    diameter: float  # D, mean [m]
-    thickness: float  # h, radial [m]
-    width: float  # b, axial [m]
-    mass: float  # of the rim [kg]
-    total_mass: float  # with arms and hub [kg]
-    thin_mass: float  # 4 J/D^2, the textbook's estimate of a thin rim that carries the whole inertia [kg]
-    inertia: float  # of the rim alone [kg*m^2]
-    speed: float  # of the outer edge [m/s]
-    stress: float  # hoop stress rho v^2 of a thin ring, at the mean diameter [Pa]
-    peak_stress: float  # hoop stress of the full ring at its inner edge, arms left out [Pa]
-    safety: float  # tensile strength over peak stress [-]
-    allowed: bool  # the outer edge keeps below the material's rim speed
+    diameter: float = quantity("rim_mean_diameter[m]", "mean diameter of the rim", symbol="D")
+    thickness: float = quantity("rim_thickness[m]", "radial thickness of the rim", symbol="h")
+    width: float = quantity("rim_width[m]", "axial width of the rim", symbol="b")
+    mass: float = quantity("rim_mass[kg]", "mass of the rim")
+    total_mass: float = quantity("rim_total_mass[kg]", "mass of the flywheel with arms and hub")
+    thin_mass: float = quantity("rim_thin_mass[kg]", "mass 4 J/D^2 of a thin rim that carries the whole inertia")
+    inertia: float = quantity("rim_inertia[kg*m^2]", "inertia of the rim alone")
+    speed: float = quantity("rim_speed[m/s]", "speed of the outer edge")
+    stress: float = quantity("rim_stress[Pa]", "hoop stress rho v^2 of a thin ring at the mean diameter")
+    peak_stress: float = quantity(
+        "rim_peak_stress[Pa]", "hoop stress of the full ring at its inner edge, arms left out"
+    )
+    safety: float = quantity("rim_safety", "tensile strength over peak stress")
+    allowed: bool = quantity("rim_allowed", "the outer edge keeps below the material's rim speed")
 
-    @property
+    @derived("rim_outer_diameter[m]", "outer diameter of the rim")
     def outer(self) -> float:
-        """Outer diameter [m]."""
+        """D + h."""
         return self.diameter + self.thickness
 
-    @property
+    @derived("rim_inner_diameter[m]", "inner diameter of the rim")
     def inner(self) -> float:
-        """Inner diameter [m]."""
+        """D - h."""
         return self.diameter - self.thickness
 
 

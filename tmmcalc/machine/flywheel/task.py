@@ -6,6 +6,7 @@ import numpy as np
 
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import UNDRIVEN, ConstantInertia, Driver
@@ -28,14 +29,14 @@ BOOK = 1  # place of the textbook's method among all
 class Flywheel:
     """Result of the flywheel stage; inertias are reduced to the input shaft [kg*m^2] unless said otherwise."""
 
-    delta: float  # allowed coefficient of speed fluctuation
+    delta: float = quantity("delta_allowed", "coefficient of speed fluctuation that is allowed")
     at_hand: ConstantInertia  # rotor, gears, further; the flywheel left out
     rows: tuple[Row, ...]  # the methods for forces of position, the exact one first
     required: RequiredInertia | None  # under the motor, or the loads alone; None: a constant moment drives
-    inertia: float  # total constant inertia needed
-    addition: float  # the flywheel needed
-    existing: float  # the flywheel that is there
-    sufficient: bool | None  # whether that one does; None if there is none
+    inertia: float = quantity("J_F[kg*m^2]", "total constant inertia needed")
+    addition: float = quantity("J_add[kg*m^2]", "flywheel needed at the input shaft")
+    existing: float = quantity("J_existing[kg*m^2]", "flywheel that is there, at the input shaft")
+    sufficient: bool | None = quantity("existing_suffices", "the flywheel that is there does")  # None: there is none
     wheels: tuple[Wheel, ...]  # the needed flywheel on its shaft, then on the others for comparison
     nodal: FlywheelMethod | None  # the textbook's method on the table of positions; None if its steps differ
     picture: EnergyMass  # Wittenbauer's energy-mass curve with the tangents
@@ -53,15 +54,35 @@ class Flywheel:
             return "its loads"
         return "forces of position" if self.required is None else "the motor"
 
-    @property
+    @derived("J_at_hand[kg*m^2]", "constant inertia at hand without a flywheel")
+    def without(self) -> float:
+        """Of rotor, gears and what is further there."""
+        return self.at_hand.total
+
+    @derived("J_own[kg*m^2]", "inertia of the needed flywheel on its own shaft")
+    def own(self) -> float:
+        """J_add over the square of the ratio."""
+        return self.wheels[0].inertia
+
+    @derived("ratio_flywheel", "speed of the flywheel's shaft over that of the input shaft")
     def ratio(self) -> float:
-        """Speed of the flywheel's shaft over that of the input shaft."""
+        """Negative where it turns against the input shaft."""
         return self.wheels[0].ratio
 
-    @property
-    def own(self) -> float:
-        """Inertia of the needed flywheel on its shaft [kg*m^2]."""
-        return self.wheels[0].inertia
+    @derived("omega_flywheel_max[rad/s]", "largest speed of the flywheel")
+    def fastest(self) -> float:
+        """On its own shaft."""
+        return self.wheels[0].speed
+
+    @derived("delta_reached", "coefficient of speed fluctuation reached")
+    def reached(self) -> float | None:
+        """Under what the machine runs under.
+
+        None where it stalls, and where forces of position ask for a flywheel: then it is the allowed one.
+        """
+        if self.required is not None:
+            return self.required.delta
+        return self.rows[0].positional.delta if self.addition <= 0 else None
 
     @property
     def rim(self) -> Rim | None:

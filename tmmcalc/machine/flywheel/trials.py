@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.regime import Regime
 
@@ -10,8 +11,8 @@ from tmmcalc.machine.regime import Regime
 class Trial:
     """One run of the model."""
 
-    inertia: float  # constant inertia [kg*m^2]
-    delta: float | None  # coefficient of speed fluctuation [-]; None: the machine stalls
+    inertia: float = quantity("J[kg*m^2]", "constant inertia")
+    delta: float | None = quantity("delta", "coefficient of speed fluctuation")  # None: the machine stalls
 
 
 @record
@@ -24,7 +25,7 @@ class RequiredInertia:
     delta: float  # coefficient of speed fluctuation reached [-]
     regime: Regime  # the steady motion with it
     trials: tuple[Trial, ...]  # all inertias tried, ascending
-    monotone: bool  # among the trials delta falls as the inertia grows
+    monotone: bool = quantity("monotone", "among the trials delta falls as the inertia grows")
     remarks: tuple[str, ...]
     error: float = 0.0  # estimated relative error of the inertia
 

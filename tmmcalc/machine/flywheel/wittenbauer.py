@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import energy_curve
@@ -28,9 +29,29 @@ class EnergyMass:
     slopes: tuple[float, float]  # k_max, k_min: half the square of the extreme speeds [rad^2/s^2]
     intercepts: tuple[float, float]  # b_max, b_min on the axis of energies [J]; their distance is the segment GH
     touching: tuple[float, float]  # angles where the tangents touch [rad]
-    inertia: float  # J_F, total constant inertia [kg*m^2]
-    energy: float  # T0, kinetic energy of the whole machine at theta = 0 [J]
-    drive: float  # constant moment that closes the cycle [N*m]
+    inertia: float = quantity("J_F_exact[kg*m^2]", "total constant inertia by the exact tangents", symbol="J_F")
+    energy: float = quantity("T_0[J]", "kinetic energy of the whole machine at theta = 0")
+    drive: float = quantity("M_d_mean[N*m]", "constant driving moment that closes the cycle")
+
+    @derived("slope_max[rad^2/s^2]", "slope of the tangent of the largest speed", symbol="k_max")
+    def slope_max(self) -> float:
+        """Half the square of that speed."""
+        return self.slopes[0]
+
+    @derived("slope_min[rad^2/s^2]", "slope of the tangent of the least speed", symbol="k_min")
+    def slope_min(self) -> float:
+        """Half the square of that speed."""
+        return self.slopes[1]
+
+    @derived("G[J]", "intercept of the tangent of the largest speed on the axis of energies")
+    def upper(self) -> float:
+        """b_max."""
+        return self.intercepts[0]
+
+    @derived("H[J]", "intercept of the tangent of the least speed on the axis of energies")
+    def lower(self) -> float:
+        """b_min."""
+        return self.intercepts[1]
 
     def angles(self, scale: float) -> tuple[float, float]:
         """Angles [rad] of the tangents in a drawing, ``scale`` = mu_J/mu_T [kg*m^2/mm over J/mm] (3.50)."""

@@ -10,6 +10,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Literal
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
@@ -19,28 +20,31 @@ Interpolation = Literal["linear", "pchip"]
 MotorKind = Literal["induction", "shunt", "series"]
 CharacteristicKind = Literal["parabolic", "linear", "kloss", "shunt", "series", "constant", "table"]
 MOTOR_KINDS = ("induction", "shunt", "series")
+RPM = 30 / math.pi
 
 
 @record
 class Motor:
     """Rated data of a motor; None: not known."""
 
-    name: str
-    power: float  # P_N [W]
+    name: str = quantity("motor", "name of the motor")
+    power: float = quantity("P_N[W]", "rated power")
     speed: float  # omega_N [rad/s]
     synchronous: float | None = None  # omega_c, of a shunt motor its no-load speed [rad/s]
-    overload: float | None = None  # K = M_K/M_N [-]
-    inertia: float | None = None  # J_R of the rotor [kg*m^2]
-    start: float | None = None  # moment at standstill over M_N [-]
-    time_constant: float = 0.0  # electromagnetic tau_e [s]; 0: the characteristic is followed at once
-    kind: MotorKind = "induction"
-    voltage: float | None = None  # U of a direct-current motor [V]
-    resistance: float | None = None  # R of its armature circuit [ohm]
-    constant: float | None = None  # k of a shunt motor [V*s/rad]
-    efficiency: float | None = None  # at the rated point [-]
+    overload: float | None = quantity("K", "overload ratio M_K/M_N", default=None)
+    inertia: float | None = quantity("J_R[kg*m^2]", "inertia of the rotor", default=None)
+    start: float | None = quantity("M_start/M_N", "moment at standstill over the rated one", default=None)
+    time_constant: float = quantity(  # 0: the characteristic is followed at once
+        "tau_e[s]", "electromagnetic time constant", default=0.0
+    )
+    kind: MotorKind = quantity("motor_kind", "kind of the motor", default="induction")
+    voltage: float | None = quantity("U[V]", "voltage of a direct-current motor", default=None)
+    resistance: float | None = quantity("R[ohm]", "resistance of the armature circuit", default=None)
+    constant: float | None = quantity("k[V*s/rad]", "constant of a shunt motor", default=None)
+    efficiency: float | None = quantity("eta_motor", "efficiency of the motor at its rated point", default=None)
     points: tuple[tuple[float, float], ...] = ()  # measured characteristic: omega [rad/s], M [N*m]
     interpolation: Interpolation = "pchip"  # between the points
-    source: str = ""
+    source: str = quantity("motor_source", "where the data of the motor are from", default="")
 
     def __post_init__(self) -> None:
         """Refuse data that no motor has."""
@@ -66,10 +70,20 @@ class Motor:
     def _refuse(self, message: str, value: float | None = None, limit: float | None = None, remedy: str = "") -> None:
         raise UsageError(message, where=f"motor {self.name}", value=value, limit=limit, remedy=remedy)
 
-    @property
+    @derived("M_N[N*m]", "rated moment P_N/omega_N")
     def nominal_moment(self) -> float:
-        """Rated moment M_N = P_N/omega_N [N*m]."""
+        """On the shaft of the motor."""
         return self.power / self.speed
+
+    @derived("n_N[rpm]", "rated speed")
+    def rated_rpm(self) -> float:
+        """omega_N in revolutions per minute."""
+        return self.speed * RPM
+
+    @derived("n_sync[rpm]", "synchronous speed, of a shunt motor its no-load speed")
+    def synchronous_rpm(self) -> float | None:
+        """omega_c in revolutions per minute; None: not known."""
+        return None if self.synchronous is None else self.synchronous * RPM
 
     @property
     def nominal_slip(self) -> float:

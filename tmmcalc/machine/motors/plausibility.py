@@ -6,12 +6,12 @@ plate. Where it does not, one of the data is wrong, or the motor is not the one 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
-from tmmcalc.machine.motors.model import CharacteristicKind, Motor, characteristic
+from tmmcalc.machine.motors.model import RPM, CharacteristicKind, Motor, characteristic
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 FAR = 0.05  # relative difference of two statements of one datum that is more than rounding and friction
 DIRECT = ("shunt", "series")  # kinds of direct-current motors
 OF_DATA = ("shunt", "series", "table")  # characteristics that need not pass through the rated point
-RPM = 30 / math.pi
 
 
 @record
@@ -27,7 +26,12 @@ class Curve:
     """Ends of a direct-current motor's characteristic, on its own shaft."""
 
     no_load: float | None  # speed where the moment is zero [rad/s]; None: unloaded it runs away
-    stall: float  # moment at standstill [N*m]
+    stall: float = quantity("M_stall[N*m]", "moment of the motor at standstill")
+
+    @derived("n_no_load[rpm]", "speed at which the motor gives no moment")
+    def no_load_rpm(self) -> float | None:
+        """In revolutions per minute; None: unloaded it runs away."""
+        return None if self.no_load is None else self.no_load * RPM
 
 
 def curve_of(motor: Motor, kind: CharacteristicKind) -> Curve | None:

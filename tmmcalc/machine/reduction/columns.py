@@ -1,24 +1,65 @@
-"""The columns of the reduction table; of a driven slider forces and masses stand for moments and inertias.
-
-M_red, F_red           reduced moment (force) of everything; M_red_Q, M_red_weight, M_red_friction ... of each cause
-P_red                  power of everything at the mean speed
-eta                    instant efficiency, blank where nothing useful is done
-J_red, m_red           reduced inertia (mass) of the links; dJ_red, dm_red its derivative against the input coordinate
-J_lumped, m_lumped     the same with the masses of rods placed statically in their pins; where J_red has them there
-J_exact, m_exact       the same with the rods as they are
-"""
+"""The columns of the reduction table; of a driven slider forces and masses stand for moments and inertias."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
+from typing import NamedTuple
 
-from tmmcalc.core.columns import Column
+from tmmcalc.core.columns import Column, column
+from tmmcalc.core.quantity import Quantity
 from tmmcalc.linkage.columns import phi_column
 from tmmcalc.machine.reduction.efficiency import efficiency
 from tmmcalc.machine.reduction.results import Contribution, Reduction
 
-EFFICIENCY = "eta"  # the column that has blanks
+POWER = Quantity("P_red[W]", "power of everything at the mean speed")
+EFFICIENCY = Quantity("eta[-]", "instant efficiency, blank where nothing useful is done")
+
+
+class Reduced(NamedTuple):
+    """What is reduced to an input that turns, or that slides."""
+
+    force: str  # in words
+    mass: str
+    speed: Quantity
+    moment: Quantity
+    of_cause: Quantity
+    mean: Quantity
+    inertia: Quantity
+    slope: Quantity
+    other: Quantity  # with the rods the other way
+    lumping: Quantity  # what that changes
+
+
+CRANK = Reduced(
+    "moment",
+    "inertia",
+    Quantity("speed[rad/s]", "speed of the input"),
+    Quantity("M_red[N*m]", "reduced moment of everything", source="(3.34)"),
+    Quantity("M_red_{cause}[N*m]", "reduced moment of {cause}", source="(3.34)"),
+    Quantity("M_red_mean[N*m]", "mean reduced moment"),
+    Quantity("J_red[kg*m^2]", "reduced inertia of the links", source="(3.39)"),
+    Quantity("dJ_red[kg*m^2/rad]", "slope of the reduced inertia"),
+    Quantity("J_{rods}[kg*m^2]", "reduced inertia with the rods {rods}"),
+    Quantity("lumping_J_red[kg*m^2]", "largest change of the reduced inertia by rods as masses in their pins"),
+)
+SLIDER = Reduced(
+    "force",
+    "mass",
+    Quantity("speed[m/s]", "speed of the input"),
+    Quantity("F_red[N]", "reduced force of everything", source="(3.34)"),
+    Quantity("F_red_{cause}[N]", "reduced force of {cause}", source="(3.34)"),
+    Quantity("F_red_mean[N]", "mean reduced force"),
+    Quantity("m_red[kg]", "reduced mass of the links", source="(3.39)"),
+    Quantity("dm_red[kg/m]", "slope of the reduced mass"),
+    Quantity("m_{rods}[kg]", "reduced mass with the rods {rods}"),
+    Quantity("lumping_m_red[kg]", "largest change of the reduced mass by rods as masses in their pins"),
+)
+
+
+def reduced(result: Reduction) -> Reduced:
+    """What is reduced, by the kind of the input."""
+    return CRANK if result.turns else SLIDER
 
 
 def columns(result: Reduction) -> list[Column]:
@@ -26,10 +67,10 @@ def columns(result: Reduction) -> list[Column]:
     return [phi_column(result.phi, result.turns), *_moments(result), *_powers(result), *_inertias(result)]
 
 
-def cells(result: Reduction, column: Column) -> list[float | str]:
+def cells(result: Reduction, shown: Column) -> list[float | str]:
     """The values of a column (n,), blank where an efficiency has none."""
-    values = column.make().tolist()
-    if column.name != EFFICIENCY:
+    values = shown.make().tolist()
+    if shown.name != EFFICIENCY.name:
         return values
     return [value if known else "" for value, known in zip(values, efficiency(result)[1].tolist(), strict=True)]
 
@@ -41,23 +82,22 @@ def contribution_name(result: Reduction, contribution: Contribution) -> str:
 
 
 def _moments(result: Reduction) -> Iterator[Column]:
-    letter, unit = ("M", "N*m") if result.turns else ("F", "N")
-    yield Column(f"{letter}_red", unit, lambda: result.total)
+    told = reduced(result)
+    yield column(told.moment, lambda: result.total)
     for k, contribution in enumerate(result.contributions):
         name = contribution_name(result, contribution)
-        yield Column(f"{letter}_red_{name}", unit, partial(result.moment.__getitem__, k))
+        yield column(told.of_cause.of(cause=name), partial(result.moment.__getitem__, k))
 
 
 def _powers(result: Reduction) -> Iterator[Column]:
-    yield Column("P_red", "W", lambda: result.total * result.speed)
+    yield column(POWER, lambda: result.total * result.speed)
     if any(contribution.kind == "load" for contribution in result.contributions):
-        yield Column(EFFICIENCY, "-", lambda: efficiency(result)[0])
+        yield column(EFFICIENCY, lambda: efficiency(result)[0])
 
 
 def _inertias(result: Reduction) -> Iterator[Column]:
-    letter, unit, per = ("J", "kg*m^2", "kg*m^2/rad") if result.turns else ("m", "kg", "kg/m")
-    other, beside = result.other, "lumped" if result.rods == "exact" else "exact"
-    yield Column(f"{letter}_red", unit, lambda: result.inertia)
-    yield Column(f"d{letter}_red", per, lambda: result.slope)
+    told, other = reduced(result), result.other
+    yield column(told.inertia, lambda: result.inertia)
+    yield column(told.slope, lambda: result.slope)
     if other is not None:
-        yield Column(f"{letter}_{beside}", unit, lambda: other)
+        yield column(told.other.of(rods="lumped" if result.rods == "exact" else "exact"), lambda: other)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from tmmcalc.core.plane import Real
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.results import Extreme, Grade
 from tmmcalc.machine.cycle import Cycle
@@ -22,9 +23,11 @@ class Contribution:
     kind: Literal["load", "weight", "spring", "damper", "friction", "balance"]
     role: Literal["resistance", "drive"] | None  # what the spec takes a load for
     order: int  # of the speed that it is multiplied by
-    work: float  # [J]
+    work: float = quantity("work_{cause}[J]", "work of {cause} over the cycle")
     error: float  # estimated, of the work [J]
-    simpson: float | None  # [J]
+    simpson: float | None = quantity(
+        "work_Simpson_{cause}[J]", "work of {cause} by Simpson's rule over the positions", source="(3.38)"
+    )
     least: Extreme  # reduced moment [N*m] and theta [rad]
     largest: Extreme
 
@@ -77,7 +80,9 @@ class Reduction:
     cycle: Cycle
     idle: Cycle | None  # the same without technological loads; None if there are none
     inertia_range: tuple[Extreme, Extreme]  # least and largest reduced inertia
-    rods: Literal["exact", "lumped"]  # how the connecting rods count: as they are, or as masses in their pins
+    rods: Literal["exact", "lumped"] = quantity(
+        "rods", "how the connecting rods count: as they are, or as masses in their pins"
+    )
     rod_links: tuple[int, ...]  # the links that are such rods
     other: Real | None  # (n,) inertia with the rods the other way [kg*m^2]; None without a rod
     error: ReductionError

@@ -60,7 +60,7 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
 def columns(result: Reduction) -> Sequence[Column]:
     """All columns, one row a position; one with blanks is written as text."""
     return [
-        column._replace(make=partial(_efficiency, result, column)) if column.name == EFFICIENCY else column
+        column._replace(make=partial(_efficiency, result, column)) if column.name == EFFICIENCY.name else column
         for column in reduced_columns(result)
     ]
 

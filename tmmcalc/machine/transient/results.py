@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.timescales import TimeScales
 from tmmcalc.machine.transient.model import Drive
@@ -18,11 +19,12 @@ End = Literal["time", "speed", "angle", "standstill", "stall", "steady", "runawa
 class Event:
     """Something that happened: its exact time, and the crank there."""
 
-    kind: str  # "load", "motor on", "motor off", "brake on", "brake off", "target", "overload", "pull-out", ...
-    time: float  # [s]
-    angle: float  # of the crank [rad]
-    speed: float  # of the crank [rad/s]
-    message: str
+    # "load", "motor on", "motor off", "brake on", "brake off", "target", "overload", "pull-out", ...
+    kind: str = quantity("kind", "kind of the event")
+    time: float = quantity("t[s]", "time of the event")
+    angle: float = quantity("angle[rad]", "angle of the crank")
+    speed: float = quantity("omega[rad/s]", "speed of the crank")
+    message: str = quantity("message", "what happened", header="event")
 
 
 @record
