@@ -107,6 +107,11 @@ def quantities(kind: Any) -> dict[str, Quantity]:
     return found | {name: each.quantity for name, each in vars(kind).items() if isinstance(each, Derived)}
 
 
+def quantity_of(kind: Any, name: str, **places: object) -> Quantity:
+    """What a field or property of a kind of record gives out."""
+    return quantities(kind)[name].of(**places)
+
+
 def keyed(of: Any, *names: str, **places: object) -> dict[str, Any]:
     """The quantities of a record by their keys: those of these fields, or all; ``places`` are names of the scene.
 
@@ -143,3 +148,33 @@ def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dic
         else:
             found[told.header or told.key] = values
     return found
+
+
+def keys(kind: Any, *names: str, **places: object) -> list[str]:
+    """Keys of these fields and properties of a kind of record, to be set over values that stand in no record."""
+    known = quantities(kind)
+    return [known[name].of(**places).key for name in names]
+
+
+def headed(of: Any, *names: str, **places: object) -> dict[str, Any]:
+    """Columns of one record whose fields are arrays: these fields by their headers.
+
+    >>> from tmmcalc.core.records import record
+    >>> @record
+    ... class Course:
+    ...     t: tuple[float, ...] = quantity("times[s]", "time", header="t[s]")
+    >>> headed(Course((0.0, 0.5)), "t")
+    {'t[s]': (0.0, 0.5)}
+    """
+    known = quantities(type(of))
+    told = {name: known[name].of(**places) for name in names}
+    return {each.header or each.key: getattr(of, name) for name, each in told.items()}
+
+
+def listed(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Values of a document: arrays and tuples as lists, everything else as it is."""
+    return {key: _listed(value) for key, value in values.items()}
+
+
+def _listed(value: Any) -> Any:
+    return value.tolist() if hasattr(value, "tolist") else list(value) if isinstance(value, tuple) else value
