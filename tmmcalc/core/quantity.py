@@ -43,17 +43,33 @@ class Quantity(NamedTuple):
         return self.key.partition("[")[0]
 
     @property
+    def heading(self) -> str:
+        """What heads its column in a table of the records."""
+        return self.header or self.key
+
+    @property
     def unit(self) -> str:
         """Its unit; empty: a number, a word or a truth value."""
         return self.key.partition("[")[2].removesuffix("]")
 
     def of(self, **places: object) -> Quantity:
-        """The quantity of one point, link, wheel ... by its name.
+        """The quantity of one point, link, wheel ... by its name; a unit may be a place too, and be empty.
 
         >>> Quantity("x_{point}[m]", "x of {point}").of(point="C").key
         'x_C[m]'
+        >>> Quantity("{name}_max[{unit}]", "largest {name}").of(name="K", unit="").key
+        'K_max'
         """
-        return Quantity(*(text.format(**places) for text in self)) if places else self
+        return Quantity(*(text.format(**places).removesuffix("[]") for text in self)) if places else self
+
+    def marked(self, word: str) -> Quantity:
+        """The same of its extreme, mean, error ...: a word after the name.
+
+        >>> Quantity("P[W]", "power").marked("max").key
+        'P_max[W]'
+        """
+        name, bracket, unit = self.key.partition("[")
+        return Quantity(f"{name}_{word}{bracket}{unit}", f"{self.meaning}: {word}", source=self.source)
 
     def shown(self, unit: str) -> tuple[str, float]:
         """The header in a unit for people, and the factor of the values.
@@ -61,7 +77,7 @@ class Quantity(NamedTuple):
         >>> Quantity("M[m]", "size over balls").shown("mm")
         ('M[mm]', 1000.0)
         """
-        name = (self.header or self.key).partition("[")[0]
+        name = self.heading.partition("[")[0]
         return f"{name}[{unit}]", FORMS[self.unit, unit]
 
 
@@ -112,18 +128,76 @@ def quantity_of(kind: Any, name: str, **places: object) -> Quantity:
     return quantities(kind)[name].of(**places)
 
 
+def keys(kind: Any, *names: str, **places: object) -> list[str]:
+    """Keys of these fields and properties of a kind of record, for values that stand in no record."""
+    return [quantity_of(kind, name, **places).key for name in names]
+
+
 def keyed(of: Any, *names: str, **places: object) -> dict[str, Any]:
     """The quantities of a record by their keys: those of these fields, or all; ``places`` are names of the scene.
+
+    ``"angle[deg]"`` is a field in a unit for people. Tuples and arrays become lists.
 
     >>> from tmmcalc.core.records import record
     >>> @record
     ... class Ball:
     ...     diameter: float = quantity("D_{wheel}[m]", "diameter of the ball")
-    >>> keyed(Ball(0.01), wheel=2)
-    {'D_2[m]': 0.01}
+    >>> keyed(Ball(0.25), wheel=2), keyed(Ball(0.25), "diameter[mm]", wheel=2)
+    ({'D_2[m]': 0.25}, {'D_2[mm]': 250.0})
     """
     known = quantities(type(of))
-    return {known[name].of(**places).key: getattr(of, name) for name in names or known}
+    found = {}
+    for asked in names or known:
+        name, _, unit = asked.removesuffix("]").partition("[")
+        told, value = known[name].of(**places), _plain(getattr(of, name))
+        if unit:
+            found[f"{told.name}[{unit}]"] = _scaled(value, FORMS[told.unit, unit])
+        else:
+            found[told.key] = value
+    return found
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return list(value)
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def _scaled(value: Any, factor: float) -> Any:
+    if isinstance(value, list):
+        return [_scaled(each, factor) for each in value]
+    return None if value is None else factor * value
+
+
+def columns(of: Any, *names: str, **places: object) -> dict[str, Any]:
+    """The arrays of a record by the headings of their columns, as they are; ``"angle[deg]"`` is one in another unit."""
+    known = quantities(type(of))
+    found = {}
+    for asked in names or known:
+        name, _, unit = asked.removesuffix("]").partition("[")
+        told, value = known[name].of(**places), getattr(of, name)
+        if unit:
+            header, factor = told.shown(unit)
+            found[header] = factor * value
+        else:
+            found[told.heading] = value
+    return found
+
+
+def components(of: Any, name: str, **place: Sequence[object]) -> dict[str, Any]:
+    """The components of an array (n, m), or of a tuple of m numbers, of a record by the headings of each of m names.
+
+    >>> from tmmcalc.core.records import record
+    >>> @record
+    ... class Point:
+    ...     place: tuple[float, float] = quantity("{axis}_S[m]", "place of S")
+    >>> components(Point((1.0, 2.0)), "place", axis="xy")
+    {'x_S[m]': 1.0, 'y_S[m]': 2.0}
+    """
+    told, values = quantities(type(of))[name], getattr(of, name)
+    ((where, names),) = place.items()
+    parts = zip(names, getattr(values, "T", values), strict=True)
+    return {told.of(**{where: each}).heading: part for each, part in parts}
 
 
 def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dict[str, list[Any]]:
@@ -144,37 +218,7 @@ def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dic
         values = [getattr(row, name) for row in rows]
         if unit:
             header, factor = told.shown(unit)
-            found[header] = [None if value is None else factor * value for value in values]
+            found[header] = _scaled(values, factor)
         else:
-            found[told.header or told.key] = values
+            found[told.heading] = values
     return found
-
-
-def keys(kind: Any, *names: str, **places: object) -> list[str]:
-    """Keys of these fields and properties of a kind of record, to be set over values that stand in no record."""
-    known = quantities(kind)
-    return [known[name].of(**places).key for name in names]
-
-
-def headed(of: Any, *names: str, **places: object) -> dict[str, Any]:
-    """Columns of one record whose fields are arrays: these fields by their headers.
-
-    >>> from tmmcalc.core.records import record
-    >>> @record
-    ... class Course:
-    ...     t: tuple[float, ...] = quantity("times[s]", "time", header="t[s]")
-    >>> headed(Course((0.0, 0.5)), "t")
-    {'t[s]': (0.0, 0.5)}
-    """
-    known = quantities(type(of))
-    told = {name: known[name].of(**places) for name in names}
-    return {each.header or each.key: getattr(of, name) for name, each in told.items()}
-
-
-def listed(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Values of a document: arrays and tuples as lists, everything else as it is."""
-    return {key: _listed(value) for key, value in values.items()}
-
-
-def _listed(value: Any) -> Any:
-    return value.tolist() if hasattr(value, "tolist") else list(value) if isinstance(value, tuple) else value

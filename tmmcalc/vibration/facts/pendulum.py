@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from math import degrees, pi
 
 from tmmcalc.core.numerics.panels import Values
-from tmmcalc.core.quantity import headed, keyed, keys, listed
+from tmmcalc.core.quantity import columns, keyed, keys
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 from tmmcalc.vibration.facts.rows import some, whole
@@ -50,7 +50,7 @@ def _modes(result: PendulumResult) -> View:
 
 
 def _swing_view(swing: SwingCourse, patterns: Sequence[str]) -> View:
-    return some(headed(swing, "t", "v", "w", "carrier_x", "carrier_y"), patterns)
+    return some(columns(swing, "t", "v", "w", "carrier_x", "carrier_y"), patterns)
 
 
 def _speeds(values: Values) -> str:
@@ -70,7 +70,7 @@ def _facts(result: PendulumResult) -> Iterator[Fact]:
         forward, backward = result.rigid
         text = f"{number(forward / (2 * pi), 6)} Hz"
         text += f" forward, {number(backward / (2 * pi), 6)} Hz backward" if spin else ""
-        yield Fact("the same of a rigid rod", text, listed(keyed(result, "rigid")))
+        yield Fact("the same of a rigid rod", text, keyed(result, "rigid"))
     if len(result.backward_critical):
         text = f"forward {_speeds(result.forward_critical)}\nbackward {_speeds(result.backward_critical)}"
         yield Fact("critical speeds", text, keyed(result, "critical"))
@@ -79,7 +79,7 @@ def _facts(result: PendulumResult) -> Iterator[Fact]:
         text = f"{number(1e3 * abs(result.deflection), 5)} mm at the lower end, {side}"
         yield Fact("whirl of the unbalance", text, keyed(result, "deflection"))
     if len(result.torsion):
-        yield Fact("torsion", f"{_hertz(result.torsion)} Hz", listed(keyed(result, "torsion")))
+        yield Fact("torsion", f"{_hertz(result.torsion)} Hz", keyed(result, "torsion"))
     if result.swing is not None:
         yield _swing(result.swing)
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from math import degrees, pi
+from typing import Any
 
-from tmmcalc.core.quantity import headed, keyed, listed, quantity_of
+from tmmcalc.core.quantity import columns, keyed, quantity_of
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 from tmmcalc.vibration.facts.rows import some, whole
@@ -41,10 +42,11 @@ def document(result: VibratorResult, title: str, *, patterns: Sequence[str] = ()
 
 def _modes(result: VibratorResult) -> View:
     """One row a mode: frequency, damping, shape with its largest displacement 1 mm or 1 mrad a metre."""
-    columns = {"mode": list(range(1, 8)), **listed(headed(result, "hertz", "speeds", "ratio"))}
+    shown: dict[str, Any] = {"mode": list(range(1, 8))}
+    shown |= {header: column.tolist() for header, column in columns(result, "hertz", "speeds", "ratio").items()}
     for name, unit, shape in zip(COORDINATES, UNITS, result.shapes.tolist(), strict=True):
-        columns[COORDINATE.of(coordinate=name, unit="-" if unit == "m" else "1/m").key] = shape
-    return View(list(columns), list(columns.values()))
+        shown[COORDINATE.of(coordinate=name, unit="-" if unit == "m" else "1/m").key] = shape
+    return View(list(shown), list(shown.values()))
 
 
 def _parts(result: VibratorResult, patterns: Sequence[str]) -> Iterator[Document]:
@@ -52,10 +54,10 @@ def _parts(result: VibratorResult, patterns: Sequence[str]) -> Iterator[Document
         if start is None:
             continue
         course = start.course
-        columns = headed(course, "t", "omega") | dict(zip(HEADERS, course.q, strict=True))
+        shown = columns(course, "t", "omega") | dict(zip(HEADERS, course.q, strict=True))
         if isinstance(start, MotorStart):
-            columns |= headed(start, "motor")
-        yield Document(f"course of the {name}", table=some(columns, patterns), wide=not patterns, more=MORE)
+            shown |= columns(start, "motor")
+        yield Document(f"course of the {name}", table=some(shown, patterns), wide=not patterns, more=MORE)
 
 
 def _facts(result: VibratorResult) -> Iterator[Fact]:
@@ -63,7 +65,7 @@ def _facts(result: VibratorResult) -> Iterator[Fact]:
     hertz = ", ".join(number(f, 6) for f in result.hertz.tolist())
     text = f"{hertz} Hz\nrelative error at most {result.frequency_error:.0e}"
     values = keyed(result, "hertz", "frequency_error", "ratio", "mass", "stiffness", "damping", "modes")
-    yield Fact("natural frequencies", text, listed(values))
+    yield Fact("natural frequencies", text, values)
     if result.curve is not None:
         yield _curve(result.curve)
     if result.steady is not None:
@@ -138,7 +140,7 @@ def _steady(steady: Steady, result: VibratorResult) -> Fact:
 def _path(path: PointPath) -> Fact:
     x, y, z = (number(1e3 * size, 5) for size in path.amplitude.tolist())
     text = f"{x}, {y}, {z} mm along x, y, z\nellipse {number(1e3 * path.major, 5)} by {number(1e3 * path.minor, 5)} mm"
-    values = listed(keyed(path, "amplitude", "major", "minor", "direction", "normal"))
+    values = keyed(path, "amplitude", "major", "minor", "direction", "normal")
     return Fact(f"path of {path.name}", text, {f"path_{path.name}": values})
 
 
