@@ -164,7 +164,7 @@ def _plain(value: Any) -> Any:
 
 
 def _scaled(value: Any, factor: float) -> Any:
-    if isinstance(value, list):
+    if isinstance(value, list | tuple):
         return [_scaled(each, factor) for each in value]
     return None if value is None else factor * value
 
