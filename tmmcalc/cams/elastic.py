@@ -14,7 +14,7 @@ from math import pi, sqrt
 import numpy as np
 
 from tmmcalc.cams.elasticerrors import spectrum_error, vibration_errors
-from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.follower import Follower, along
 from tmmcalc.cams.forces.kernels import resultant
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.turn import at_angles, loads_of
@@ -28,6 +28,7 @@ from tmmcalc.cams.speed import constant_speed
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.panels import Panels
+from tmmcalc.core.quantity import columns, derived, quantity
 from tmmcalc.core.records import record
 
 RATIOS = np.arange(1, 241) / 20  # of the spectra: phase time over natural period
@@ -40,8 +41,8 @@ class Spectrum:
     """Residual vibration of a law over the ratio of phase time and natural period."""
 
     law: str
-    residual: Values  # (m,) amplitude over the stroke
-    acceleration: Values  # (m,) amplitude of x'' over the largest of y''
+    residual: Values = quantity("A/h_at_{ratio}", "amplitude over the stroke")  # (m,)
+    acceleration: Values = quantity("a_residual/a_max", "amplitude of x'' over the largest y''")  # (m,)
 
 
 @record
@@ -50,10 +51,10 @@ class PhaseVibration:
 
     kind: str  # "rise" or "return"
     law: str
-    ratio: float  # phase time over natural period
-    residual: float  # amplitude [m or rad] after this phase alone, from rest
+    ratio: float = quantity("ratio_{phase}", "time of the phase over the natural period")
+    residual: float = quantity("residual_{phase}[{size}]", "amplitude after this phase alone, from rest")
     relative: float  # the same over the stroke
-    steady: float  # amplitude [m or rad] at its end in the steady motion
+    steady: float = quantity("steady_{phase}[{size}]", "amplitude after this phase in the steady motion")
 
 
 @record
@@ -63,28 +64,33 @@ class ElasticResult:
     turns: bool  # a rocker: y in rad, else in m
     stiffness: float  # k [N/m] or [N*m/rad]
     mass: float  # m [kg] or [kg*m^2]
-    damping: float  # zeta
+    damping: float = quantity("zeta", "damping as a part of the critical one")
     frequency: float  # natural, w [rad/s]
-    multiple: float  # of the cam's own frequency
+    multiple: float = quantity("multiple", "natural frequency over that of the cam")
     stroke: float  # [m or rad]
-    phi: Values  # (n,) [rad]
-    lift: Values  # (n,) y
-    stretch: Values  # (n,) z = x - y
-    given: Values  # (n,) y'' in time
-    response: Values  # (n,) x'' in time
-    load: Values  # (n,) force on the follower, closed where negative [N or N*m]
-    rigid: Values  # (n,) the same of a rigid train
+    phi: Values = quantity("phi[rad]", "angle of the cam")  # (n,) as all curves
+    lift: Values = quantity("y[{size}]", "lift that the cam gives")
+    stretch: Values = quantity("z[{size}]", "stretch of the train, x - y")
+    given: Values = quantity("a_y[{size}/s^2]", "acceleration that the cam gives", symbol="y''")
+    response: Values = quantity("a_x[{size}/s^2]", "acceleration of the mass", symbol="x''")
+    load: Values = quantity("P_c[{force}]", "load along the lift; it presses on the cam where it is negative")
+    rigid: Values = quantity("P_c_rigid[{force}]", "load along the lift of a rigid train")
     phases: tuple[PhaseVibration, ...]
-    peak_given: float  # largest |y''|
-    peak_response: float  # largest |x''|
-    peak_phi: float  # [rad] where it stands
-    train: float  # largest |k z + c z'| [N or N*m]
-    largest: float  # of z [m or rad], in size
+    peak_given: float = quantity("a_y_max[{size}/s^2]", "largest acceleration that the cam gives")
+    peak_response: float = quantity("a_x_max[{size}/s^2]", "largest acceleration of the mass")
+    peak_phi: float = quantity("a_x_max_at_phi[rad]", "angle of the cam where the mass accelerates most")
+    train: float = quantity("train_max[{force}]", "largest force in the train", symbol="max|k z + c z'|")
+    largest: float = quantity("z_max[{size}]", "largest deflection of the train")
     contact: Contact
     ratios: Values  # (m,)
     spectra: tuple[Spectrum, ...]
     notes: tuple[str, ...]
     error: Errors  # estimates, relative: of z, of x'', of what is left over a phase, of the spectra
+
+    @derived("frequency[Hz]", "natural frequency of the mass on its train", symbol="f")
+    def hertz(self) -> float:
+        """Without the damping."""
+        return self.frequency / (2 * pi)
 
 
 def solve_elastic(task: CamTask, follower: Follower) -> ElasticResult:
@@ -194,13 +200,5 @@ def _spectra(own: list[Law], damping: float) -> Iterator[Spectrum]:
 
 def elastic_columns(result: ElasticResult) -> dict[str, Values]:
     """The table: y, z and accelerations along the turn by their headers."""
-    unit, force = ("rad", "N*m") if result.turns else ("m", "N")
-    return {
-        "phi[deg]": np.degrees(result.phi),
-        f"y[{unit}]": result.lift,
-        f"z[{unit}]": result.stretch,
-        f"a_y[{unit}/s^2]": result.given,
-        f"a_x[{unit}/s^2]": result.response,
-        f"P_c[{force}]": result.load,
-        f"P_c_rigid[{force}]": result.rigid,
-    }
+    curves = ("lift", "stretch", "given", "response", "load", "rigid")
+    return columns(result, "phi[deg]", *curves, **along(result.turns))

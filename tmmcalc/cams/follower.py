@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.cams.laws.law import Values
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 FollowerKind = Literal["translating", "oscillating", "flat"]  # RT, RK, PT of the textbook
@@ -31,15 +32,15 @@ class Follower:
     kind: FollowerKind
     start: float  # S0 (RT, PT) [m] or psi0 (RK) [rad]: the position at phi = 0
     offset: float = 0.0  # e, canonical: positive where it steepens the rise; RT
-    roller: float = 0.0  # r2; 0: knife edge
+    roller: float = quantity("r2[m]", "radius of the roller", default=0.0)  # 0: knife edge
     centres: float = 0.0  # l0 = OA; RK
     rocker: float = 0.0  # l2 = AC; RK
     assembly: int = 1  # delta; RK
     sense: int = 1  # sigma: +1 the cam turns clockwise, -1 counter-clockwise
 
-    @property
+    @derived("R0[m]", "radius of the base circle", symbol="R_0")
     def base(self) -> float:
-        """R0, radius of the base circle: of the pitch curve, or of the profile under a flat face."""
+        """Of the pitch curve, or of the profile under a flat face."""
         if self.kind == "flat":
             return self.start
         if self.kind == "translating":
@@ -52,6 +53,15 @@ class Follower:
         if self.sense > 0:
             return points
         return np.conj(points) if self.kind == "oscillating" else -np.conj(points)
+
+
+def along(turns: bool) -> dict[str, str]:
+    """What stands for the places in keys of quantities along the lift: a rocker turns, and has moments for forces."""
+    if turns:
+        own = {"coordinate": "psi", "size": "rad", "slope": "", "load": "M", "spring": "M", "given": "M_Q"}
+        return own | {"force": "N*m", "rate": "N*m/rad"}
+    own = {"coordinate": "S", "size": "m", "slope": "m", "load": "P", "spring": "Q", "given": "Q"}
+    return own | {"force": "N", "rate": "N/m"}
 
 
 def contact_path(follower: Follower, phi: Values, motion: Values) -> Complex:

@@ -10,7 +10,9 @@ from collections.abc import Iterator
 from math import degrees
 
 import numpy as np
+from numpy.typing import NDArray
 
+from tmmcalc.cams.follower import along
 from tmmcalc.cams.lawerrors import constant_errors, extreme_errors, motion_errors
 from tmmcalc.cams.laws.constants import LEVEL, LawConstants, constants
 from tmmcalc.cams.laws.law import Indices, Values
@@ -18,10 +20,25 @@ from tmmcalc.cams.overshoot import overshoot_remarks
 from tmmcalc.cams.program import PhaseKind, Positions, Program
 from tmmcalc.cams.rounding import Errors, joints
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.columns import degrees as degrees_of
+from tmmcalc.core.quantity import Quantity, columns, derived, quantity
 from tmmcalc.core.records import record
 
 POINTS = {"rise": "a", "high dwell": "b", "return": "c", "low dwell": "d"}  # at which a phase begins (fig. 5.2)
+DISPLACEMENT = Quantity("d{coordinate}[{size}]", "displacement from the lowest position", symbol="y")
+DERIVATIVE = Quantity("{coordinate}{order}[{slope}]", "derivative {order} of the displacement by the angle of the cam")
+RATES = {  # by whether the follower turns
+    False: (Quantity("v[m/s]", "velocity"), Quantity("a[m/s^2]", "acceleration"), Quantity("jerk[m/s^3]", "jerk")),
+    True: (
+        Quantity("omega[rad/s]", "angular velocity"),
+        Quantity("eps[rad/s^2]", "angular acceleration"),
+        Quantity("jerk[rad/s^3]", "angular jerk"),
+    ),
+}
+RATE_EXTREMES = (
+    Quantity("velocity_{extreme}[{size}/s]", "{extreme} of the velocity"),
+    Quantity("acceleration_{extreme}[{size}/s^2]", "{extreme} of the acceleration"),
+    Quantity("jerk_{extreme}[{size}/s^3]", "{extreme} of the jerk"),
+)
 SHOCKS = {1: "rigid shock", 2: "soft shock", 3: "jump of the jerk"}
 
 
@@ -30,8 +47,8 @@ class PhaseMotion:
     """A phase of the turn; angles [rad]."""
 
     kind: PhaseKind
-    begin: float
-    end: float
+    begin: float = quantity("{phase}_begin[rad]", "angle of the cam at the begin of the {phase}")
+    end: float = quantity("{phase}_end[rad]", "angle of the cam at the end of the {phase}")
     low: float  # y at its begin [m or rad]
     high: float  # y at its end
     constants: LawConstants | None  # of its law; None: dwell
@@ -42,17 +59,21 @@ class MotionExtreme:
     """The largest or least value of a derivative of y over the turn."""
 
     order: int  # 1: y', 2: y'', 3: y'''
-    value: float  # [m or rad]
-    phi: float  # [rad] of the first place that has it
+    value: float = quantity(
+        "{coordinate}{order}_{extreme}[{slope}]", "extreme of the derivative by the angle of the cam"
+    )
+    phi: float = quantity(  # of the first place that has it
+        "{coordinate}{order}_{extreme}_at_phi[rad]", "angle of the cam where the derivative has its extreme"
+    )
 
 
 @record
 class Shock:
     """A jump of a derivative of y."""
 
-    order: int  # 1: rigid shock, 2: soft shock, 3: of the jerk
-    phi: float  # [rad]
-    jump: float  # [m or rad], what is after less what is before
+    order: int = quantity("order", "order of the derivative: 1 rigid shock, 2 soft shock, 3 jump of the jerk")
+    phi: float = quantity("phi[rad]", "angle of the cam")
+    jump: float = quantity("jump", "jump of the derivative: what is after less what is before")  # [m or rad]
 
 
 @record
@@ -63,9 +84,9 @@ class LawResult:
     turns: bool  # a rocker: y [rad], else [m]
     motion: Values  # (4, n): y, y', y'', y'''
     phase: Indices  # (n,) number of the phase
-    part: Values  # (n,) k of its phase; 0 in the low dwell, 1 in the high one
-    speed: float | None  # omega [rad/s]
-    stroke: float  # h [m] or psi_m [rad]
+    part: Values = quantity("k", "part of its phase; 0 in the low dwell, 1 in the high one")  # (n,)
+    speed: float | None = quantity("omega[rad/s]", "speed of the cam")
+    stroke: float = quantity("stroke[{size}]", "stroke of the follower", symbol="h")
     phases: tuple[PhaseMotion, ...]
     extremes: tuple[MotionExtreme, ...]  # largest and least of y', y'', y'''
     shocks: tuple[Shock, ...]
@@ -76,6 +97,11 @@ class LawResult:
     def labels(self) -> tuple[str, ...]:
         """Labels of the rows."""
         return self.positions.labels
+
+    @derived("phase", "phase of the turn")
+    def kinds(self) -> NDArray[np.str_]:
+        """(n,)."""
+        return np.array([each.kind for each in self.phases])[self.phase]
 
     @property
     def in_time(self) -> Values | None:
@@ -171,20 +197,12 @@ def _remarks(shocks: tuple[Shock, ...], turns: bool) -> Iterator[str]:
 
 def law_columns(result: LawResult) -> dict[str, np.ndarray]:
     """Columns of all rows in SI by their headers."""
-    kinds = np.array([each.kind for each in result.phases])
-    name, unit = ("psi", "rad") if result.turns else ("S", "m")
-    columns = {
-        "i": np.array(result.positions.labels),
-        "phase": kinds[result.phase],
-        "phi[deg]": degrees_of(result.positions.phi),
-        "k": result.part,
-        f"d{name}[{unit}]": result.motion[0],
-    }
-    derived = "" if result.turns else "[m]"
-    columns |= {f"{name}{order}{derived}": result.motion[order] for order in (1, 2, 3)}
+    places = along(result.turns)
+    motion = [DISPLACEMENT.of(**places), *(DERIVATIVE.of(order=order, **places) for order in (1, 2, 3))]
+    found: dict[str, np.ndarray] = {"i": np.array(result.positions.labels)}
+    found |= columns(result, "kinds") | columns(result.positions, "degrees") | columns(result, "part")
+    found |= {told.key: row for told, row in zip(motion, result.motion, strict=True)}
     timed = result.in_time
     if timed is not None:
-        names = ("omega", "eps", "jerk") if result.turns else ("v", "a", "jerk")
-        powers = ("s", "s^2", "s^3")
-        columns |= {f"{each}[{unit}/{s}]": row for each, s, row in zip(names, powers, timed, strict=True)}
-    return columns
+        found |= {told.key: row for told, row in zip(RATES[result.turns], timed, strict=True)}
+    return found

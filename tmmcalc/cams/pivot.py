@@ -16,6 +16,7 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.program import SAME, Program
 from tmmcalc.cams.task import CamTask
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 NEAR = 1e-12  # of l0: so little beyond the pivot is rounding
@@ -25,15 +26,15 @@ NEAR = 1e-12  # of l0: so little beyond the pivot is rounding
 class PivotRoom:
     """What is left between the turning cam and the pivot of its rocker."""
 
-    radius: float  # r_max [m] of the working profile, of a groove that of its second wall
-    phi: float  # [rad] where
+    radius: float = quantity("r_max[m]", "largest radius of the working profile, of a groove that of its second wall")
+    phi: float = quantity("r_max_at_phi[rad]", "angle of the cam where its largest radius meets the pivot")
     limit: float  # l0 - r_A [m]
-    pivot: float  # r_A [m]; 0: not known
+    pivot: float = quantity("pivot_radius[m]", "radius of the rocker's pivot; 0: not known", symbol="r_A")
     beside: bool = False  # a groove: the rocker is beside its disc, which may reach beyond the pivot
 
-    @property
+    @derived("pivot_clearance[m]", "clearance of cam and pivot; negative: the cam sweeps over it")
     def clearance(self) -> float:
-        """Between cam and pivot [m]; negative: the cam sweeps over it."""
+        """What the largest radius leaves of its limit."""
         return self.limit - self.radius
 
     @property

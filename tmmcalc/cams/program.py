@@ -17,7 +17,9 @@ import numpy as np
 
 from tmmcalc.cams.laws.law import ORDERS, Indices, Law, Values
 from tmmcalc.cams.steadying import steady
+from tmmcalc.core.columns import degrees
 from tmmcalc.core.numerics.panels import Extreme, Panels, panels
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 PhaseKind = Literal["rise", "high dwell", "return", "low dwell"]
@@ -187,9 +189,14 @@ def _moved(phase: Phase, law: Law, start: float, phi: Values, piece: Indices) ->
 class Positions:
     """Rows of the tables: angles of the cam, each on one side of what jumps there."""
 
-    phi: Values  # (n,)
+    phi: Values = quantity("phi[rad]", "angle of the cam")  # (n,)
     piece: Indices  # (n,) of the program
-    labels: tuple[str, ...]  # number of the position; 12- is the limit before a jump at position 12
+    labels: tuple[str, ...] = quantity("i", "number of the position; 12- is the limit before a jump at position 12")
+
+    @derived("phi[deg]", "angle of the cam")
+    def degrees(self) -> Values:
+        """(n,) where a step of 15 is 15."""
+        return degrees(self.phi)
 
 
 def positions(program: Program, phi: Values) -> Positions:

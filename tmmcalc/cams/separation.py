@@ -16,6 +16,7 @@ from tmmcalc.cams.forces.turn import crossings, spans
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.numerics.panels import Panels
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 LEVEL = 1e-9  # of the largest load: what counts as none
@@ -27,19 +28,21 @@ class Contact:
     """The contact over the turn, of an elastic train and of a rigid one."""
 
     closure: Closure
-    judged: bool  # the forces that press are known, or walls hold the roller
-    largest: float  # the largest load [N or N*m]: positive, where the cam does not hold the follower
+    judged: bool = quantity("judged", "the forces that press are known, or walls hold the roller")
+    largest: float = quantity(
+        "P_c_max[{force}]", "largest load along the lift; positive where the cam does not hold the follower"
+    )
     beyond: Spans  # from phi to phi [rad]: it leaves the cam, in a groove the outer wall presses
     rigid: Spans  # the same of a rigid train
 
-    @property
+    @derived("lost[rad]", "angles of the cam between which the follower leaves it")
     def lost(self) -> Spans:
-        """Where the follower leaves the cam."""
+        """Of a follower that a force closes."""
         return self.beyond if self.judged and self.closure == "force" else ()
 
-    @property
+    @derived("reversals[rad]", "angles of the cam at which the roller goes to the other wall of a groove")
     def reversals(self) -> tuple[float, ...]:
-        """phi [rad] where the roller goes to the other wall of a groove."""
+        """Ends of the intervals in which the outer wall presses."""
         return _ends(self.beyond) if self.closure == "groove" else ()
 
 

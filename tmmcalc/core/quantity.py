@@ -43,6 +43,11 @@ class Quantity(NamedTuple):
         return self.key.partition("[")[0]
 
     @property
+    def heading(self) -> str:
+        """What heads its column in a table of the records."""
+        return self.header or self.key
+
+    @property
     def unit(self) -> str:
         """Its unit; empty: a number, a word or a truth value."""
         return self.key.partition("[")[2].removesuffix("]")
@@ -72,7 +77,7 @@ class Quantity(NamedTuple):
         >>> Quantity("M[m]", "size over balls").shown("mm")
         ('M[mm]', 1000.0)
         """
-        name = (self.header or self.key).partition("[")[0]
+        name = self.heading.partition("[")[0]
         return f"{name}[{unit}]", FORMS[self.unit, unit]
 
     def value(self, value: Any) -> dict[str, Any]:
@@ -131,32 +136,27 @@ def quantity_of(kind: Any, name: str, **places: object) -> Quantity:
     return quantities(kind)[name].of(**places)
 
 
+def keys(kind: Any, *names: str, **places: object) -> list[str]:
+    """Keys of these fields and properties of a kind of record, for values that stand in no record."""
+    return [quantity_of(kind, name, **places).key for name in names]
+
+
 def keyed(of: Any, *names: str, **places: object) -> dict[str, Any]:
     """The quantities of a record by their keys: those of these fields, or all; ``places`` are names of the scene.
 
-<<<<<<< HEAD
     ``"angle[deg]"`` is a field in a unit for people. Tuples and arrays become lists.
-=======
-    ``"angle[deg]"`` is a field in a unit for people.
->>>>>>> refs/heads/machinekeys
 
     >>> from tmmcalc.core.records import record
     >>> @record
     ... class Ball:
     ...     diameter: float = quantity("D_{wheel}[m]", "diameter of the ball")
-<<<<<<< HEAD
     >>> keyed(Ball(0.25), wheel=2), keyed(Ball(0.25), "diameter[mm]", wheel=2)
     ({'D_2[m]': 0.25}, {'D_2[mm]': 250.0})
-=======
-    >>> keyed(Ball(0.01), wheel=2), keyed(Ball(0.25), "diameter[mm]", wheel=2)
-    ({'D_2[m]': 0.01}, {'D_2[mm]': 250.0})
->>>>>>> refs/heads/machinekeys
     """
     known = quantities(type(of))
     found = {}
     for asked in names or known:
         name, _, unit = asked.removesuffix("]").partition("[")
-<<<<<<< HEAD
         told, value = known[name].of(**places), _plain(getattr(of, name))
         if unit:
             found[f"{told.name}[{unit}]"] = _scaled(value, FORMS[told.unit, unit])
@@ -172,14 +172,40 @@ def _plain(value: Any) -> Any:
 
 
 def _scaled(value: Any, factor: float) -> Any:
-    if isinstance(value, list):
+    if isinstance(value, list | tuple):
         return [_scaled(each, factor) for each in value]
     return None if value is None else factor * value
-=======
+
+
+def columns(of: Any, *names: str, **places: object) -> dict[str, Any]:
+    """The arrays of a record by the headings of their columns, as they are; ``"angle[deg]"`` is one in another unit."""
+    known = quantities(type(of))
+    found = {}
+    for asked in names or known:
+        name, _, unit = asked.removesuffix("]").partition("[")
         told, value = known[name].of(**places), getattr(of, name)
-        found[f"{told.name}[{unit}]" if unit else told.key] = value * FORMS[told.unit, unit] if unit else value
+        if unit:
+            header, factor = told.shown(unit)
+            found[header] = factor * value
+        else:
+            found[told.heading] = value
     return found
->>>>>>> refs/heads/machinekeys
+
+
+def components(of: Any, name: str, **place: Sequence[object]) -> dict[str, Any]:
+    """The components of an array (n, m), or of a tuple of m numbers, of a record by the headings of each of m names.
+
+    >>> from tmmcalc.core.records import record
+    >>> @record
+    ... class Point:
+    ...     place: tuple[float, float] = quantity("{axis}_S[m]", "place of S")
+    >>> components(Point((1.0, 2.0)), "place", axis="xy")
+    {'x_S[m]': 1.0, 'y_S[m]': 2.0}
+    """
+    told, values = quantities(type(of))[name], getattr(of, name)
+    ((where, names),) = place.items()
+    parts = zip(names, getattr(values, "T", values), strict=True)
+    return {told.of(**{where: each}).heading: part for each, part in parts}
 
 
 def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dict[str, list[Any]]:
@@ -202,7 +228,7 @@ def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dic
             header, factor = told.shown(unit)
             found[header] = _scaled(values, factor)
         else:
-            found[told.header or told.key] = values
+            found[told.heading] = values
     return found
 
 

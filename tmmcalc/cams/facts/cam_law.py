@@ -7,12 +7,26 @@ from math import degrees, pi
 from typing import Any
 
 from tmmcalc.cams.facts.rows import with_rows
-from tmmcalc.cams.lawresult import POINTS, SHOCKS, LawResult, MotionExtreme, PhaseMotion, law_columns
+from tmmcalc.cams.follower import along
+from tmmcalc.cams.lawresult import (
+    POINTS,
+    RATE_EXTREMES,
+    SHOCKS,
+    LawResult,
+    MotionExtreme,
+    PhaseMotion,
+    law_columns,
+)
 from tmmcalc.cams.laws.catalogue import TITLES
 from tmmcalc.cams.laws.constants import LawConstants
+from tmmcalc.core.quantity import keyed
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import angle, number
 
+CONSTANTS = (
+    *("velocity", "velocity_at", "acceleration", "acceleration_at", "largest_jerk", "least_jerk", "most_jerk"),
+    *("braking", "braking_at", "braking_lift", "power", "power_at"),
+)
 TIMED = ("velocity", "acceleration", "jerk")
 
 
@@ -45,9 +59,8 @@ def document(
 def _facts(result: LawResult, constants: bool = True) -> Iterator[Fact]:
     if result.speed is not None:
         text = f"{number(result.speed)} rad/s ({number(result.speed * 30 / pi)} rpm)"
-        yield Fact("speed of the cam", text, {"omega[rad/s]": result.speed})
-    unit = "rad" if result.turns else "m"
-    yield Fact("stroke", _size(result, result.stroke), {f"stroke[{unit}]": result.stroke})
+        yield Fact("speed of the cam", text, keyed(result, "speed"))
+    yield Fact("stroke", _size(result, result.stroke), keyed(result, "stroke", **along(result.turns)))
     for phase in result.phases:
         yield _phase_fact(phase)
     if constants:
@@ -75,9 +88,9 @@ def _phase_fact(phase: PhaseMotion) -> Fact:
     law = "" if phase.constants is None else _law_name(phase.constants.name)
     text = f"{angle(end - begin)} deg, from {POINTS[phase.kind]} at phi = {angle(begin)} deg{law}"
     name = phase.kind.replace(" ", "_")
-    values: dict[str, Any] = {f"{name}_begin[deg]": begin, f"{name}_end[deg]": end}
+    values = keyed(phase, "begin[deg]", "end[deg]", phase=name)
     if phase.constants is not None:
-        values[f"{name}_law"] = phase.constants.name
+        values |= keyed(phase.constants, "name", phase=name)
     return Fact(phase.kind, text, values)
 
 
@@ -94,40 +107,24 @@ def _constants_fact(kind: str, found: LawConstants) -> Fact:
         f"k_M = {number(found.braking_at, 6)}, s_M = {number(found.braking_lift, 6)} where it brakes most",
         f"max s's'' = {number(found.power, 6)} at k = {number(found.power_at, 6)}",
     )
-    values = {
-        "Cv": found.velocity,
-        "Cv_at_k": found.velocity_at,
-        "Ca": found.acceleration,
-        "Ca_at_k": found.acceleration_at,
-        "Cj": found.largest_jerk,
-        "jerk_min": least,
-        "jerk_max": largest,
-        "s2_min": found.braking,
-        "k_M": found.braking_at,
-        "s_M": found.braking_lift,
-        "power_max": found.power,
-        "power_max_at_k": found.power_at,
-    }
-    return Fact(f"constants, {kind}", "\n".join(lines), {f"{name}_{kind}": value for name, value in values.items()})
+    return Fact(f"constants, {kind}", "\n".join(lines), keyed(found, *CONSTANTS, phase=kind))
 
 
 def _extreme_fact(result: LawResult, order: int, pair: Sequence[MotionExtreme]) -> Fact:
     """Largest and least of a derivative with their angles, and in time."""
-    name, unit = ("psi", "") if result.turns else ("S", "[m]")
-    label = f"{name}{order * chr(39)}"
-    lines, values = [], {}
+    places = along(result.turns)
+    lines: list[str] = []
+    values: dict[str, Any] = {}
     for word, each in zip(("max", "min"), pair, strict=True):
         timed = ""
-        values[f"{name}{order}_{word}{unit}"] = each.value
-        values[f"{name}{order}_{word}_at_phi[deg]"] = degrees(each.phi)
+        values |= keyed(each, "value", "phi[deg]", order=order, extreme=word, **places)
         if result.speed is not None:
-            base = "rad" if result.turns else "m"
-            power = "" if order == 1 else f"^{order}"
+            told = RATE_EXTREMES[order - 1].of(extreme=word, **places)
             value = each.value * result.speed**order
-            values[f"{TIMED[order - 1]}_{word}[{base}/s{power}]"] = value
-            timed = f" ({TIMED[order - 1]} {number(value, 6)} {base}/s{power})"
+            values[told.key] = value
+            timed = f" ({TIMED[order - 1]} {number(value, 6)} {told.unit})"
         lines.append(f"{word} {_plain(result, each.value)} at phi = {angle(degrees(each.phi))} deg{timed}")
-    return Fact(label, "\n".join(lines), values)
+    return Fact(f"{places['coordinate']}{order * chr(39)}", "\n".join(lines), values)
 
 
 def _shock_fact(result: LawResult) -> Fact:
@@ -140,9 +137,5 @@ def _shock_fact(result: LawResult) -> Fact:
     ]
     if jerks:
         lines.append(f"the jerk jumps at {jerks} places, the acceleration does not there")
-    values = {
-        "shocks": [
-            {"order": shock.order, "phi[deg]": degrees(shock.phi), "jump": shock.jump} for shock in result.shocks
-        ]
-    }
-    return Fact("shocks", "\n".join(lines) or "none", values)
+    values = [keyed(shock, "order", "phi[deg]", "jump") for shock in result.shocks]
+    return Fact("shocks", "\n".join(lines) or "none", {"shocks": values})

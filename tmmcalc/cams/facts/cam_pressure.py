@@ -6,19 +6,23 @@ People read degrees; programs get the same under headers that say so, as everywh
 from __future__ import annotations
 
 from math import degrees
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.cams.pressure.angle import Reached
 from tmmcalc.cams.pressure.solve import Pressure, pressure_columns
+from tmmcalc.core.quantity import keyed
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
 
 ROWS = 40  # of the table for people
 STEPS = (1.0, 2.0, 5.0, 10.0, 15.0)  # [deg] of its rows
 STILL, NEAR = 1e-12, 1e-6
+EXTREMES = (
+    *("theta_min[deg]", "theta_min_phi[deg]", "theta_max[deg]", "theta_max_phi[deg]"),
+    *("limit[deg]", "gamma_min", "exceeded[deg]"),
+)
 VERDICTS = {"ok": "within the limits", "pressure_angle_exceeded": "a limit is exceeded"}
 
 
@@ -69,19 +73,6 @@ def reached_fact(phase: str, on: Reached) -> Fact:
         f"{word} {angle(degrees(extreme.value))} deg at phi = {angle(degrees(extreme.phi))} deg"
         for word, extreme in (("min", on.least), ("max", on.largest))
     ]
-    lines.append(f"{limit}; transmission angle at least {number(90 - degrees(abs(on.worst.value)))} deg")
+    lines.append(f"{limit}; transmission angle at least {number(on.gamma_min)} deg")
     lines += [f"beyond it for phi from {angle(degrees(a))} to {angle(degrees(b))} deg" for a, b in on.exceeded]
-    return Fact(f"pressure angle, {phase}", "\n".join(lines), reached_values(phase, on))
-
-
-def reached_values(phase: str, on: Reached) -> dict[str, Any]:
-    """The same for programs."""
-    return {
-        f"theta_{phase}_min[deg]": degrees(on.least.value),
-        f"theta_{phase}_min_at_phi[deg]": degrees(on.least.phi),
-        f"theta_{phase}_max[deg]": degrees(on.largest.value),
-        f"theta_{phase}_max_at_phi[deg]": degrees(on.largest.phi),
-        f"theta_{phase}_limit[deg]": None if on.limit is None else degrees(on.limit),
-        f"gamma_{phase}_min[deg]": 90 - degrees(abs(on.worst.value)),
-        f"exceeded_{phase}[deg]": [[degrees(a), degrees(b)] for a, b in on.exceeded],
-    }
+    return Fact(f"pressure angle, {phase}", "\n".join(lines), keyed(on, *EXTREMES, phase=phase))

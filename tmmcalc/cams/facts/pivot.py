@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import degrees
 
 from tmmcalc.cams.pivot import NEAR, PivotRoom
+from tmmcalc.core.quantity import keyed
 from tmmcalc.report.document import Fact
 from tmmcalc.report.numbers import angle
 from tmmcalc.report.sizes import quantity
@@ -17,13 +18,7 @@ def pivot_fact(room: PivotRoom) -> Fact:
     said = f"beside the disc, which reaches {quantity(-left, 'm')} beyond its {to}" if room.passed else said
     what = "second wall" if room.beside else "cam"
     text = f"{said}\n(the {what} reaches {quantity(room.radius, 'm')} at phi = {angle(degrees(room.phi))} deg)"
-    values = {
-        "pivot_clearance[m]": left,
-        "pivot_radius[m]": room.pivot,
-        "r_max[m]": room.radius,
-        "r_max_at_phi[deg]": degrees(room.phi),
-    }
-    return Fact("rocker's pivot", text, values)
+    return Fact("rocker's pivot", text, keyed(room, "clearance", "pivot", "radius", "phi[deg]"))
 
 
 def _left(room: PivotRoom) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 
 from tmmcalc.cams.laws.law import Law, Values
 from tmmcalc.core.numerics.panels import Panels, panels
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 WIDEST = 1 / 8  # of a panel: a piece of a catalogue law is resolved to rounding on it
@@ -19,22 +20,34 @@ LEVEL = 1e-12  # of the largest: values that count as equal
 class LawConstants:
     """Largest values of one law; k is the part of its phase."""
 
-    name: str
-    velocity: float  # Cv
-    velocity_at: float  # k
-    acceleration: float  # Ca
-    acceleration_at: float  # k of it; where rising and braking are alike, of the rising
+    name: str = quantity("{phase}_law", "law of the {phase}")
+    velocity: float = quantity("Cv_{phase}", "largest s'", symbol="C_v")
+    velocity_at: float = quantity("Cv_at_k_{phase}", "k of the largest s'")
+    acceleration: float = quantity("Ca_{phase}", "largest |s''|", symbol="C_a")
+    acceleration_at: float = quantity(  # where rising and braking are alike, of the rising
+        "Ca_at_k_{phase}", "k of the largest |s''|"
+    )
     jerk: tuple[float, float]  # least and largest s'''
-    braking: float  # least s'', negative
-    braking_at: float  # k_M
-    braking_lift: float  # s_M = s(k_M)
-    power: float  # max s' s''
-    power_at: float  # k
+    braking: float = quantity("s2_min_{phase}", "least s''")
+    braking_at: float = quantity("k_M_{phase}", "k of the least s''")
+    braking_lift: float = quantity("s_M_{phase}", "s at k_M")
+    power: float = quantity("power_max_{phase}", "largest s' s''")
+    power_at: float = quantity("power_max_at_k_{phase}", "k of the largest s' s''")
 
-    @property
+    @derived("Cj_{phase}", "largest |s'''|", symbol="C_j")
     def largest_jerk(self) -> float:
-        """Cj; without the shocks, at which it is infinite."""
+        """Without the shocks, at which it is infinite."""
         return max(abs(self.jerk[0]), abs(self.jerk[1]))
+
+    @derived("jerk_min_{phase}", "least s'''")
+    def least_jerk(self) -> float:
+        """Without the shocks."""
+        return self.jerk[0]
+
+    @derived("jerk_max_{phase}", "largest s'''")
+    def most_jerk(self) -> float:
+        """Without the shocks."""
+        return self.jerk[1]
 
 
 def constants(law: Law) -> LawConstants:

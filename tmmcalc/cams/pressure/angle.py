@@ -12,7 +12,7 @@ what |theta| leaves of a right angle.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import pi
+from math import degrees, pi
 
 import numpy as np
 
@@ -23,6 +23,7 @@ from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import SingularityError
 from tmmcalc.core.numerics.panels import Panels, resolved
 from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 TOUCH = 1e-9  # [rad] a limit is reached, not exceeded, within it
@@ -40,10 +41,39 @@ class Extreme:
 class Reached:
     """The pressure angle on the rise or on the return, both ends included [rad]."""
 
-    limit: float | None  # [theta]; None: not limited
+    limit: float | None = quantity(  # None: not limited
+        "theta_{phase}_limit[rad]", "limit of the pressure angle on the {phase}", symbol="[theta]"
+    )
     least: Extreme  # signed
     largest: Extreme  # signed
-    exceeded: tuple[tuple[float, float], ...] = ()  # from phi to phi, |theta| is beyond the limit
+    exceeded: tuple[tuple[float, float], ...] = quantity(
+        "exceeded_{phase}[rad]", "angles of the cam between which |theta| is beyond its limit", default=()
+    )
+
+    @derived("theta_{phase}_min[rad]", "least pressure angle on the {phase}, with its sign")
+    def theta_min(self) -> float:
+        """Of the least."""
+        return self.least.value
+
+    @derived("theta_{phase}_min_at_phi[rad]", "angle of the cam at the least pressure angle")
+    def theta_min_phi(self) -> float:
+        """Of the least."""
+        return self.least.phi
+
+    @derived("theta_{phase}_max[rad]", "largest pressure angle on the {phase}, with its sign")
+    def theta_max(self) -> float:
+        """Of the largest."""
+        return self.largest.value
+
+    @derived("theta_{phase}_max_at_phi[rad]", "angle of the cam at the largest pressure angle")
+    def theta_max_phi(self) -> float:
+        """Of the largest."""
+        return self.largest.phi
+
+    @derived("gamma_{phase}_min[deg]", "least transmission angle on the {phase}")
+    def gamma_min(self) -> float:
+        """What the worst pressure angle leaves of a right angle."""
+        return 90 - degrees(abs(self.worst.value))
 
     @property
     def worst(self) -> Extreme:

@@ -10,6 +10,7 @@ from tmmcalc.cams.pressure.angle import Reached, pressure, reached, remarks
 from tmmcalc.cams.pressure.errors import pressure_errors
 from tmmcalc.cams.rounding import Errors
 from tmmcalc.cams.task import CamTask
+from tmmcalc.core.quantity import columns, derived, quantity
 from tmmcalc.core.records import record
 
 
@@ -18,14 +19,19 @@ class Pressure:
     """Stage ``cam_pressure``: theta over the turn."""
 
     follower: Follower
-    phi: Values  # (n,) [rad]
-    theta: Values  # (n,) [rad]
+    phi: Values = quantity("phi[rad]", "angle of the cam")  # (n,)
+    theta: Values = quantity("theta[rad]", "pressure angle")  # (n,)
     labels: tuple[str, ...]  # of the positions
     rise: Reached
     back: Reached
     verdict: str  # "ok" or "pressure_angle_exceeded"
     notes: tuple[str, ...]
     error: Errors  # estimates, relative: of theta, its extremes, the angles where it is exceeded
+
+    @derived("gamma[deg]", "transmission angle")
+    def gamma(self) -> Values:
+        """(n,) what |theta| leaves of a right angle."""
+        return 90 - np.abs(np.degrees(self.theta))
 
 
 def solve_pressure(task: CamTask, follower: Follower) -> Pressure:
@@ -44,10 +50,4 @@ def solve_pressure(task: CamTask, follower: Follower) -> Pressure:
 
 def pressure_columns(result: Pressure) -> dict[str, Values]:
     """The table: positions, theta and the transmission angle by their headers."""
-    theta = np.degrees(result.theta)
-    return {
-        "i": np.array(result.labels),
-        "phi[deg]": np.degrees(result.phi),
-        "theta[deg]": theta,
-        "gamma[deg]": 90 - np.abs(theta),
-    }
+    return {"i": np.array(result.labels), **columns(result, "phi[deg]", "theta[deg]", "gamma")}

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import degrees, pi
 
-import numpy as np
-
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import columns, keyed, keys
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 from tmmcalc.vibration.facts.rows import some, whole
 from tmmcalc.vibration.pendulum.columns import campbell_columns, pendulum_columns
-from tmmcalc.vibration.pendulum.results import PendulumResult
+from tmmcalc.vibration.pendulum.results import PendulumResult, WhirlModes
 from tmmcalc.vibration.pendulum.swing import SwingCourse
 
 MORE = "--format csv prints shapes, diagram and motion in SI"
@@ -40,17 +39,18 @@ def document(result: PendulumResult, title: str, *, patterns: Sequence[str] = ()
 def _modes(result: PendulumResult) -> View:
     """One row a mode."""
     rows = [
-        (modes.name, k + 1, float(w) / (2 * pi), float(w), float(w) * 30 / pi, modes.nodes[k])
+        (modes.name, k, *values)
         for modes in result.modes
-        for k, w in enumerate(modes.frequency)
+        for k, values in enumerate(
+            zip(modes.hertz.tolist(), modes.frequency.tolist(), modes.speed.tolist(), modes.nodes, strict=True), 1
+        )
     ]
-    headers = ["whirl", "mode", "f[Hz]", "omega[rad/s]", "n[rpm]", "nodes"]
+    headers = ["whirl", "mode", *keys(WhirlModes, "hertz", "frequency", "speed"), "nodes"]
     return View(headers, [list(column) for column in zip(*rows, strict=True)])
 
 
 def _swing_view(swing: SwingCourse, patterns: Sequence[str]) -> View:
-    columns = {"t[s]": swing.t, "v[m]": swing.v, "w[m]": swing.w, "x_O[m]": swing.carrier_x, "y_O[m]": swing.carrier_y}
-    return some(columns, patterns)
+    return some(columns(swing, "t", "v", "w", "carrier_x", "carrier_y"), patterns)
 
 
 def _speeds(values: Values) -> str:
@@ -60,26 +60,26 @@ def _speeds(values: Values) -> str:
 def _facts(result: PendulumResult) -> Iterator[Fact]:
     spin = result.spin
     if spin:
-        yield Fact("spin", f"{number(spin, 6)} rad/s ({number(spin * 30 / pi, 6)} rpm)", {"spin[rad/s]": spin})
-    values = {modes.name.replace(" ", "_"): modes.frequency.tolist() for modes in result.modes}
+        yield Fact("spin", f"{number(spin, 6)} rad/s ({number(spin * 30 / pi, 6)} rpm)", keyed(result, "spin"))
+    (omega,) = keys(WhirlModes, "frequency")
+    values = {omega: {modes.name.replace(" ", "_"): modes.frequency.tolist() for modes in result.modes}}
     text = "\n".join(f"{modes.name}: {_hertz(modes.frequency)} Hz" for modes in result.modes)
-    text += f"\n{result.functions} functions, relative error about {result.error['frequencies']:.0e}"
-    yield Fact("natural frequencies", text, {"omega[rad/s]": values, "frequency_error": result.error["frequencies"]})
+    text += f"\n{result.functions} functions, relative error about {result.frequency_error:.0e}"
+    yield Fact("natural frequencies", text, values | keyed(result, "frequency_error"))
     if result.rigid is not None:
         forward, backward = result.rigid
         text = f"{number(forward / (2 * pi), 6)} Hz"
         text += f" forward, {number(backward / (2 * pi), 6)} Hz backward" if spin else ""
-        yield Fact("the same of a rigid rod", text, {"rigid_omega[rad/s]": [forward, backward]})
+        yield Fact("the same of a rigid rod", text, keyed(result, "rigid"))
     if len(result.backward_critical):
         text = f"forward {_speeds(result.forward_critical)}\nbackward {_speeds(result.backward_critical)}"
-        critical = {"forward": result.forward_critical.tolist(), "backward": result.backward_critical.tolist()}
-        yield Fact("critical speeds", text, {"critical[rad/s]": critical})
+        yield Fact("critical speeds", text, keyed(result, "critical"))
     if result.deflection is not None:
         side = "on the heavy side" if result.deflection > 0 else "on the light side: it centres itself"
         text = f"{number(1e3 * abs(result.deflection), 5)} mm at the lower end, {side}"
-        yield Fact("whirl of the unbalance", text, {"whirl[m]": result.deflection})
+        yield Fact("whirl of the unbalance", text, keyed(result, "deflection"))
     if len(result.torsion):
-        yield Fact("torsion", f"{_hertz(result.torsion)} Hz", {"torsion_omega[rad/s]": result.torsion.tolist()})
+        yield Fact("torsion", f"{_hertz(result.torsion)} Hz", keyed(result, "torsion"))
     if result.swing is not None:
         yield _swing(result.swing)
 
@@ -89,19 +89,10 @@ def _hertz(omega: Values) -> str:
 
 
 def _swing(swing: SwingCourse) -> Fact:
-    distance = np.hypot(swing.v, swing.w)
-    at = int(np.argmax(distance))
-    slope = float(np.max(np.hypot(swing.slope_v, swing.slope_w)))
     text = (
-        f"lower end up to {number(1e3 * float(distance[at]), 5)} mm from under the joint, at t = "
-        f"{number(float(swing.t[at]), 5)} s\nslope there up to {number(degrees(slope), 4)} deg\n"
+        f"lower end up to {number(1e3 * swing.distance, 5)} mm from under the joint, at t = "
+        f"{number(swing.distance_at, 5)} s\nslope there up to {number(degrees(swing.slope), 4)} deg\n"
         f"energy and work differ by {swing.balance:.0e}; error of the path about {swing.error:.0e}"
     )
-    values = {
-        "distance_max[m]": float(distance[at]),
-        "distance_max_at[s]": float(swing.t[at]),
-        "slope_max[rad]": slope,
-        "energy_balance": swing.balance,
-        "path_error": swing.error,
-    }
+    values = keyed(swing, "distance", "distance_at", "slope", "balance", "error")
     return Fact("motion in time", text, {"swing": values})

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from tmmcalc.core.columns import picked
+from tmmcalc.core.quantity import Quantity
 from tmmcalc.report.document import View
 from tmmcalc.report.sizes import plain
 
@@ -32,7 +33,9 @@ def some(columns: Mapping[str, np.ndarray], patterns: Sequence[str]) -> View:
 
 def _drawn(header: str, column: np.ndarray) -> tuple[str, np.ndarray]:
     """Lengths in millimetres, angles in degrees."""
-    name, _, unit = header.partition("[")
-    if unit == "m]":
-        return f"{name}[mm]", 1e3 * column
-    return (f"{name}[deg]", np.degrees(column)) if unit == "rad]" else (header, column)
+    told = Quantity(header, "")
+    people = {"m": "mm", "rad": "deg"}.get(told.unit)
+    if people is None:
+        return header, column
+    shown, factor = told.shown(people)
+    return shown, factor * column

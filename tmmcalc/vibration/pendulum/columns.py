@@ -17,7 +17,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.vibration.pendulum.results import Campbell, PendulumResult
+from tmmcalc.core.quantity import columns
+from tmmcalc.vibration.pendulum.results import SHAPE, WHIRL, Campbell, PendulumResult
 from tmmcalc.vibration.series import stacked
 
 
@@ -28,35 +29,20 @@ def pendulum_columns(result: PendulumResult) -> dict[str, np.ndarray]:
 
 def _series(result: PendulumResult) -> Iterator[tuple[str, dict[str, np.ndarray]]]:
     shapes = {
-        f"{modes.name.replace(' ', '_')}_{k}[-]": shape
+        SHAPE.of(whirl=modes.name.replace(" ", "_"), mode=k).key: shape
         for modes in result.modes
         for k, shape in enumerate(modes.shapes, 1)
     }
-    yield "modes", {"a[m]": result.place, **shapes}
+    yield "modes", columns(result, "place") | shapes
     if result.campbell is not None:
         yield "campbell", campbell_columns(result.campbell)
     if result.swing is not None:
-        swing = result.swing
-        yield (
-            "swing",
-            {
-                "t[s]": swing.t,
-                "v[m]": swing.v,
-                "w[m]": swing.w,
-                "slope_v[rad]": swing.slope_v,
-                "slope_w[rad]": swing.slope_w,
-                "x_O[m]": swing.carrier_x,
-                "y_O[m]": swing.carrier_y,
-                "E[J]": swing.energy,
-            },
-        )
+        yield "swing", columns(result.swing, "t", "v", "w", "slope_v", "slope_w", "carrier_x", "carrier_y", "energy")
 
 
 def campbell_columns(campbell: Campbell) -> dict[str, np.ndarray]:
     """The diagram by its headers."""
-    found = {"spin[rad/s]": campbell.spin}
+    found = columns(campbell, "spin")
     for name, rows in (("forward", campbell.forward), ("backward", campbell.backward)):
-        found |= {f"f_{name}_{k}[Hz]": row / (2 * np.pi) for k, row in enumerate(rows, 1)}
-    if len(campbell.whirl):
-        found["whirl[m]"] = campbell.whirl
-    return found
+        found |= {WHIRL.of(whirl=name, mode=k).key: row / (2 * np.pi) for k, row in enumerate(rows, 1)}
+    return found | (columns(campbell, "whirl") if len(campbell.whirl) else {})

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.vibration.pendulum.basis import Basis
 from tmmcalc.vibration.pendulum.energies import Matrices, matrices
@@ -34,16 +35,31 @@ FINER = 6  # degrees more, by which the error of the path is seen
 class SwingCourse:
     """The lower end and the carrier at n times."""
 
-    t: Values  # (n,) [s]
-    v: Values  # (n,) displacement of the lower end from under the joint, along x [m]
-    w: Values  # (n,) along y
-    slope_v: Values  # (n,) slope there
-    slope_w: Values  # (n,)
-    energy: Values  # (n,) against the carrier [J]
-    carrier_x: Values  # (n,) place of the joint [m]
-    carrier_y: Values  # (n,)
-    balance: float  # largest of energy less work in a piece, over the largest energy
-    error: float  # of the path of the lower end over its largest distance, by refinement
+    t: Values = quantity("t[s]", "time")  # (n,) as all arrays here
+    v: Values = quantity("v[m]", "displacement of the lower end from under the joint along x")
+    w: Values = quantity("w[m]", "displacement of the lower end from under the joint along y")
+    slope_v: Values = quantity("slope_v[rad]", "slope of the lower end along x", symbol="v'")
+    slope_w: Values = quantity("slope_w[rad]", "slope of the lower end along y", symbol="w'")
+    energy: Values = quantity("E[J]", "energy against the carrier")
+    carrier_x: Values = quantity("x_O[m]", "x of the joint")
+    carrier_y: Values = quantity("y_O[m]", "y of the joint")
+    balance: float = quantity("energy_balance", "largest of energy less work in a piece, over the largest energy")
+    error: float = quantity("path_error", "error of the lower end's path over its largest distance, by refinement")
+
+    @derived("distance_max[m]", "largest distance of the lower end from under the joint")
+    def distance(self) -> float:
+        """Over the rows."""
+        return float(np.max(np.hypot(self.v, self.w)))
+
+    @derived("distance_max_at[s]", "time of the largest distance")
+    def distance_at(self) -> float:
+        """Of the first one."""
+        return float(self.t[np.argmax(np.hypot(self.v, self.w))])
+
+    @derived("slope_max[rad]", "largest slope of the lower end")
+    def slope(self) -> float:
+        """Over the rows."""
+        return float(np.max(np.hypot(self.slope_v, self.slope_w)))
 
 
 class _Piece(NamedTuple):

@@ -16,12 +16,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import columns, keys
 from tmmcalc.vibration.series import stacked
 from tmmcalc.vibration.vibrator.paths import STEPS
-from tmmcalc.vibration.vibrator.results import MotorStart, Start, VibratorResult
-from tmmcalc.vibration.vibrator.task import COORDINATES, UNITS
-
-HEADERS = tuple(f"{name}[{unit}]" for name, unit in zip(COORDINATES, UNITS, strict=True))
+from tmmcalc.vibration.vibrator.results import DISPLACEMENT, HEADERS, MotorStart, Start, VibratorResult
+from tmmcalc.vibration.vibrator.runup import Course
 
 
 def vibrator_columns(result: VibratorResult) -> dict[str, np.ndarray]:
@@ -30,17 +29,15 @@ def vibrator_columns(result: VibratorResult) -> dict[str, np.ndarray]:
 
 
 def _series(result: VibratorResult) -> Iterator[tuple[str, dict[str, np.ndarray]]]:
-    hertz = result.frequency / (2 * np.pi)
-    yield "modes", {"f[Hz]": hertz, "zeta": result.ratio, **_coordinates(result.shapes)}
+    yield "modes", columns(result, "hertz", "ratio") | _coordinates(result.shapes)
     if result.curve is not None:
-        yield "curve", {"omega[rad/s]": result.curve.omega, **_coordinates(result.curve.amplitude)}
+        yield "curve", columns(result.curve, "omega") | _coordinates(result.curve.amplitude)
     if result.steady is not None:
         yield "steady", _turn(result)
     if result.run_up is not None:
         yield "start", _course(result.run_up, result.points)
     if result.drive is not None:
-        motor = {"M_motor[N*m]": result.drive.motor}
-        yield "drive", _course(result.drive, result.points) | motor
+        yield "drive", _course(result.drive, result.points) | columns(result.drive, "motor")
 
 
 def _coordinates(q: Values) -> dict[str, np.ndarray]:
@@ -54,16 +51,20 @@ def _turn(result: VibratorResult) -> dict[str, np.ndarray]:
     psi = np.linspace(0.0, 2 * np.pi, STEPS + 1)
     q = steady.cosine[:, None] * np.cos(psi) + steady.sine[:, None] * np.sin(psi)
     moved = np.array([each.path.T for each in result.paths]).reshape(-1, 3, len(psi))
-    found = {"t[s]": psi / steady.speed, "psi[rad]": psi, "omega[rad/s]": np.full_like(psi, steady.speed)}
+    turned = (psi / steady.speed, psi, np.full_like(psi, steady.speed))
+    found = dict(zip(keys(Course, "t", "psi", "omega"), turned, strict=True))
     return found | _coordinates(q) | _points(result.points, moved)
 
 
 def _points(names: tuple[str, ...], moved: Values) -> dict[str, np.ndarray]:
-    return {f"u{axis}_{name}[m]": moved[k, i] for k, name in enumerate(names) for i, axis in enumerate("xyz")}
+    return {
+        DISPLACEMENT.of(axis=axis, point=name).key: moved[k, i]
+        for k, name in enumerate(names)
+        for i, axis in enumerate("xyz")
+    }
 
 
 def _course(start: Start | MotorStart, names: tuple[str, ...]) -> dict[str, np.ndarray]:
     course = start.course
-    found = {"t[s]": course.t, "psi[rad]": course.psi, "omega[rad/s]": course.omega}
-    energies = {"E[J]": course.energy, "W[J]": course.work, "D[J]": course.lost}
-    return found | _coordinates(course.q) | _points(names, start.points) | energies
+    moved = _coordinates(course.q) | _points(names, start.points)
+    return columns(course, "t", "psi", "omega") | moved | columns(course, "energy", "work", "lost")

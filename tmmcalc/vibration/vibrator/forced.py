@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tmmcalc.core.errors import SingularityError
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.vibration.vibrator.energies import COUNT, Excitation
 from tmmcalc.vibration.vibrator.modes import Modes
@@ -26,14 +27,18 @@ AROUND = 25  # speeds of a pass
 class Steady:
     """The steady vibration at one speed."""
 
-    speed: float  # [rad/s]
-    amplitude: Values  # (7,) [m] and [rad]
-    phase: Values  # (7,) behind the angle psi of the unbalance [rad], from -pi to pi
+    speed: float = quantity("omega[rad/s]", "speed of the rotor")
+    amplitude: Values = quantity("amplitude", "amplitudes of the coordinates")  # (7,) [m] and [rad]
+    phase: Values = quantity(  # (7,) from -pi to pi
+        "phase[rad]", "angles of the coordinates behind the angle psi of the unbalance"
+    )
     cosine: Values  # (7,) q = cosine cos(psi) + sine sin(psi)
     sine: Values  # (7,)
-    power: float  # that the dampers take [W]
-    moment: float  # of the rotor that gives it [N*m]
-    balance: float  # power of the unbalance less that of the dampers, over the reactive power
+    power: float = quantity("power[W]", "power that the dampers take")
+    moment: float = quantity("rotor_moment[N*m]", "moment of the rotor that gives this power")
+    balance: float = quantity(
+        "power_balance", "power of the unbalance less that of the dampers, over the reactive power"
+    )
 
 
 @record
@@ -41,8 +46,8 @@ class Peak:
     """The largest amplitude of a coordinate on the resonance curve."""
 
     coordinate: str
-    speed: float  # [rad/s]
-    amplitude: float  # [m] or [rad]
+    speed: float = quantity("omega[rad/s]", "speed of the rotor")
+    amplitude: float = quantity("amplitude[{unit}]", "largest amplitude")
 
 
 def amplitudes(modes: Modes, excitation: Excitation, omega: Values) -> Complex:

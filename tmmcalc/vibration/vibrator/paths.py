@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.vibration.vibrator.energies import gripper_jacobian
 from tmmcalc.vibration.vibrator.forced import Steady
@@ -24,11 +25,11 @@ class PointPath:
 
     name: str
     at: Values  # (3,) place at rest [m]
-    amplitude: Values  # (3,) along x, y, z [m]
-    major: float  # semi-axes [m]
-    minor: float
-    direction: Values  # (3,) unit vector of the larger one
-    normal: Values  # (3,) unit normal of the plane; zero if the path is straight
+    amplitude: Values = quantity("amplitude[m]", "amplitudes along x, y, z")  # (3,)
+    major: float = quantity("major[m]", "larger semi-axis")
+    minor: float = quantity("minor[m]", "smaller semi-axis")
+    direction: Values = quantity("direction", "unit vector of the larger semi-axis")  # (3,)
+    normal: Values = quantity("normal", "unit normal of the plane; zero if the path is straight")  # (3,)
     path: Values  # (STEPS + 1, 3) displacement over a turn of psi [m]
 
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.vibration.vibrator.energies import Excitation
 from tmmcalc.vibration.vibrator.forced import load_moment
@@ -28,19 +29,19 @@ BEYOND = 1.25  # of the no-load speed, or of the highest natural frequency witho
 class Regime:
     """A steady regime of the rotor."""
 
-    speed: float  # [rad/s]
-    moment: float  # of the motor [N*m]
-    stable: bool
+    speed: float = quantity("omega[rad/s]", "speed of the rotor")
+    moment: float = quantity("M[N*m]", "moment of the motor")
+    stable: bool = quantity("stable", "the surplus of the motor falls with the speed")
 
 
 @record
 class Barrier:
     """The moment that a resonance asks of the motor."""
 
-    speed: float  # of the peak [rad/s]
-    mode: int  # number of the mode from 1
-    load: float  # L + d w at the peak [N*m]
-    motor: float  # what the motor gives there [N*m]
+    speed: float = quantity("omega[rad/s]", "speed of the peak of the load")
+    mode: int = quantity("mode", "number of the mode from 1")
+    load: float = quantity("load[N*m]", "moment that vibration and drag take at the peak", symbol="L + d omega")
+    motor: float = quantity("M[N*m]", "moment of the motor at the peak")
 
 
 def regimes(modes: Modes, excitation: Excitation, drive: Drive) -> tuple[tuple[Regime, ...], tuple[Barrier, ...]]:

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import Quantity, derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.vibration.vibrator.forced import Peak, Steady
 from tmmcalc.vibration.vibrator.paths import PointPath
 from tmmcalc.vibration.vibrator.regimes import Barrier, Regime
 from tmmcalc.vibration.vibrator.runup import Course
 from tmmcalc.vibration.vibrator.springs import Stiffness
+from tmmcalc.vibration.vibrator.task import COORDINATES, UNITS
 
 
 @record
 class Curve:
     """Amplitudes over the speed of the rotor."""
 
-    omega: Values  # (m,) [rad/s]
+    omega: Values = quantity("omega[rad/s]", "speed of the rotor")  # (m,)
     amplitude: Values  # (7, m) [m] and [rad]
     phase: Values  # (7, m) behind the unbalance [rad]
     peaks: tuple[Peak, ...]  # largest of every coordinate
@@ -35,14 +39,14 @@ class MotorStart:
     """The start of the rotor by its motor."""
 
     course: Course
-    motor: Values  # (n,) moment of the motor [N*m]
+    motor: Values = quantity("M_motor[N*m]", "moment of the motor")  # (n,)
     points: Values  # (k, 3, n) [m]
     largest: Values  # (7,)
-    mean: float  # speed over the last tenth of the time [rad/s]
+    mean: float = quantity("mean_omega[rad/s]", "mean speed over the last tenth of the time")
     gain: float  # of that speed over the tenth before [rad/s]
     regimes: tuple[Regime, ...]  # steady regimes by their speed
     barriers: tuple[Barrier, ...]  # what resonances ask of the motor
-    stuck: int  # number of the mode at whose resonance the rotor stays; 0: it does not
+    stuck: int = quantity("stuck_at_mode", "number of the mode at whose resonance the rotor stays; 0: it does not")
     evaluations: int
 
 
@@ -51,12 +55,12 @@ class VibratorResult:
     """Springs, modes, steady vibration and starts of a device."""
 
     springs: Stiffness
-    mass: Values  # M (7, 7) [kg], [kg*m], [kg*m^2]
-    stiffness: Values  # C (7, 7) [N/m], [N*m/rad]
-    damping: Values  # B (7, 7) [N*s/m], [N*m*s/rad]
+    mass: Values = quantity("M", "mass matrix")  # (7, 7) [kg], [kg*m], [kg*m^2]
+    stiffness: Values = quantity("C", "stiffness matrix")  # (7, 7) [N/m], [N*m/rad]
+    damping: Values = quantity("B", "damping matrix")  # (7, 7) [N*s/m], [N*m*s/rad]
     frequency: Values  # natural, w (7,) ascending [rad/s]
     shapes: Values  # (7, 7) a mode in each column, its largest displacement 1
-    ratio: Values  # (7,) part of critical damping of the modes
+    ratio: Values = quantity("zeta", "part of critical damping of the modes")  # (7,)
     error: dict[str, float]  # relative: frequencies, amplitudes and power of the steady motion, the curve
     curve: Curve | None
     steady: Steady | None
@@ -65,3 +69,33 @@ class VibratorResult:
     drive: MotorStart | None
     points: tuple[str, ...]  # names of the points
     notes: tuple[str, ...]
+
+    @derived("natural_frequencies[Hz]", "natural frequencies", symbol="f", header="f[Hz]")
+    def hertz(self) -> Values:
+        """(7,)."""
+        return self.frequency / (2 * np.pi)
+
+    @derived("n[rpm]", "natural frequencies as speeds")
+    def speeds(self) -> Values:
+        """(7,)."""
+        return 60 * self.hertz
+
+    @derived("modes", "shapes of the modes, their largest displacement 1")
+    def modes(self) -> Values:
+        """(7, 7) a mode in each row."""
+        return self.shapes.T
+
+    @derived("frequency_error", "largest relative error of the natural frequencies")
+    def frequency_error(self) -> float:
+        """It is always found."""
+        return self.error["frequencies"]
+
+    @derived("amplitude_error", "error of the steady amplitudes over the largest")
+    def amplitude_error(self) -> float:
+        """Of a device with a steady motion."""
+        return self.error["amplitudes"]
+
+
+COORDINATE = Quantity("{coordinate}[{unit}]", "coordinate {coordinate}; of modes its shape, of the curve its amplitude")
+DISPLACEMENT = Quantity("u{axis}_{point}[m]", "displacement of {point} along {axis}")
+HEADERS = tuple(COORDINATE.of(coordinate=name, unit=unit).key for name, unit in zip(COORDINATES, UNITS, strict=True))

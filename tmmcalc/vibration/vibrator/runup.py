@@ -18,6 +18,7 @@ import numpy as np
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.gauss import legendre, rule
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.vibration.vibrator.energies import COUNT, Excitation
 from tmmcalc.vibration.vibrator.modes import Modes
@@ -34,14 +35,19 @@ MOST = 300_000  # steps
 class Course:
     """Motion in time at n rows."""
 
-    t: Values  # (n,) [s]
-    psi: Values  # (n,) angle of the unbalance [rad]
-    omega: Values  # (n,) [rad/s]
-    q: Values  # (7, n) [m] and [rad]
-    energy: Values  # (n,) kinetic and potential energy [J]
-    work: Values  # (n,) what was put in so far [J]
-    lost: Values  # (n,) what the dampers took so far [J]
-    error: float  # largest of energy + lost - work, over the largest energy
+    t: Values = quantity("t[s]", "time")  # (n,) as the others but q
+    psi: Values = quantity("psi[rad]", "angle of the unbalance")
+    omega: Values = quantity("omega[rad/s]", "speed of the rotor")
+    q: Values  # (7, n) coordinates [m] and [rad]
+    energy: Values = quantity("E[J]", "kinetic and potential energy")
+    work: Values = quantity("W[J]", "work put in so far")
+    lost: Values = quantity("D[J]", "work taken by the dampers so far")
+    error: float = quantity("energy_error", "largest of E + D - W over the largest energy")
+
+    @derived("end_omega[rad/s]", "speed of the rotor at the end")
+    def end_omega(self) -> float:
+        """Of the last row."""
+        return float(self.omega[-1])
 
 
 class _Piece(NamedTuple):

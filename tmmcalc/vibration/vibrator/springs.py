@@ -14,6 +14,7 @@ from math import pi
 
 import numpy as np
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.vibration.vibrator.task import Flats, Gripper, Rods, VibratorTask
 
@@ -25,14 +26,15 @@ ODD_FIFTHS = 1.0045237627951396  # 1 + 1/3^5 + 1/5^5 + ... = 31/32 zeta(5)
 class Stiffness:
     """Stiffnesses of the springs, and of the coordinates as their potential energy has them."""
 
-    rod: float  # c across one rod [N/m]
-    vertical: float  # c1 of one flat spring [N/m]
-    tilt: float  # c_t [N*m/rad]
-    push: float | None  # a: force of a bent spring over the tilt [N/rad]
-    bend: float | None  # d: moment at its inner end over the tilt [N*m/rad]
-    twist: float | None  # d1: moment of a twisted spring over the tilt [N*m/rad]
-    weight: float | None  # m2 g l [N*m/rad]
-    plate: float  # c2 [N*m/rad]
+    rod: float = quantity("c_rod[N/m]", "stiffness across one rod", symbol="c")
+    vertical: float = quantity("c1[N/m]", "vertical stiffness of one flat spring", symbol="c_1")
+    tilt: float = quantity("ct[N*m/rad]", "stiffness of the flat springs against a tilt", symbol="c_t")
+    # parts of the stiffness against a tilt; None: it is given
+    push: float | None = quantity("a[N/rad]", "force of a bent spring over the tilt")
+    bend: float | None = quantity("d[N*m/rad]", "moment at a bent spring's inner end over the tilt")
+    twist: float | None = quantity("d1[N*m/rad]", "moment of a twisted spring over the tilt", symbol="d_1")
+    weight: float | None = quantity("m2gl[N*m/rad]", "moment of the weight over the tilt", symbol="m_2 g l")
+    plate: float = quantity("c2[N*m/rad]", "stiffness of the plate about the exciter's hinge", symbol="c_2")
 
 
 def stiffness_of(task: VibratorTask) -> Stiffness:
