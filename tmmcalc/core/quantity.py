@@ -43,6 +43,11 @@ class Quantity(NamedTuple):
         return self.key.partition("[")[0]
 
     @property
+    def heading(self) -> str:
+        """What heads its column in a table of the records."""
+        return self.header or self.key
+
+    @property
     def unit(self) -> str:
         """Its unit; empty: a number, a word or a truth value."""
         return self.key.partition("[")[2].removesuffix("]")
@@ -61,7 +66,7 @@ class Quantity(NamedTuple):
         >>> Quantity("M[m]", "size over balls").shown("mm")
         ('M[mm]', 1000.0)
         """
-        name = (self.header or self.key).partition("[")[0]
+        name = self.heading.partition("[")[0]
         return f"{name}[{unit}]", FORMS[self.unit, unit]
 
 
@@ -121,6 +126,28 @@ def keyed(of: Any, *names: str, **places: object) -> dict[str, Any]:
     return {known[name].of(**places).key: getattr(of, name) for name in names or known}
 
 
+def headed(of: Any, *names: str, **places: object) -> dict[str, Any]:
+    """The arrays of a record by the headings of their columns, as `keyed` gives them by their keys."""
+    known = quantities(type(of))
+    return {known[name].of(**places).heading: getattr(of, name) for name in names or known}
+
+
+def components(of: Any, name: str, **place: Sequence[object]) -> dict[str, Any]:
+    """The components of an array (n, m), or of a tuple of m numbers, of a record by the headings of each of m names.
+
+    >>> from tmmcalc.core.records import record
+    >>> @record
+    ... class Point:
+    ...     place: tuple[float, float] = quantity("{axis}_S[m]", "place of S")
+    >>> components(Point((1.0, 2.0)), "place", axis="xy")
+    {'x_S[m]': 1.0, 'y_S[m]': 2.0}
+    """
+    told, values = quantities(type(of))[name], getattr(of, name)
+    ((where, names),) = place.items()
+    parts = zip(names, getattr(values, "T", values), strict=True)
+    return {told.of(**{where: each}).heading: part for each, part in parts}
+
+
 def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dict[str, list[Any]]:
     """The quantities of many records of a kind, a list a header; ``"diameter[mm]"`` is a field in a unit for people.
 
@@ -141,5 +168,5 @@ def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dic
             header, factor = told.shown(unit)
             found[header] = [None if value is None else factor * value for value in values]
         else:
-            found[told.header or told.key] = values
+            found[told.heading] = values
     return found
