@@ -8,6 +8,8 @@ from io import StringIO
 
 import numpy as np
 
+from tmmcalc.core.quantity import quantities
+from tmmcalc.gears.meshing.profiles import WheelProfile
 from tmmcalc.gears.meshing.tracks import Track
 from tmmcalc.report.outlinefiles import layer_name
 from tmmcalc.report.strokes import Outline
@@ -27,8 +29,8 @@ def outline_csv(tracks: Sequence[Track]) -> bytes:
     """The points of every track in chords, one track after the other; a closed one ends where it began."""
     buffer = StringIO()
     writer = csv.writer(buffer, lineterminator="\n")
-    named = any(track.member.pair for track in tracks)
-    writer.writerow([*(["pair"] if named else []), "wheel", "x[m]", "y[m]"])
+    named, told = any(track.member.pair for track in tracks), quantities(WheelProfile)
+    writer.writerow([*(["pair"] if named else []), *(told[name].key for name in ("wheel", "x", "y"))])
     for track in tracks:
         names = [*([track.member.pair] if named else []), track.member.name]
         points = np.append(track.polygon, track.polygon[:1]) if track.closed else track.polygon

@@ -70,9 +70,9 @@ def _wheel_fact(each: Measured) -> Fact:
     usable = each.measures.usable
     if usable == "active":
         text += f"\nusable to r = {millimetres(size.active_left)}, the lowest active point"
-    values = {"wheel": size.name, "kind": size.kind, "z": size.teeth, "x": size.shift, "m[m]": task.module}
-    values |= {"beta[rad]": task.helix, "r_a[m]": size.tip, "r_F[m]": size.form}
-    return Fact("wheel", text, values | {"r_usable[m]": size.active_left, "usable_to": usable})
+    values = keyed(size, "name", "kind", "teeth", "shift") | keyed(task, "module", "helix")
+    values |= keyed(size, "tip", "form", "active_left") | keyed(each.measures, "usable")
+    return Fact("wheel", text, values)
 
 
 def _base_fact(measures: Measures) -> Fact:

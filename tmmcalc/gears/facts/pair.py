@@ -5,51 +5,25 @@ The order is that of the textbook: data, shifts, angles, centre distance, radii,
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
+from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.gears.facts.meshes import known, places, titles, wheel_names
 from tmmcalc.gears.facts.pair_checks import VERDICTS, checks_document, checks_values, pair_notes
-from tmmcalc.gears.facts.pair_contact import NOISE
 from tmmcalc.gears.facts.pair_facts import pair_facts
 from tmmcalc.gears.meshing.results import Measures, MeshPair, Pairs, WheelSizes
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.sizes import drawn, plain
 
 SHORT = ("pair", "shifts", "operating angle", "centre distance", "contact ratio", "measured", "verdict")  # of a summary
-SIZES: tuple[tuple[str, str, Callable[[WheelSizes], float | None]], ...] = (
-    ("reference radius", "r", lambda size: size.reference),
-    ("operating pitch radius", "r_w", lambda size: size.operating),
-    ("tip radius", "r_a", lambda size: size.tip),
-    ("root radius", "r_f", lambda size: size.root),
-    ("base radius", "r_b", lambda size: size.base),
-    ("form radius: the involute ends", "r_F", lambda size: size.form),
-    ("active radius: the contact ends", "r_p", lambda size: size.active),
-    ("the same of the flanks left", "r_p_left", lambda size: size.active_left if _shorter(size) else None),
-    ("radius where the flanks meet", "r_s", lambda size: size.pointing),
-    ("tooth thickness, normal", "s_n", lambda size: size.thickness),
-    ("tip thickness, normal", "s_na", lambda size: size.tip_thickness),
-    ("curvature at the limit point", "LN", lambda size: size.limit),
+SIZES = (  # lengths, down the table
+    *("reference", "operating", "tip", "root", "base", "form", "active", "active_shortened", "pointing"),
+    *("thickness", "tip_thickness", "limit"),
 )
-
-
-MORE: tuple[tuple[str, Callable[[WheelSizes], float | None]], ...] = (  # for programs
-    ("s_t[m]", lambda size: size.arc),
-    ("s_ta[m]", lambda size: size.tip_arc),
-    ("psi[rad]", lambda size: size.half_angle),
-    ("psi_w[rad]", lambda size: size.operating_half_angle),
-    ("z_min", lambda size: size.least_teeth),
-    ("Y_F", lambda size: size.strength.factor if size.strength else None),
-    ("s_Fn[m]", lambda size: size.strength.chord if size.strength else None),
-    ("h_F[m]", lambda size: size.strength.arm if size.strength else None),
-)
-
-
-def _shorter(size: WheelSizes) -> bool:
-    """Whether the contact ends earlier than the whole flanks would let it."""
-    return abs(size.active_left - size.active) > NOISE * size.base
+ARC = Quantity("r_gamma[m]", "arc between the points of a flank on reference and operating circle", source="(4.74)")
+MORE = ("arc", "tip_arc", "half_angle", "operating_half_angle", "least_teeth")  # for programs
 
 
 def chosen_pairs(result: Pairs, name: str | None) -> Pairs:
@@ -106,11 +80,10 @@ def _sliding_document(found: MeshPair, step: float) -> Document:
 def _whole(found: MeshPair, title: str) -> Document:
     """A pair for programs: wheels and checks as values."""
     sizes = zip(found.task.wheels, found.sizes, found.measures, strict=False)
-    turn = abs(found.turn)  # of the arcs r gamma (4.74)
+    turn = abs(found.turn)
     values = {
         "wheels": {
-            name: {**_wheel_values(size, measures), "r_gamma[m]": turn * size.reference}
-            for name, size, measures in sizes
+            name: {**_wheel_values(size, measures), ARC.key: turn * size.reference} for name, size, measures in sizes
         },
         "checks": checks_values(found),
     }
@@ -137,11 +110,12 @@ def _all_notes(result: Pairs) -> Iterator[str]:
 
 def _wheels_view(found: MeshPair) -> View:
     """Sizes down the page, wheels across it."""
-    rows = [(label, symbol, [read(size) for size in found.sizes]) for label, symbol, read in SIZES]
-    rows = [row for row in rows if any(value is not None for value in row[2])]
-    columns: list[Sequence[Any]] = [[row[0] for row in rows], [row[1] for row in rows]]
+    told = quantities(WheelSizes)
+    rows = [(told[name], [getattr(size, name) for size in found.sizes]) for name in SIZES]
+    rows = [row for row in rows if any(value is not None for value in row[1])]
+    columns: list[Sequence[Any]] = [[size.meaning for size, _ in rows], [size.name for size, _ in rows]]
     for k in range(len(found.sizes)):
-        columns.append([_length(row[2][k]) for row in rows])
+        columns.append([_length(values[k]) for _, values in rows])
     return View(["size", "symbol", *(f"{name}[mm]" for name in wheel_names(found))], columns)
 
 
@@ -151,27 +125,30 @@ def _length(value: float | None) -> float | str:
 
 def _wheel_values(size: WheelSizes, measures: Measures) -> dict[str, Any]:
     """A wheel for programs."""
-    values: dict[str, Any] = {"kind": size.kind, "z": size.teeth, "x": size.shift, "x_min": size.least_shift}
-    values |= {f"{symbol}[m]": read(size) for _, symbol, read in SIZES}
-    values |= {key: get(size) for key, get in MORE}
+    values = keyed(size, "kind", "teeth", "shift", "least_shift", *SIZES, *MORE)
+    if size.strength is not None:
+        values |= keyed(size.strength)
     if size.kind != "ring":
-        values["z_w_max"] = measures.span_most
+        values |= keyed(measures, "span_most")
     if measures.span is not None:
-        values |= {"z_w": measures.span.teeth, "W[m]": measures.span.length}
+        values |= keyed(measures.span, "teeth", "length")
     if measures.balls is not None:
-        values |= {"D[m]": measures.balls.diameter, "M[m]": measures.balls.size}
+        values |= keyed(measures.balls, "diameter", "size")
     return known(values)
 
 
 def _rows_view(result: Pairs) -> View:
     """One row a pair."""
+    shift = quantities(MeshPair)["shifts"]
+    rounded = table(result.pairs, MeshPair, "angle_w[deg]", "shortened")
     columns: dict[str, list[Any]] = {
         "pair": titles(result),
-        "x_1": [round(found.shifts[0], 4) for found in result.pairs],
-        "x_2": ["" if found.task.kind == "rack" else round(found.shifts[1], 4) for found in result.pairs],
-        "a_w[mm]": [1e3 * found.distance for found in result.pairs],
-        "alpha_tw[deg]": [round(math.degrees(found.angle_w), 4) for found in result.pairs],
-        "eps_alpha": [round(found.shortened, 4) for found in result.pairs],
+        shift.of(wheel=1).key: [round(found.shifts[0], 4) for found in result.pairs],
+        shift.of(wheel=2).key: [
+            "" if found.task.kind == "rack" else round(found.shifts[1], 4) for found in result.pairs
+        ],
+        **table(result.pairs, MeshPair, "distance[mm]"),
+        **{header: [round(value, 4) for value in values] for header, values in rounded.items()},
         "verdict": [VERDICTS[found.verdict] for found in result.pairs],
     }
     return View(list(columns), list(columns.values()))

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.gears.facts.meshes import known, renamed
 from tmmcalc.gears.involute.quality.verdicts import Check
 from tmmcalc.gears.meshing.results import MeshPair
@@ -14,6 +15,7 @@ from tmmcalc.report.numbers import number
 
 VERDICTS = {"ok": "ok", "warn": "warning", "fail": "fails"}
 ANGLES = ("pressure angle",)
+MARGIN = Quantity("margin[m]", "what is left to the limit, a length")
 PLACES = 4  # decimals that people read
 PURE = ("sliding", "pressure")  # numbers without a unit, as are all ratios; what is left are lengths in modules
 
@@ -32,14 +34,15 @@ def checks_document(found: MeshPair) -> Document:
 
 
 def _view(found: MeshPair) -> View:
+    margin, factor_mm = MARGIN.shown("mm")
     columns: dict[str, list[Any]] = {
-        name: [] for name in ("check", "wheel", "value", "limit", "margin", "margin[mm]", "verdict")
+        name: [] for name in ("check", "wheel", "value", "limit", "margin", margin, "verdict")
     }
     for check in found.checks:
         unit = unit_of(check)
         factor = math.degrees(1.0) if unit == "rad" else 1.0
         judged = check.limit is not None
-        in_mm = 1e3 * found.task.module * check.margin
+        in_mm = factor_mm * found.task.module * check.margin
         row = (
             f"{check.name}, deg" if unit == "rad" else check.name,
             _named(found, check.wheel),
@@ -71,13 +74,12 @@ def checks_values(found: MeshPair) -> list[dict[str, Any]]:
     return [
         known(
             {
-                "check": check.name,
+                **keyed(check, "name"),
                 "wheel": _named(found, check.wheel) or None,
-                "value": check.value,
-                "limit": check.limit,
+                **keyed(check, "value", "limit"),
                 "margin": check.margin if check.limit is not None else None,
                 "unit": unit_of(check),
-                "verdict": check.verdict,
+                **keyed(check, "verdict"),
                 "text": renamed(check.text, found.task.wheels) or None,
             }
         )

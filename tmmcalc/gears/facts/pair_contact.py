@@ -2,27 +2,25 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from tmmcalc.core.quantity import keyed
 from tmmcalc.gears.facts.meshes import millimetres
-from tmmcalc.gears.meshing.results import MeshPair, SlidingPeaks
+from tmmcalc.gears.meshing.results import NOISE, MeshPair, SlidingPeaks
 from tmmcalc.report.document import Fact
 from tmmcalc.report.numbers import number
 
-NOISE = 1e-9  # [modules] a flank shorter by less is whole
 LENGTHS = {"g": "g = N1N2", "g_alpha": "g_alpha = A2A1"}
 
 
 def ratio_fact(found: MeshPair) -> Fact:
     """Contact ratios of the whole flanks, and of the involutes that there are."""
-    values: dict[str, Any] = {"eps_alpha": found.contact_ratio, "eps_alpha_shortened": found.shortened}
+    values = keyed(found, "contact_ratio", "shortened")
     text = f"eps_alpha = {number(found.contact_ratio)}"
     if found.shortened < found.contact_ratio - NOISE:
         text += f" of the whole flanks\n{number(found.shortened)} of the involutes that there are"
     if found.task.helix and found.task.face_width is None:
         text += "\nno face width is given for eps_beta"
     elif found.task.helix:
-        values |= {"eps_beta": found.overlap, "eps_gamma": found.total, "eps_gamma_shortened": found.total_left}
+        values |= keyed(found, "overlap", "total", "total_left")
         text += f"\neps_beta = {number(found.overlap)}, eps_gamma = {number(found.total)}"
         if found.shortened < found.contact_ratio - NOISE:
             text += f"\neps_gamma = {number(found.total_left)} of the involutes that there are"
@@ -32,11 +30,8 @@ def ratio_fact(found: MeshPair) -> Fact:
 def line_fact(found: MeshPair) -> Fact:
     """Distances along the line of action from both base circles."""
     line, rack = found.line, found.task.kind == "rack"
-    values = {"N1A2[m]": line.start, "N1P[m]": line.pitch, "N1A1[m]": line.end}
-    if not rack:
-        values |= {"N2A1[m]": abs(line.length - line.end), "N2P[m]": abs(line.length - line.pitch)}
-        values |= {"g[m]": abs(line.length)}
-    values |= {"g_alpha[m]": line.end - line.start}
+    of_second = [] if rack else ["end_from_second", "pitch_from_second", "between"]
+    values = keyed(line, "start", "pitch", "end", *of_second, "path")
     told = {key.partition("[")[0]: number(1e3 * value) for key, value in values.items()}
     groups = [("N1A2", "N1P", "N1A1"), () if rack else ("N2A1", "N2P"), ("g_alpha",) if rack else ("g", "g_alpha")]
     text = "\n".join(
@@ -46,13 +41,13 @@ def line_fact(found: MeshPair) -> Fact:
     if line.begins > line.start + slack or line.ends < line.end - slack:
         text += f"\nthe involutes that there are touch from N1K = {number(1e3 * line.begins)} "
         text += f"to {number(1e3 * line.ends)} mm"
-    return Fact("line of action", text, {**values, "contact_from[m]": line.begins, "contact_to[m]": line.ends})
+    return Fact("line of action", text, values | keyed(line, "begins", "ends"))
 
 
 def clearance_fact(found: MeshPair) -> Fact:
     """Radial clearances at both roots."""
     text = f"{millimetres(*found.clearances)} at the roots of 1 and 2"
-    return Fact("radial clearance", text, {"clearances[m]": list(found.clearances)})
+    return Fact("radial clearance", text, keyed(found, "clearances"))
 
 
 def sliding_fact(found: MeshPair) -> Fact:
@@ -60,18 +55,18 @@ def sliding_fact(found: MeshPair) -> Fact:
     peaks = found.peaks
     if peaks is None:
         return Fact("specific sliding", "none: the flanks do not reach each other")
-    text, values = _peaks_text(peaks), _peaks_values(peaks)
+    text, values = _peaks_text(peaks), keyed(peaks)
     left = found.peaks_left
     if left is None:
         text += "\nthe involutes that there are do not reach each other"
     elif _differ(peaks, left):
         text += f"\nof the involutes that there are:\n{_peaks_text(left)}"
-        values |= {f"{key}_left": value for key, value in _peaks_values(left).items()}
+        values |= {f"{key}_left": value for key, value in keyed(left).items()}
     return Fact("specific sliding", text, values)
 
 
 def _differ(one: SlidingPeaks, two: SlidingPeaks) -> bool:
-    pairs = zip(_peaks_values(one).values(), _peaks_values(two).values(), strict=True)
+    pairs = zip(keyed(one).values(), keyed(two).values(), strict=True)
     return any(abs(first - second) > NOISE * abs(first) for first, second in pairs)
 
 
@@ -82,14 +77,3 @@ def _peaks_text(peaks: SlidingPeaks) -> str:
         f"theta_2 = {number(peaks.theta2, 5)} where it ends\n"
         f"lambda = {', '.join(number(value, 5) for value in pressures)} at beginning, P, end"
     )
-
-
-def _peaks_values(peaks: SlidingPeaks) -> dict[str, float]:
-    return {
-        "theta_1": peaks.theta1,
-        "theta_2": peaks.theta2,
-        "lambda_start": peaks.pressure_start,
-        "lambda_P": peaks.pressure_pitch,
-        "lambda_end": peaks.pressure_end,
-        "lambda_max": peaks.pressure_largest,
-    }

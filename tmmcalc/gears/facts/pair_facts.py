@@ -6,13 +6,12 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from tmmcalc.core.quantity import components, keyed, quantities
 from tmmcalc.gears.facts.meshes import USUAL, millimetres, written
 from tmmcalc.gears.facts.pair_checks import verdict_fact
-from tmmcalc.gears.facts.pair_contact import NOISE, clearance_fact, line_fact, ratio_fact, sliding_fact
-from tmmcalc.gears.involute.function import involute
+from tmmcalc.gears.facts.pair_contact import clearance_fact, line_fact, ratio_fact, sliding_fact
 from tmmcalc.gears.involute.measure.angles import sexagesimal
-from tmmcalc.gears.involute.rack import Section
-from tmmcalc.gears.meshing.results import Measures, MeshPair
+from tmmcalc.gears.meshing.results import NOISE, Measures, MeshPair
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.report.document import Fact
 from tmmcalc.report.numbers import angle, number
@@ -40,7 +39,7 @@ def pair_facts(found: MeshPair) -> Iterator[Fact]:
     """All facts of one pair in the order of a calculation by hand."""
     task = found.task
     yield Fact("pair", f"{task.title}, {_class(found)}", {"pair": task.title, "class": _class(found)})
-    yield from _data_facts(task, found.base_helix)
+    yield from _data_facts(found)
     yield from _shift_facts(found)
     yield from _angle_facts(found)
     yield _involute_fact(found)
@@ -70,8 +69,9 @@ def _class(found: MeshPair) -> str:
     return f"{'helical' if found.task.helix else 'spur'} {form}, {shifted}"
 
 
-def _data_facts(task: PairTask, base_helix: float) -> Iterator[Fact]:
+def _data_facts(found: MeshPair) -> Iterator[Fact]:
     """Teeth, module, helix, rack, face width."""
+    task = found.task
     teeth = [z for z in task.teeth if z]
     text = ", ".join(f"z_{i} = {z}" for i, z in enumerate(teeth, 1))
     values: dict[str, Any] = {"z": teeth, "wheel_names": list(task.wheels)[: len(teeth)]}
@@ -81,35 +81,33 @@ def _data_facts(task: PairTask, base_helix: float) -> Iterator[Fact]:
     if task.wheels != USUAL:
         text += f"\nindex 1: wheel {task.wheels[0]}" + (f", 2: wheel {task.wheels[1]}" if len(teeth) == 2 else "")
     yield Fact("teeth", text, values)
-    cut, m = Section(task.rack, task.helix), task.module
-    values = {"m[m]": m, "p_n[m]": math.pi * m, "p_t[m]": math.pi * m * cut.module}
-    text = f"m = {millimetres(m)}, pitch p = {millimetres(math.pi * m)}"
-    text += f", transverse p_t = {millimetres(values['p_t[m]'])}" if task.helix else ""
-    yield Fact("normal module", text, values)
+    text = f"m = {millimetres(task.module)}, pitch p = {millimetres(task.pitch)}"
+    text += f", transverse p_t = {millimetres(task.transverse_pitch)}" if task.helix else ""
+    yield Fact("normal module", text, keyed(task, "module", "pitch", "transverse_pitch"))
     text = f"beta = {angle(math.degrees(task.helix))} deg"
     if task.helix:
-        text += f", beta_b = {angle(math.degrees(base_helix))} deg at the base cylinder"
-    yield Fact("helix angle", text, {"beta[rad]": task.helix, "beta_b[rad]": base_helix})
-    rack = task.rack
+        text += f", beta_b = {angle(math.degrees(found.base_helix))} deg at the base cylinder"
+    yield Fact("helix angle", text, keyed(task, "helix") | keyed(found, "base_helix"))
+    rack, cut = task.rack, task.section
     text = f"alpha = {angle(math.degrees(rack.angle))} deg, h_a* = {number(rack.addendum)}, "
     text += f"c* = {number(rack.clearance)}, rho* = {number(rack.radius, 5)}"
     if task.helix:
-        text += f"\nacross the teeth rho_t* = {number(cut.radius, 6)}, rho_t = {millimetres(m * cut.radius)}"
-    values = {"alpha[rad]": rack.angle, "h_a": rack.addendum, "c": rack.clearance, "rho": rack.radius}
-    flat = math.pi / 4 * cut.module - rack.straight * math.tan(cut.angle) - cut.radius * math.cos(cut.angle)
-    values |= {"rho_t": cut.radius, "rho_t[m]": m * cut.radius, "e_S[m]": m * flat}  # half the flat of the tip
+        text += f"\nacross the teeth rho_t* = {number(cut.radius, 6)}, rho_t = {millimetres(task.rounding)}"
+    values = keyed(rack) | keyed(cut) | keyed(task, "rounding", "tip_flat")
     yield Fact("basic rack", text, values)
     if task.face_width is not None:
-        yield Fact("face width", f"b = {millimetres(task.face_width)}", {"b[m]": task.face_width})
+        yield Fact("face width", f"b = {millimetres(task.face_width)}", keyed(task, "face_width"))
 
 
 def _shift_facts(found: MeshPair) -> Iterator[Fact]:
     x1, x2 = found.shifts
-    values: dict[str, Any] = {"x_1": x1}
+    values = components(found, "shifts", wheel=(1, 2))
     text = f"x_1 = {number(x1)}"
     if found.task.kind != "rack":
-        values |= {"x_2": x2, "x_sum": x1 + x2}
-        text += f", x_2 = {number(x2)}, x_sum = {number(x1 + x2, peak=1.0)}"
+        values |= keyed(found, "shift_sum")
+        text += f", x_2 = {number(x2)}, x_sum = {number(found.shift_sum, peak=1.0)}"
+    else:
+        values.popitem()  # a rack has no shift of its own
     if found.task.kind == "internal":
         text += "\nsign of ISO 21771: x_2 > 0 makes the teeth of the ring thicker"
     yield Fact("shifts", text, values)
@@ -144,22 +142,20 @@ def _rule(task: PairTask) -> str:
 
 
 def _angle_facts(found: MeshPair) -> Iterator[Fact]:
-    for label, symbol, value in (
-        ("transverse angle", "alpha_t", found.angle_t),
-        ("operating angle", "alpha_tw", found.angle_w),
-    ):
-        values: dict[str, Any] = {f"{symbol}[rad]": value, f"{symbol}[deg]": math.degrees(value)}
-        values[f"{symbol}_dms"] = list(sexagesimal(value)[1:])
+    told = quantities(MeshPair)
+    for label, name in (("transverse angle", "angle_t"), ("operating angle", "angle_w")):
+        value: float = getattr(found, name)
+        symbol, (in_degrees, factor) = told[name].name, told[name].shown("deg")
+        values = {**keyed(found, name), in_degrees: factor * value, f"{symbol}_dms": list(sexagesimal(value)[1:])}
         yield Fact(label, f"{symbol} = {written(value)}", values)
 
 
 def _involute_fact(found: MeshPair) -> Fact:
     """inv of both angles, and how far the flanks stand apart on reference and operating circle (4.73, 4.74)."""
-    start, end, turn = float(involute(found.angle_t)), float(involute(found.angle_w)), found.turn
-    values = {"inv_alpha_t": start, "inv_alpha_tw": end, "gamma[rad]": turn}
-    text = f"inv alpha_t = {number(start)}"
+    turn, values = found.turn, keyed(found, "involute_t", "involute_w", "turn")
+    text = f"inv alpha_t = {number(found.involute_t)}"
     if found.task.kind != "rack":
-        text += f", inv alpha_tw = {number(end)}"
+        text += f", inv alpha_tw = {number(found.involute_w)}"
     if abs(turn) > NOISE:
         arcs = millimetres(*(abs(turn) * size.reference for size in found.sizes))
         text += f"\ngamma = {number(turn)} rad = {number(math.degrees(turn))} deg\narcs r gamma = {arcs}"
@@ -169,19 +165,11 @@ def _involute_fact(found: MeshPair) -> Fact:
 def _distance_fact(found: MeshPair) -> Fact:
     if found.task.kind == "rack":
         text = f"r + x m = {millimetres(found.distance)}, from the axis to the datum line of the rack"
-        return Fact("centre distance", text, {"a_w[m]": found.distance})
-    values = {
-        "a[m]": found.reference_distance,
-        "a_w[m]": found.distance,
-        "eta": found.stretch,
-        "y": found.modification,
-        "dy": found.shortening,
-    }
+        return Fact("centre distance", text, keyed(found, "distance"))
     text = f"a = {millimetres(found.reference_distance)}, a_w = {millimetres(found.distance)}\n"
-    names = ("eta", "y", "dy")
-    return Fact(
-        "centre distance", text + ", ".join(f"{name} = {number(values[name], peak=1.0)}" for name in names), values
-    )
+    numbers = keyed(found, "stretch", "modification", "shortening")
+    text += ", ".join(f"{name} = {number(value, peak=1.0)}" for name, value in numbers.items())
+    return Fact("centre distance", text, keyed(found, "reference_distance", "distance") | numbers)
 
 
 def _diameter_fact(found: MeshPair) -> Fact:

@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.gears.meshing.booktables import BookTable, BookTables
-from tmmcalc.gears.meshing.profiles import Profiles, WheelProfile
+from tmmcalc.core.quantity import components, keyed, table
+from tmmcalc.gears.meshing.booktables import CUT, MAIN, BookTable, BookTables
+from tmmcalc.gears.meshing.profiles import ROLLED, Profiles, WheelProfile
 from tmmcalc.gears.meshing.tooth import profile_columns
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import number
@@ -20,7 +21,6 @@ AXES = {
     "pitch": "the flank's point on the operating pitch circle",
     "reference": "the flank's point on the reference circle",
 }
-ROLLS = ("phi_L", "phi_D", "phi_A", "phi_F")
 TINY = 1e-15  # [m] a distance that rounding alone leaves
 
 
@@ -32,11 +32,7 @@ def summary(result: Profiles, title: str) -> Document:
     columns |= {
         "wheel": [wheel.wheel for wheel in wheels],
         "z": [wheel.teeth or "rack" for wheel in wheels],
-        "x": [wheel.shift for wheel in wheels],
-        "r_f[m]": [wheel.root for wheel in wheels],
-        "r_F[m]": [wheel.form for wheel in wheels],
-        "r_a[m]": [wheel.tip for wheel in wheels],
-        "R_min[m]": [wheel.fillet_least_radius for wheel in wheels],
+        **table(wheels, WheelProfile, "shift", "root", "form", "tip", "fillet_least_radius"),
         "undercut": ["yes" if wheel.undercut else "no" for wheel in wheels],
     }
     view = drawn({header: np.array(column) for header, column in columns.items()}) if wheels else None
@@ -104,7 +100,7 @@ def _columns(table: BookTable, everything: bool) -> dict[str, np.ndarray]:
     """The columns behind the names of the notable points; what is not cut is blank for people."""
     columns = {"point": np.array(table.points)}
     for header, column in table.columns.items():
-        blank = not everything and header in ("X[m]", "Y[m]", "R[m]") and not table.cut.all()
+        blank = not everything and header in CUT and not table.cut.all()
         cells = [value if cut else "" for value, cut in zip(column.tolist(), table.cut.tolist(), strict=True)]
         columns[header] = np.array(cells, object) if blank else column
     return columns | ({"cut": table.cut} if everything else {})
@@ -112,19 +108,18 @@ def _columns(table: BookTable, everything: bool) -> dict[str, np.ndarray]:
 
 def _stacked(tables: Sequence[BookTables]) -> dict[str, np.ndarray]:
     """All tables in one, one wheel after the other; what a table does not have is empty."""
-    each = [
-        (book.member, name, table) for book in tables for name, table in (("main", book.main), ("fillet", book.fillet))
-    ]
-    headers = list(dict.fromkeys(header.replace("_T[", "[") for *_, table in each for header in table.columns))
+    each = [(of.member, name, book) for of in tables for name, book in (("main", of.main), ("fillet", of.fillet))]
+    common = {header: header.replace(f"{MAIN}[", "[") for *_, book in each for header in book.columns}
+    headers = list(dict.fromkeys(common.values()))
     rows: dict[str, list[Any]] = {header: [] for header in ("pair", "wheel", "table", "point", *headers, "cut")}
-    for member, name, table in each:
-        count = len(table.points)
-        columns = {header.replace("_T[", "["): column.tolist() for header, column in table.columns.items()}
+    for member, name, book in each:
+        count = len(book.points)
+        columns = {common[header]: column.tolist() for header, column in book.columns.items()}
         rows["pair"] += [member.pair] * count
         rows["wheel"] += [member.name] * count
         rows["table"] += [name] * count
-        rows["point"] += table.points
-        rows["cut"] += table.cut.tolist()
+        rows["point"] += book.points
+        rows["cut"] += book.cut.tolist()
         for header in headers:
             rows[header] += columns.get(header, [""] * count)
     if not any(rows["pair"]):
@@ -134,10 +129,10 @@ def _stacked(tables: Sequence[BookTables]) -> dict[str, np.ndarray]:
 
 def _facts(wheel: WheelProfile) -> Iterator[Fact]:
     """What is known of one wheel."""
-    values = {"kind": wheel.kind, "teeth": wheel.teeth, "shift": wheel.shift, "module[m]": wheel.module}
+    values = keyed(wheel, "kind", "teeth", "shift", "module")
     if wheel.kind == "rack":
         yield Fact("rack", f"m = {quantity(wheel.module, 'm')}", values)
-        heights = {"tip[m]": wheel.tip, "root[m]": wheel.root, "form[m]": wheel.form}
+        heights = keyed(wheel, "tip_height", "root_height", "form_height")
         text = (
             f"tip {quantity(wheel.tip, 'm')}, end of the straight flank {quantity(wheel.form, 'm')}, "
             f"root {quantity(wheel.root, 'm')}"
@@ -147,24 +142,23 @@ def _facts(wheel: WheelProfile) -> Iterator[Fact]:
         text = f"z = {wheel.teeth}, x = {number(wheel.shift, 6)}, m = {quantity(wheel.module, 'm')}"
         yield Fact("ring" if wheel.kind == "ring" else "wheel", text, values)
         yield from _circle_facts(wheel)
-    least = {"fillet_least_radius[m]": wheel.fillet_least_radius, "join[m]": wheel.join}
     gap = "0" if wheel.join < TINY else f"{wheel.join:.0e} m"
     yield Fact(
         "fillet",
         f"least radius of curvature {quantity(wheel.fillet_least_radius, 'm')}, distance from the flank {gap}",
-        least,
+        keyed(wheel, "fillet_least_radius", "join"),
     )
 
 
 def _circle_facts(wheel: WheelProfile) -> Iterator[Fact]:
-    radii = {"r_a": wheel.tip, "r_F": wheel.form, "r_b": wheel.base, "r_f": wheel.root}
-    text = ", ".join(f"{name} = {quantity(value, 'm')}" for name, value in radii.items())
-    yield Fact("radii", text, {f"{name}[m]": value for name, value in radii.items()})
-    rolls = dict(zip(ROLLS, wheel.rolls, strict=True))
-    shown = rolls if wheel.undercut else {name: value for name, value in rolls.items() if name != "phi_F"}
-    said = ", ".join(f"{name} = {number(value, 6)}" for name, value in shown.items())
-    yield Fact("roll angles", f"{said} rad", {f"{name}[rad]": value for name, value in rolls.items()})
-    yield Fact("half tooth", f"psi = {number(wheel.half_angle, 6)} rad", {"psi[rad]": wheel.half_angle})
+    radii = keyed(wheel, "tip", "form", "base", "root")
+    text = ", ".join(f"{_name(key)} = {quantity(value, 'm')}" for key, value in radii.items())
+    yield Fact("radii", text, radii)
+    rolls = components(wheel, "rolls", point=ROLLED)
+    shown = list(rolls.items()) if wheel.undercut else list(rolls.items())[:-1]  # the form radius is that of L
+    said = ", ".join(f"{_name(key)} = {number(value, 6)}" for key, value in shown)
+    yield Fact("roll angles", f"{said} rad", rolls)
+    yield Fact("half tooth", f"psi = {number(wheel.half_angle, 6)} rad", keyed(wheel, "half_angle"))
     if wheel.kind == "ring":
         return
     yield _order_fact(wheel)
@@ -174,7 +168,11 @@ def _circle_facts(wheel: WheelProfile) -> Iterator[Fact]:
         end = float(wheel.roll[wheel.part == "fillet"][-1])
         text = f"yes: the involute begins {quantity(wheel.form - wheel.base, 'm')} above the base circle, "
         text += f"where the fillet cut at phi = {number(end, 6)} rad crosses it"
-    yield Fact("undercut", text, {"undercut": wheel.undercut})
+    yield Fact("undercut", text, keyed(wheel, "undercut"))
+
+
+def _name(key: str) -> str:
+    return key.partition("[")[0]
 
 
 def _order_fact(wheel: WheelProfile) -> Fact:
@@ -191,4 +189,4 @@ def _centre_fact(wheel: WheelProfile) -> Fact:
     """S, the centre of the circular tip rounding, in the axes of the rack (4.85)."""
     x, y = wheel.centre
     text = f"x_1S = {quantity(x, 'm')}, y_1S = {quantity(y, 'm')}"
-    return Fact("rounding, circular", text, {"x_1S[m]": x, "y_1S[m]": y})
+    return Fact("rounding, circular", text, components(wheel, "centre", axis="xy"))

@@ -12,6 +12,7 @@ from dataclasses import replace
 from math import atan, cos, degrees, floor, pi, radians, sin, tan
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 SLIGHT = 1e-12  # [module] lack of width that is rounding
@@ -23,9 +24,9 @@ LEAST_ANGLE = radians(10)  # profile angles below it are not proposed
 class Rack:
     """Basic rack tooth profile in the normal section; lengths in normal modules."""
 
-    angle: float = radians(20)  # alpha [rad]
-    addendum: float = 1.0  # h_a*
-    clearance: float = 0.25  # c*
+    angle: float = quantity("alpha[rad]", "profile angle", default=radians(20))
+    addendum: float = quantity("h_a", "addendum", symbol="h_a^*", default=1.0)
+    clearance: float = quantity("c", "radial clearance", symbol="c^*", default=0.25)
     tip_radius: float | None = None  # rho*; None: the largest that ends with the straight flank, c*/(1 - sin alpha)
 
     @property
@@ -44,7 +45,7 @@ class Rack:
         """Whether the rack has no radius of its own, and is too narrow for the usual one: its tip is fully rounded."""
         return self.tip_radius is None and self.full_radius < self.usual_radius
 
-    @property
+    @derived("rho", "radius of the tip rounding", symbol="rho^*")
     def radius(self) -> float:
         """Radius rho* of the tip rounding."""
         if self.tip_radius is not None:
@@ -88,7 +89,7 @@ class Section:
         """Transverse module m_t over the normal one."""
         return 1 / cos(self.helix)
 
-    @property
+    @derived("rho_t", "radius of the circle that stands for the ellipse of the tip rounding", symbol="rho_t^*")
     def radius(self) -> float:
         """rho_t*: the circle that stands for the ellipse of the tip rounding, of the same height of its end."""
         return self.rack.rounded / (1 - sin(self.angle))

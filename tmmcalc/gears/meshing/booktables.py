@@ -14,6 +14,7 @@ from math import pi
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.quantity import Quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.profile.flank import Flank, flank_of
@@ -21,6 +22,13 @@ from tmmcalc.gears.involute.profile.tables import Axis, axis_turn, fillet_table,
 from tmmcalc.gears.meshing.halves import Part, half_tooth
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.gears.model import Values
+
+ROLL = Quantity("phi[rad]", "roll angle")
+X = Quantity("X{of}[m]", "X of a point")  # of the fillet; _T: of the main profile, _S: of the centre of the rounding
+Y = Quantity("Y{of}[m]", "Y of a point")
+RADIUS = Quantity("R{of}[m]", "radius of curvature of the curve, of S that of its path")
+MAIN, CENTRE = "_T", "_S"
+CUT = tuple(each.of(of="").key for each in (X, Y, RADIUS))  # what there is only where the rounding cuts the fillet
 
 
 @record
@@ -113,8 +121,12 @@ def _half_angle(member: Member) -> float:
 def _main(flank: Flank, turn: float, intervals: int, rolls: Values | None, m: float) -> BookTable:
     table = main_profile(flank, turn, intervals, rolls)
     last = "F" if flank.wheel.limit < 0 else "L"
-    columns = {"phi[rad]": table.roll, "X_T[m]": m * table.x, "Y_T[m]": m * table.y, "R_T[m]": m * table.radius}
+    columns = {ROLL.key: table.roll} | _headed(MAIN, m * table.x, m * table.y, m * table.radius)
     return BookTable(("A", *[""] * (len(table.roll) - 2), last), columns, np.ones(len(table.roll), bool))
+
+
+def _headed(of: str, x: Values, y: Values, radius: Values) -> dict[str, Values]:
+    return {X.of(of=of).key: x, Y.of(of=of).key: y, RADIUS.of(of=of).key: radius}
 
 
 def _fillet(flank: Flank, turn: float, intervals: int, rolls: Values | None, m: float) -> BookTable:
@@ -123,15 +135,15 @@ def _fillet(flank: Flank, turn: float, intervals: int, rolls: Values | None, m: 
         # a centre on the rolling line cuts the whole fillet at one roll angle
         rolls = np.linspace(ends.root, ends.limit, intervals + 1)[1:-1] if ends.root != ends.limit else np.zeros(0)
     table = fillet_table(flank, turn, rolls)
-    lengths = {
-        "X_S": table.centre_x,
-        "Y_S": table.centre_y,
-        "X": table.x,
-        "Y": table.y,
-        "R_S": table.centre_radius,
-        "R": table.radius,
+    columns = {
+        ROLL.key: table.roll,
+        X.of(of=CENTRE).key: m * table.centre_x,
+        Y.of(of=CENTRE).key: m * table.centre_y,
+        X.of(of="").key: m * table.x,
+        Y.of(of="").key: m * table.y,
+        RADIUS.of(of=CENTRE).key: m * table.centre_radius,
+        RADIUS.of(of="").key: m * table.radius,
     }
-    columns = {"phi[rad]": table.roll, **{f"{name}[m]": m * column for name, column in lengths.items()}}
     return BookTable((*[""] * (len(table.roll) - 2), "L", "D"), columns, table.cut)
 
 
@@ -151,12 +163,7 @@ def _sampled(member: Member, part: Part, at: Values, turn: float) -> BookTable:
     m, involute_part = member.module, part.name == "involute"
     psi = _half_angle(member) if member.shape == "ring" else float(member.wheel.half_angle)
     places = part.curve.point(at) * np.exp(1j * (turn - psi)) - 1j * abs(member.wheel.base)
-    under = "_T" if involute_part else ""
-    columns = {
-        "phi[rad]": part.roll(at),
-        f"X{under}[m]": m * places.real,
-        f"Y{under}[m]": m * places.imag,
-        f"R{under}[m]": m * np.abs(part.radius(at)),
-    }
+    columns = {ROLL.key: part.roll(at)}
+    columns |= _headed(MAIN if involute_part else "", m * places.real, m * places.imag, m * np.abs(part.radius(at)))
     first, last = ("A", "F") if involute_part else ("F", "D")
     return BookTable((first, *[""] * (len(at) - 2), last), columns, np.ones(len(at), bool))

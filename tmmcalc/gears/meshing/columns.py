@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.quantity import columns as headed
 from tmmcalc.gears.meshing.results import MeshPair, Pairs, SlidingTable
 from tmmcalc.gears.meshing.slidingtable import sliding_steps
 
@@ -23,10 +24,6 @@ def sliding_columns(pair: MeshPair, table: SlidingTable) -> dict[str, np.ndarray
     """The columns of one pair."""
     return {
         "pair": np.full(len(table.rho1), pair.task.name or pair.task.title),
-        "rho1[m]": table.rho1,
-        "s[m]": table.along,
-        "theta1": table.theta1,
-        "theta2": table.theta2,
-        "lambda": table.pressure,
+        **headed(table),
         "active": np.where(table.active, YES, NO),
     }

@@ -6,7 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from tmmcalc.core.quantity import quantity
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.quality.verdicts import Check, Verdict, worst
@@ -15,68 +15,97 @@ from tmmcalc.gears.model import Values
 
 UsableEnd = Literal["active", "form"]
 WheelKind = Literal["external", "ring"]
+NOISE = 1e-9  # [modules] a flank shorter by less is whole; of a radius, its part of the base circle's
 
 
 @record
 class ToothStrength:
     """The weakest section of a tooth with the load at its tip."""
 
-    factor: float  # Y_F
-    chord: float  # s_Fn
-    arm: float  # h_F of the bending force
+    factor: float = quantity("Y_F", "form factor of the tooth")
+    chord: float = quantity("s_Fn[m]", "chord of the weakest section")
+    arm: float = quantity("h_F[m]", "arm of the bending force")
 
 
 @record
 class WheelSizes:
     """One wheel of a pair. The rack of a pinion has none of these."""
 
-    name: str
-    kind: WheelKind
-    teeth: int
-    shift: float  # x, of a ring with the sign of ISO 21771
-    reference: float  # r
-    operating: float  # r_w
-    tip: float  # r_a
-    root: float  # r_f
-    base: float  # r_b
-    form: float  # r_F where the involute ends at the fillet
-    active: float  # r_p, the last radius towards the root that the mate's tip reaches on the line of action
-    active_left: float  # the same on the involutes that there are
-    thickness: float  # s_n, arc on the reference circle in the normal section
-    tip_thickness: float  # s_na, arc on the tip circle in the normal section
-    arc: float  # s_t, the first in the transverse section
-    tip_arc: float  # s_ta, the second
-    half_angle: float  # psi [rad], half the tooth on the reference circle
-    operating_half_angle: float  # psi_w [rad], on the operating pitch circle
-    least_shift: float | None  # x_min without undercut; None: ring
-    limit: float | None  # LN, signed: radius of curvature at the limit point L; None: ring
-    pointing: float | None  # radius where the flanks meet; None: ring
-    least_teeth: float | None  # z_min without undercut at this shift; None: ring
-    strength: ToothStrength | None  # None: ring
+    name: str = quantity("wheel", "name of the wheel")
+    kind: WheelKind = quantity("kind", "external or ring")
+    teeth: int = quantity("z", "number of teeth")
+    shift: float = quantity("x", "profile shift")  # of a ring with the sign of ISO 21771
+    reference: float = quantity("r[m]", "reference radius")
+    operating: float = quantity("r_w[m]", "operating pitch radius")
+    tip: float = quantity("r_a[m]", "tip radius")
+    root: float = quantity("r_f[m]", "root radius")
+    base: float = quantity("r_b[m]", "base radius")
+    form: float = quantity("r_F[m]", "form radius: the involute ends")
+    # the last radius towards the root that the mate's tip reaches on the line of action
+    active: float = quantity("r_p[m]", "active radius: the contact ends")
+    active_left: float = quantity("r_usable[m]", "active radius on the involutes that there are")
+    thickness: float = quantity("s_n[m]", "tooth thickness, normal")  # arc on the reference circle
+    tip_thickness: float = quantity("s_na[m]", "tip thickness, normal")  # arc on the tip circle
+    arc: float = quantity("s_t[m]", "tooth thickness, transverse")
+    tip_arc: float = quantity("s_ta[m]", "tip thickness, transverse")
+    half_angle: float = quantity("psi[rad]", "half the angle of the tooth on the reference circle")
+    operating_half_angle: float = quantity("psi_w[rad]", "half the angle of the tooth on the operating pitch circle")
+    # None of the next: ring
+    least_shift: float | None = quantity("x_min", "least shift without undercut")
+    limit: float | None = quantity("LN[m]", "curvature at the limit point")  # its radius, signed
+    pointing: float | None = quantity("r_s[m]", "radius where the flanks meet")
+    least_teeth: float | None = quantity("z_min", "least number of teeth without undercut at this shift")
+    strength: ToothStrength | None
+
+    @derived("r_p_left[m]", "the same of the flanks left")
+    def active_shortened(self) -> float | None:
+        """The active radius where the contact ends earlier than the whole flanks would let it."""
+        return self.active_left if abs(self.active_left - self.active) > NOISE * self.base else None
 
 
 @record
 class LineOfAction:
     """Distances along the line of action from N1, where it touches the base circle of wheel 1."""
 
-    length: float  # g = N1N2; negative for a ring, whose N2 lies before N1; 0 for a rack, which has none
-    pitch: float  # N1P
-    start: float  # N1A2, where the whole flanks would begin to touch
-    end: float  # N1A1
-    begins: float  # where the contact begins on the involutes that there are
-    ends: float
+    length: float  # N1N2; negative for a ring, whose N2 lies before N1; 0 for a rack, which has none
+    pitch: float = quantity("N1P[m]", "distance of the pitch point P")
+    start: float = quantity("N1A2[m]", "where the whole flanks would begin to touch")
+    end: float = quantity("N1A1[m]", "where the contact of the whole flanks would end")
+    begins: float = quantity("contact_from[m]", "where the contact begins on the involutes that there are")
+    ends: float = quantity("contact_to[m]", "where the contact ends on the involutes that there are")
+
+    @derived("N2A1[m]", "distance of N2, where it touches the other base circle, from the end of the contact")
+    def end_from_second(self) -> float:
+        """N2A1."""
+        return abs(self.length - self.end)
+
+    @derived("N2P[m]", "distance of N2 from the pitch point P")
+    def pitch_from_second(self) -> float:
+        """N2P."""
+        return abs(self.length - self.pitch)
+
+    @derived("g[m]", "distance of the points N1 and N2")
+    def between(self) -> float:
+        """g = N1N2."""
+        return abs(self.length)
+
+    @derived("g_alpha[m]", "path of contact of the whole flanks")
+    def path(self) -> float:
+        """g_alpha = A2A1."""
+        return self.end - self.start
 
 
 @record
 class SlidingTable:
     """n points of the line of action."""
 
-    rho1: Values  # (n,) N1K, radius of curvature of wheel 1
-    along: Values  # (n,) s, distance from the pitch point, negative before it
-    theta1: Values  # (n,) specific sliding
-    theta2: Values  # (n,)
-    pressure: Values  # (n,) specific pressure lambda
-    active: np.ndarray  # (n,) whether the flanks touch there
+    # all (n,)
+    rho1: Values = quantity("rho1[m]", "N1K, radius of curvature of wheel 1")
+    along: Values = quantity("s[m]", "distance from the pitch point, negative before it")
+    theta1: Values = quantity("theta1", "specific sliding of wheel 1")
+    theta2: Values = quantity("theta2", "specific sliding of wheel 2")
+    pressure: Values = quantity("lambda", "specific pressure")
+    active: np.ndarray = quantity("active", "whether the flanks touch there")
 
 
 @record
@@ -130,7 +159,7 @@ class Measures:
     base_pitch: float = quantity("p_bn[m]", "base pitch in the normal section")
     base_thickness: float = quantity("s_bn[m]", "arc of the tooth on the base circle in the normal section")
     spans: tuple[SpanRow, ...]  # none for a ring
-    span_teeth: int | None  # z_w chosen; None: none is admitted
+    span_teeth: int | None  # number of teeth of the chosen span; None: none is admitted
     # limits of a ring's spans, which it has not, are 0
     span_most: int = quantity(
         "z_w_max", "largest number of teeth by the textbook's W* and W**; below 2: no span", source="(4.65)"
@@ -154,7 +183,7 @@ class Measures:
         "rho_s[m]", "transverse radius of curvature of the flank where the constant chord ends"
     )
     constant_chord_valid: bool = quantity("s_c_valid", "the constant chord ends on the usable involute")
-    usable: UsableEnd  # where the usable involute ends towards the root
+    usable: UsableEnd = quantity("usable_to", "where the usable involute ends towards the root")
     chords: tuple[ChordRow, ...]
     remarks: tuple[str, ...]  # what is unusual or cannot be measured
 
@@ -168,12 +197,12 @@ class Measures:
 class SlidingPeaks:
     """The largest values of the contact."""
 
-    theta1: float  # at its beginning
-    theta2: float  # at its end
-    pressure_start: float
-    pressure_pitch: float
-    pressure_end: float
-    pressure_largest: float
+    theta1: float = quantity("theta_1", "specific sliding of wheel 1 at its beginning")
+    theta2: float = quantity("theta_2", "specific sliding of wheel 2 at its end")
+    pressure_start: float = quantity("lambda_start", "specific pressure at its beginning")
+    pressure_pitch: float = quantity("lambda_P", "specific pressure at the pitch point")
+    pressure_end: float = quantity("lambda_end", "specific pressure at its end")
+    pressure_largest: float = quantity("lambda_max", "largest specific pressure")
 
 
 @record
@@ -193,24 +222,26 @@ class MeshPair:
     """One pair, solved."""
 
     task: PairTask  # with what the train gave
-    shifts: tuple[float, float]  # x1, x2; of a rack x2 = 0
+    shifts: tuple[float, float] = quantity("x_{wheel}", "profile shift of wheel {wheel}")  # of a rack x2 = 0
     note: str  # what the choice of the shifts could not give
     broken: tuple[str, ...]  # conditions of the blocking contour that the shifts do not meet, in words
     nearest: tuple[float, float] | None  # admissible shifts nearest to them, if any is broken
-    angle_t: float  # alpha_t
-    angle_w: float  # alpha_tw
-    base_helix: float  # beta_b
-    reference_distance: float  # a; of a rack the radius r
-    distance: float  # a_w; of a rack the distance of its datum line from the axis
-    stretch: float  # eta = a_w/a
-    modification: float  # y, modules
-    shortening: float  # dy, modules
-    contact_ratio: float  # eps_alpha of the whole flanks
-    shortened: float  # eps_alpha of the involutes that there are
-    overlap: float  # eps_beta
+    angle_t: float = quantity("alpha_t[rad]", "transverse pressure angle", source="(4.52)")
+    angle_w: float = quantity("alpha_tw[rad]", "operating transverse pressure angle")
+    base_helix: float = quantity("beta_b[rad]", "helix angle at the base cylinder")
+    reference_distance: float = quantity("a[m]", "reference centre distance")  # of a rack the radius r
+    distance: float = quantity("a_w[m]", "operating centre distance")  # of a rack from its datum line to the axis
+    stretch: float = quantity("eta", "operating over reference centre distance, a_w/a")
+    modification: float = quantity("y", "centre distance modification in modules")
+    shortening: float = quantity("dy", "shortening of the tips in modules", symbol="Delta y")
+    contact_ratio: float = quantity("eps_alpha", "transverse contact ratio of the whole flanks", source="(4.67)")
+    shortened: float = quantity(
+        "eps_alpha_shortened", "transverse contact ratio of the involutes that there are", header="eps_alpha"
+    )
+    overlap: float = quantity("eps_beta", "overlap ratio")
     line: LineOfAction
     sizes: tuple[WheelSizes, ...]  # two, of a rack and pinion one
-    clearances: tuple[float, float]  # radial, at the roots of both
+    clearances: tuple[float, float] = quantity("clearances[m]", "radial clearances at the roots of both wheels")
     checks: tuple[Check, ...]  # lengths in modules
     peaks: SlidingPeaks | None  # of the whole flanks if their contact lies on the line of action, else as the next
     peaks_left: SlidingPeaks | None  # of the involutes that there are; None: these do not reach each other
@@ -218,22 +249,41 @@ class MeshPair:
     measures: tuple[Measures, ...]  # as sizes
     error: PairError | None = None  # None: not estimated
 
-    @property
+    @derived("eps_gamma", "total contact ratio of the whole flanks", source="(4.69)")
     def total(self) -> float:
-        """eps_gamma of the whole flanks (4.69)."""
+        """eps_gamma = eps_alpha + eps_beta."""
         return self.contact_ratio + self.overlap
 
-    @property
+    @derived("eps_gamma_shortened", "total contact ratio of the involutes that there are")
     def total_left(self) -> float:
-        """eps_gamma of the involutes that there are."""
+        """The same with the transverse contact ratio of these."""
         return self.shortened + self.overlap
 
-    @property
-    def turn(self) -> float:
-        """gamma [rad] between the points of a flank on the reference and on the operating pitch circle (4.73)."""
-        return float(involute(self.angle_w) - involute(self.angle_t))
+    @derived("inv_alpha_t", "involute function of the transverse pressure angle")
+    def involute_t(self) -> float:
+        """inv alpha_t."""
+        return float(involute(self.angle_t))
 
-    @property
+    @derived("inv_alpha_tw", "involute function of the operating pressure angle")
+    def involute_w(self) -> float:
+        """inv alpha_tw."""
+        return float(involute(self.angle_w))
+
+    @derived(
+        "gamma[rad]",
+        "angle between the points of a flank on the reference and on the operating pitch circle",
+        source="(4.73)",
+    )
+    def turn(self) -> float:
+        """gamma = inv alpha_tw - inv alpha_t."""
+        return self.involute_w - self.involute_t
+
+    @derived("x_sum", "sum of the shifts")
+    def shift_sum(self) -> float:
+        """x1 + x2."""
+        return self.shifts[0] + self.shifts[1]
+
+    @derived("verdict", "the worst verdict of all checks")
     def verdict(self) -> Verdict:
         """The worst of all checks."""
         return worst(self.checks)

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import field
+from math import cos, pi, tan
 from typing import Literal
 
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.internal.ring import Cutter
 from tmmcalc.gears.involute.measure.balls import Body
 from tmmcalc.gears.involute.measure.span import Rule
 from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits
-from tmmcalc.gears.involute.rack import Rack
+from tmmcalc.gears.involute.rack import Rack, Section
 from tmmcalc.gears.involute.shifts import DESIRED, Split, Strategy
 
 Kind = Literal["external", "internal", "rack"]
@@ -34,11 +36,11 @@ class PairTask:
     """One pair: a pinion (or any external wheel) with its mate, an external wheel, a ring or a rack."""
 
     teeth: tuple[int, int]  # z1, z2; of a rack z2 = 0
-    module: float  # [m], normal
+    module: float = quantity("m[m]", "normal module")
     name: str = ""  # of the pair, in titles and files
     wheels: tuple[str, str] = ("1", "2")  # names of the wheels
     kind: Kind = "external"
-    helix: float = 0.0  # beta [rad] of the reference cylinder; the hand is irrelevant
+    helix: float = quantity("beta[rad]", "helix angle at the reference cylinder, of either hand", default=0.0)
     rack: Rack = Rack()  # basic rack in the normal section
     strategy: Strategy = "balanced"
     shifts: Two = NEITHER  # x1, x2 as given
@@ -48,7 +50,7 @@ class PairTask:
     strict: bool = True  # the choice avoids all undercut
     limits: QualityLimits = QualityLimits()
     refuse: bool = True  # whether a pair that cannot work is an error, or only told
-    face_width: float | None = None  # b [m], the working one
+    face_width: float | None = quantity("b[m]", "working face width", default=None)
     fillet: Shape = "ellipse"  # section of the tip rounding across helical teeth
     tips: Two = NEITHER  # radii of the tip circles [m] in place of those by the rule
     cutter: Cutter | None = None  # of a ring
@@ -63,6 +65,33 @@ class PairTask:
         """
         mate = "rack" if self.kind == "rack" else f"{self.teeth[1]}{' (ring)' if self.kind == 'internal' else ''}"
         return f"{f'{self.name}: ' if self.name else ''}z = {self.teeth[0]}/{mate}"
+
+    @property
+    def section(self) -> Section:
+        """The basic rack across the wheels."""
+        return Section(self.rack, self.helix)
+
+    @derived("p_n[m]", "normal pitch")
+    def pitch(self) -> float:
+        """p_n = pi m."""
+        return pi * self.module
+
+    @derived("p_t[m]", "transverse pitch")
+    def transverse_pitch(self) -> float:
+        """p_t = pi m_t."""
+        return pi * self.module * self.section.module
+
+    @derived("rho_t[m]", "radius of the circle that stands for the ellipse of the tip rounding")
+    def rounding(self) -> float:
+        """rho_t = rho_t* m."""
+        return self.module * self.section.radius
+
+    @derived("e_S[m]", "half the flat of the rack's tip in the transverse section")
+    def tip_flat(self) -> float:
+        """Half the pitch line of the tooth without the straight flanks and the roundings."""
+        cut = self.section
+        flat = pi / 4 * cut.module - self.rack.straight * tan(cut.angle) - cut.radius * cos(cut.angle)
+        return self.module * flat
 
     @property
     def width(self) -> float:

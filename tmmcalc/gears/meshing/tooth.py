@@ -8,6 +8,7 @@ import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.quantity import quantities
 from tmmcalc.gears.meshing.halves import Half, Part, half_tooth
 from tmmcalc.gears.meshing.members import Member, members
 from tmmcalc.gears.meshing.profiles import Profiles, WheelProfile
@@ -108,18 +109,13 @@ def _sampled(part: Part, points: int) -> np.ndarray:
 def profile_columns(found: Profiles) -> dict[str, np.ndarray]:
     """The points of all wheels, one wheel after the other: the table profile.csv."""
     counts = np.array([len(wheel.x) for wheel in found.wheels], int)
+    told = quantities(WheelProfile)
     columns = {
         "pair": np.repeat([wheel.pair for wheel in found.wheels], counts),
         "wheel": np.repeat([wheel.wheel for wheel in found.wheels], counts),
-        "part": _joined([wheel.part for wheel in found.wheels]),
-        "phi[rad]": _joined([wheel.roll for wheel in found.wheels]),
-        "x[m]": _joined([wheel.x for wheel in found.wheels]),
-        "y[m]": _joined([wheel.y for wheel in found.wheels]),
-        "R[m]": _joined([wheel.radius for wheel in found.wheels]),
     }
+    for name in ("part", "roll", "x", "y", "radius"):
+        parts = [getattr(wheel, name) for wheel in found.wheels]
+        columns[told[name].key] = np.concatenate(parts) if parts else np.zeros(0)
     named = any(wheel.pair for wheel in found.wheels)
     return columns if named else {header: column for header, column in columns.items() if header != "pair"}
-
-
-def _joined(arrays: list[np.ndarray]) -> np.ndarray:
-    return np.concatenate(arrays) if arrays else np.zeros(0)

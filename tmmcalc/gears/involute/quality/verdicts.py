@@ -8,6 +8,7 @@ from __future__ import annotations
 from math import degrees, radians
 from typing import Literal
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.pair import Pair
 from tmmcalc.gears.involute.profile.rounding import Shape
@@ -36,13 +37,13 @@ class QualityLimits:
 class Check:
     """One indicator of the pair or of one wheel."""
 
-    name: str  # contact ratio, interference, undercut, tip thickness, sliding and so on
-    wheel: int  # 1 or 2; 0: the pair
-    value: float
-    limit: float | None  # the one that decides the verdict; None: not judged
-    margin: float  # negative: the limit is not kept; 0 if there is none
-    verdict: Verdict
-    text: str  # in words, if it is not "ok"
+    name: str = quantity("check", "contact ratio, interference, undercut, tip thickness, sliding and so on")
+    wheel: int = quantity("wheel", "whose indicator it is")  # 1 or 2; 0: the pair
+    value: float = quantity("value", "the indicator")
+    limit: float | None = quantity("limit", "the limit that decides the verdict")  # None: not judged
+    margin: float = quantity("margin", "what is left to the limit; negative: it is not kept")  # 0 if there is none
+    verdict: Verdict = quantity("verdict", "ok, warn or fail")
+    text: str = quantity("text", "what is wrong in words")  # empty if it is "ok"
 
 
 def checks(
