@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Quiet, Set, SpecFile
-from tmmcalc.cli.work import Job, check_place
+from tmmcalc.cli.output import check_place
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.stage import Picture, arguments, resolve
 from tmmcalc.report.drawing import draw

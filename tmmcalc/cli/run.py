@@ -8,9 +8,8 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format, Skip, patterns_of, stages
-from tmmcalc.cli.work import Job
 from tmmcalc.core.errors import UsageError
 
 
