@@ -33,7 +33,6 @@ from tmmcalc.cli.output import check_place, check_tolerance, raise_failures, sho
 from tmmcalc.core.errors import LimitError, UsageError
 from tmmcalc.core.records import record
 from tmmcalc.report.document import Document
-from tmmcalc.report.rows import rows_of
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import Event, RunResult
@@ -208,11 +207,14 @@ def with_flags(body: Callable[..., None]) -> Callable[..., None]:
     return _signed(command, own, body)
 
 
-def of_stage(stage: str, heading: str = "") -> Callable[[Callable[..., Document]], Callable[..., None]]:
+def of_stage(
+    stage: str, heading: str = "", check: Callable[..., None] = lambda spec, **flags: None
+) -> Callable[[Callable[..., Document]], Callable[..., None]]:
     """Make of ``body(solved, ...)`` the command that runs a stage and prints the document that ``body`` returns.
 
     Its flags are those of the body, ``form`` and the shared ones. The title says ``heading``, by default the stage.
-    Columns that name nothing are refused before anything is run.
+    Before anything is run ``check(spec, **flags)`` refuses what the scene has not, and columns that name nothing are
+    refused.
     """
 
     def made(body: Callable[..., Document]) -> Callable[..., None]:
@@ -222,6 +224,7 @@ def of_stage(stage: str, heading: str = "") -> Callable[[Callable[..., Document]
             job, form = _taken(given, own), given.pop("form")
             patterns_of(given.get("columns"))
             scene = job.spec()
+            check(scene, **given)
             run = job.run(scene, stage)
             job.finish(body(Solved(scene, job.file, run, stage, heading or stage, form), **given), run, form)
 
@@ -237,6 +240,8 @@ def stage_command(stage: str, text: str, heading: str = "") -> Callable[..., Non
     """
 
     def body(solved: Solved, columns: Columns = None, positions: Positions = None) -> Document:
+        from tmmcalc.report.rows import rows_of
+
         return solved.document(
             patterns=patterns_of(columns),
             rows=rows_of(positions, solved.result.labels),
