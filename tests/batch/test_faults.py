@@ -132,8 +132,8 @@ def test_one_slip_fails_one_row(monkeypatch: pytest.MonkeyPatch, error: Exceptio
     if where == "stage":
         from tmmcalc.machine.stages import balance
 
-        def odd(given: Any, upstream: Any, settings: Any) -> bool:
-            return bool(abs(upstream["kinematics"].crank_length - 0.2) < 1e-9)
+        def odd(given: Any, kinematics: Any) -> bool:
+            return bool(abs(kinematics.crank_length - 0.2) < 1e-9)
 
         monkeypatch.setattr(balance, "solve", failing(error, odd, balance.solve))
     else:

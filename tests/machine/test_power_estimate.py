@@ -36,7 +36,7 @@ class Gears:
 def power_of(found: Reduction) -> Power:
     from tmmcalc.machine.model import Gears as Given
 
-    return solve((None, Given(efficiency=Gears.efficiency), ""), {"reduction": found}, {})
+    return solve(None, Given(efficiency=Gears.efficiency), "", reduction=found)
 
 
 def compared(found: Reduction, causes: Causes, power: Power, seed: int) -> Pairs:

@@ -272,7 +272,7 @@ import sys
 from tmmcalc.core.stage import Stage
 from tmmcalc.core.stored import Record
 import tmmcalc.pipeline.runner as runner
-inputs = solve = lambda value, *rest: value
+inputs = solve = lambda value: value
 dump = lambda result: Record({"x": result})
 load = lambda record: record.scalars["x"]
 stage = Stage("one", "one", "__main__")

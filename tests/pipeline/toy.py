@@ -54,9 +54,9 @@ class Geometry:
         return Circle(spec.radius, spec.points)
 
     @staticmethod
-    def solve(inputs: Circle, upstream: dict[str, Any], settings: dict[str, Any]) -> Circle:
+    def solve(circle: Circle) -> Circle:
         CALLS.append("geometry")
-        return inputs
+        return circle
 
     @staticmethod
     def dump(circle: Circle) -> Record:
@@ -75,16 +75,14 @@ class Path:
         return (spec.positions, spec.broken)
 
     @staticmethod
-    def solve(inputs: tuple[int, bool], upstream: dict[str, Any], settings: dict[str, Any]) -> Path2D:
+    def solve(positions: int, broken: bool, *, geometry: Circle, method: str) -> Path2D:
         CALLS.append("path")
-        positions, broken = inputs
         if broken:
             raise AssemblyError("the links do not reach", where="path")
-        circle: Circle = upstream["geometry"]
         phi = np.linspace(0, 2 * np.pi, positions)
-        turned = [z * circle.radius * np.exp(1j * phi) for z in circle.points.values()]
+        turned = [z * geometry.radius * np.exp(1j * phi) for z in geometry.points.values()]
         xy = np.stack([np.stack([z.real for z in turned]), np.stack([z.imag for z in turned])]).T
-        return Path2D(phi, xy, settings["method"])
+        return Path2D(phi, xy, method)
 
     @staticmethod
     def dump(path: Path2D) -> Record:
@@ -112,9 +110,9 @@ class OfEnergy:
         return spec.speed
 
     @staticmethod
-    def solve(speed: float, upstream: dict[str, Any], settings: dict[str, Any]) -> Energy:
+    def solve(speed: float, path: Path2D) -> Energy:
         CALLS.append("energy")
-        square = (upstream["path"].xy * speed) ** 2
+        square = (path.xy * speed) ** 2
         return Energy(float(square.sum(axis=0).sum()), square.sum(axis=(1, 2)))
 
     @staticmethod

@@ -5,7 +5,9 @@ from __future__ import annotations
 import json
 import math
 from importlib import import_module
+from inspect import Parameter, signature
 from pathlib import Path
+from types import FunctionType, NoneType
 
 import numpy as np
 import pytest
@@ -194,7 +196,13 @@ def test_every_stage_resolves() -> None:
     for stage in STAGES.values():
         home = import_module(stage.home)
         assert callable(home.inputs)
-        assert callable(home.solve)
+        asked = signature(stage.solve).parameters
+        given = {*stage.needs, *stage.uses, *stage.settings, *(["another"] if stage.another else [])}
+        assert given <= asked.keys() or any(each.kind is Parameter.VAR_KEYWORD for each in asked.values())
+        assert {type(getattr(home, part, None)) for part in ("errors", "omits", "packages")} <= {FunctionType, NoneType}
+        if isinstance(columns := getattr(home, "columns", None), str):
+            assert callable(resolve(columns))
+        assert isinstance(getattr(home, "kind", None), type) or callable(home.load)
         assert callable(resolve(f"{stage.facts}:summary"))
         for reference in (stage.wanted, stage.reads, stage.studies, stage.picture.figure if stage.picture else ""):
             if reference:

@@ -18,6 +18,7 @@ from tmmcalc.batch.stacked_machine import MACHINE, given_of, motions_of_each
 from tmmcalc.batch.task import OK, Row, Task, verdict
 from tmmcalc.core.errors import TmmError
 from tmmcalc.core.numerics.alike import Rows
+from tmmcalc.core.stage import arguments
 from tmmcalc.machine.tables.tasks.machine import speed_key
 from tmmcalc.pipeline.runner import upstream_of
 
@@ -141,8 +142,8 @@ class Results:
             given: Any = given_of(name, variant.machine, self._key)
         else:
             given = stage.inputs(self._inputs.spec(point))
-        upstream = {each: variant.results[each] for each in stage.upstream(variant.results)}
-        variant.results[name] = stage.solve(given, upstream_of(upstream), stage.settings)
+        upstream = upstream_of(stage, variant.results)
+        variant.results[name] = stage.solve(*arguments(given), **upstream, **stage.settings)
 
 
 def _of(found: dict[int, _Variant], some: Indices, stage: str) -> list[Any]:

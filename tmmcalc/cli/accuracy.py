@@ -8,18 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import note_written, say
 from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
-from tmmcalc.cli.work import (
-    Job,
-    check_apart,
-    check_picture,
-    check_place,
-    check_tolerance,
-    deliver,
-    raise_failures,
-    title,
-)
+from tmmcalc.cli.output import check_apart, check_picture, check_place, check_tolerance, deliver, raise_failures, title
 
 if TYPE_CHECKING:
     from tmmcalc.core.studies.study import Accuracy

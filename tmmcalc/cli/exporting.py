@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmmcalc.cli.messages import note_written
-from tmmcalc.cli.work import check_place
+from tmmcalc.cli.output import check_place
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:

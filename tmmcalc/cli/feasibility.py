@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Form, Format
-from tmmcalc.cli.work import Job, check_picture, show, title
+from tmmcalc.cli.output import check_picture, show, title
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:

@@ -1,6 +1,6 @@
 """``tmmcalc flywheel``."""
 
-from tmmcalc.cli.stage import summary_command
+from tmmcalc.cli.job import summary_command
 
 command = summary_command(
     "flywheel",

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
-from tmmcalc.cli.work import Job, table_file, title
+from tmmcalc.cli.output import table_file, title
 from tmmcalc.core.errors import UsageError
 from tmmcalc.report.rows import rows_of
 

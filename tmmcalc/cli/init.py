@@ -70,7 +70,7 @@ def _listing(described: dict[str, str]) -> str:
 
 def _write(out: Path, text: str, tables: list[Path], force: bool, quiet: bool) -> None:
     """Write the spec, the schema that its first line names, and the tables that it names."""
-    from tmmcalc.cli.work import check_place
+    from tmmcalc.cli.output import check_place
     from tmmcalc.core.atomic import replace_file
     from tmmcalc.project.schema import schema_text
 

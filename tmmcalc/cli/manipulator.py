@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tmmcalc.cli.stage import stage_command
+from tmmcalc.cli.job import stage_command
 
 command = stage_command(
     "manipulator",

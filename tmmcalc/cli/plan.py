@@ -6,8 +6,9 @@ from typing import Annotated
 
 import typer
 
+from tmmcalc.cli.job import Job
 from tmmcalc.cli.options import Form, Format, Set, Skip, SpecFile, stages
-from tmmcalc.cli.work import Job, show, title
+from tmmcalc.cli.output import show, title
 
 
 def command(

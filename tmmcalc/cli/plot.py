@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Quiet, Set, SpecFile
-from tmmcalc.cli.work import Job, check_place
+from tmmcalc.cli.output import check_place
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.stage import Picture, resolve
+from tmmcalc.core.stage import Picture, arguments, resolve
 from tmmcalc.report.drawing import draw
 from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
 from tmmcalc.rooms import STAGES
@@ -53,7 +54,8 @@ def ordered(stage: str, spec: Spec, results: Mapping[str, Any], flags: Mapping[s
     picture = picture_of(stage, flags)
 
     def solved(name: str) -> Any:
-        return STAGES[name].solve(STAGES[name].inputs(spec), upstream_of(results), {})
+        own = STAGES[name]
+        return own.solve(*arguments(own.inputs(spec)), **upstream_of(own, results))
 
     order = Order(spec, results, flags, solved, parse_spec)
     draw(file, lambda: resolve(picture.figure)(order))

@@ -1,6 +1,6 @@
 """``tmmcalc reduce``."""
 
-from tmmcalc.cli.stage import stage_command
+from tmmcalc.cli.job import stage_command
 
 command = stage_command(
     "reduction",

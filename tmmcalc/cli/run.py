@@ -4,17 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format, Skip, patterns_of, stages
-from tmmcalc.cli.work import Job
 from tmmcalc.core.errors import UsageError
-
-if TYPE_CHECKING:
-    pass
 
 
 @with_flags

@@ -31,7 +31,7 @@ def command(
     if out is None:
         put(schema_text())
         return
-    from tmmcalc.cli.work import check_place
+    from tmmcalc.cli.output import check_place
     from tmmcalc.core.atomic import replace_file
 
     check_place(out, "schema")

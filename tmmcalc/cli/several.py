@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING
 import typer
 
 from tmmcalc.batch.task import verdict
+from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import put, say, show_error
 from tmmcalc.cli.options import Format
-from tmmcalc.cli.work import Job, show
+from tmmcalc.cli.output import show
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.records import record
 

@@ -12,7 +12,7 @@ import typer
 
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Form, Format, Quiet, Set, stages
-from tmmcalc.cli.work import check_apart, check_picture, check_place, deliver
+from tmmcalc.cli.output import check_apart, check_picture, check_place, deliver
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:

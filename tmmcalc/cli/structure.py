@@ -6,38 +6,30 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.flags import with_flags
-from tmmcalc.cli.options import Form, Format
-from tmmcalc.cli.work import Job, title
+from tmmcalc.cli.job import Solved, of_stage
+from tmmcalc.cli.output import title
+from tmmcalc.report.document import Document
 
 
-@with_flags
+@of_stage("structure")
 def command(
-    job: Job,
-    form: Form = Format.table,
+    solved: Solved,
     assemblies: Annotated[
         bool,
         typer.Option(
             "--assemblies", help="List all assemblies of every group where the spec chooses one (assembly.at), instead."
         ),
     ] = False,
-) -> None:
+) -> Document:
     """Structural analysis: mobility, Assur groups in order of assembly, structural formula.
 
     Example: tmmcalc structure my.toml --assemblies
     """
-    scene = job.spec()
-    run = job.run(scene, "structure")
-    result = run.results["structure"]
+    if not assemblies:
+        return solved.document()
     from tmmcalc.linkage.facts.structure import assemblies_document
-    from tmmcalc.linkage.facts.structure import summary as structure_document
+    from tmmcalc.linkage.listing import list_assemblies
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
-    if assemblies:
-        from tmmcalc.linkage.listing import list_assemblies
-        from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
-
-        listing = list_assemblies(to_linkage(scene.linkage), result)
-        document = assemblies_document(listing, result, title(scene, job.file, "assemblies"))
-    else:
-        document = structure_document(result, title(scene, job.file, "structure"))
-    job.finish(document, run, form)
+    listing = list_assemblies(to_linkage(solved.spec.linkage), solved.result)
+    return assemblies_document(listing, solved.result, title(solved.spec, solved.file, "assemblies"))

@@ -12,7 +12,7 @@ import typer
 
 from tmmcalc.cli.messages import put, say
 from tmmcalc.cli.options import Form, Format, Quiet, SpecFile, Tolerance, patterns_of, stages
-from tmmcalc.cli.work import check_place, check_tolerance, show
+from tmmcalc.cli.output import check_place, check_tolerance, show
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:

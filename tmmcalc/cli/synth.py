@@ -8,10 +8,10 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Columns, Form, Format, patterns_of
-from tmmcalc.cli.work import Job, check_place, title
+from tmmcalc.cli.output import check_place, title
 from tmmcalc.core.errors import UsageError
 
 

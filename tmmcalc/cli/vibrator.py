@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from tmmcalc.cli.flags import with_flags
-from tmmcalc.cli.options import Columns, Form, Format, patterns_of
-from tmmcalc.cli.work import Job, title
+from tmmcalc.cli.job import Solved, of_stage
+from tmmcalc.cli.options import Columns, patterns_of
+from tmmcalc.report.document import Document
 
 
-@with_flags
-def command(job: Job, form: Form = Format.table, columns: Columns = None) -> None:
+@of_stage("vibrator", "vibratory device")
+def command(solved: Solved, columns: Columns = None) -> Document:
     """Vibratory assembly device: stiffnesses, natural frequencies and modes, resonance curve, steady motion, starts.
 
     A start by the motor tells whether the rotor passes its resonances or stays at one. The table shows the modes and
@@ -16,11 +16,4 @@ def command(job: Job, form: Form = Format.table, columns: Columns = None) -> Non
 
     Example: tmmcalc vibrator my.toml --columns 't,omega,x,tilt_*'
     """
-    patterns = patterns_of(columns)
-    scene = job.spec()
-    run = job.run(scene, "vibrator")
-    from tmmcalc.vibration.facts.vibrator import document as vibrator_document
-
-    heading = title(scene, job.file, "vibratory device")
-    everything = form is not Format.table
-    job.finish(vibrator_document(run.results["vibrator"], heading, patterns=patterns, everything=everything), run, form)
+    return solved.document(patterns=patterns_of(columns), everything=solved.everything)

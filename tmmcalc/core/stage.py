@@ -6,6 +6,9 @@ does not run is never imported.
     spec --inputs--> plain values --solve--> result --dump--> Record --load--> result
                                              result --table--> Table
 
+What a stage does is a function of the theory; the module of the stage says which, so that the pipeline calls it without
+a step between, as ``solve(*inputs, **results of the stages that it reads, **settings)``.
+
 ``load(dump(result))`` must give back everything that a later stage or a renderer reads, because this is
 the only form in which a result is handed on, whether it has just been computed or comes from a file.
 """
@@ -24,6 +27,8 @@ if TYPE_CHECKING:
     from tmmcalc.core.columns import Column
 
 
+Another = Callable[[str, Sequence[str]], Mapping[str, Any]]  # (text of a spec, stages) -> their results
+
 EVERY = ("*",)  # in ``uses``: all other stages
 CSV_ROWS = 2000  # at more rows a CSV costs a hundred times the computation
 TOLERANCE = {"tolerance": 0.0}  # relative error asked for; 0: that of the method
@@ -40,24 +45,27 @@ class Picture:
 
 @record
 class Stage:
-    """One stage of the pipeline. Its functions are found in its module by their names, when they are first used.
+    """One stage of the pipeline. Its parts are found in its module when they are first used.
 
-    ``inputs(spec)``                       plain values that it reads: exactly these are hashed
-    ``solve(inputs, upstream, settings)``  the result; ``upstream`` holds the results that it reads, by stage
-    ``errors(result)``                     estimates of its errors; without it those of ``result.error``
-    ``columns(result)``                    its table for people: arrays by header, or columns of the rows of
-                                           ``result.labels``; without it the stage has none
-    ``omits(spec)``                        sentences on what it leaves out within itself, because the scene has it not
-    ``packages(spec)``                     heavy packages that it imports for this scene
+    ``inputs(spec)``      plain value that it reads, a tuple of them, or None: exactly these are hashed
+    ``solve``             the function of the inputs, one argument each, and of keywords: the results that it reads by
+                          stage, and its settings
+    ``kind``              class of the result
+    ``errors(result)``    estimates of its errors; without it those of ``result.error``
+    ``columns(result)``   its table for people: arrays by header, or columns of the rows of ``result.labels``; without
+                          it the stage has none
+    ``omits(spec)``       sentences on what it leaves out within itself, because the scene has it not
+    ``packages(spec)``    heavy packages that it imports for this scene
 
-    A result that is no record of plain values and arrays has ``dump(result)`` and ``load(record)``, a table of another
-    form ``table(result)``. ``wanted`` and ``reads`` are called while planning, also for scenes that leave the stage
-    out: their module must import little.
+    A part that is heavy to import is given by its name, ``"module:function"``: a stored result is loaded without the
+    theory. A result that is no record of plain values and arrays has ``dump(result)`` and ``load(record)``, a table of
+    another form ``table(result)``. ``wanted`` and ``reads`` are called while planning, also for scenes that leave the
+    stage out: their module must import little.
     """
 
     name: str
     title: str  # one line for the plan
-    home: str = ""  # "module" or "module:object" with the functions; empty: the module of its name in its room
+    home: str = ""  # "module" or "module:object" with its parts; empty: the module of its name in its room
     asked: tuple[str, str] = ("", "")  # the table that asks for it, and the sense of a spec without it
     wanted: str = ""  # "module:function", (spec) -> None, or the reason why the scene leaves it out
     needs: tuple[str, ...] = ()  # the stages whose results it reads
@@ -65,6 +73,7 @@ class Stage:
     reads: str = ""  # "module:function", (spec) -> those of ``uses`` that it reads in this scene; empty: all
     after: str = ""  # a stage of another room that comes before it, though it reads nothing of it
     settings: Mapping[str, Any] = field(default_factory=dict)  # options of the method and their defaults
+    another: bool = False  # whether it is given the pipeline for specs that results hold, as ``another(text, stages)``
     facts: str = ""  # module with ``summary(result, title)``, and ``document`` with its table where it has one
     picture: Picture | None = None
     studied: bool = False  # whether it has several methods, which are studied
@@ -92,34 +101,36 @@ class Stage:
         """What the stage reads of the spec."""
         return self._part("inputs")(spec)
 
-    def solve(self, inputs: Any, upstream: Upstream, settings: Mapping[str, Any]) -> Any:
-        """The result."""
-        return self._part("solve")(inputs, upstream, settings)
+    @property
+    def solve(self) -> Callable[..., Any]:
+        """The function that finds the result."""
+        function: Callable[..., Any] = self._part("solve")
+        return function
 
     def dump(self, result: Any) -> Record:
         """The stored form of a result."""
-        if own := self._own("dump"):
+        if own := self._part("dump"):
             record: Record = own(result)
             return record
         from tmmcalc.core.conversion import plain, to_record
 
-        errors = self._own("errors")
+        errors = self._part("errors")
         return to_record(result, plain(result.error) if errors is None else errors(result))
 
     def load(self, record: Record) -> Any:
         """The result that was stored."""
-        if own := self._own("load"):
+        if own := self._part("load"):
             return own(record)
         from tmmcalc.core.conversion import from_record
 
-        return from_record(returned(self._part("solve")), record)
+        return from_record(self._part("kind"), record)
 
     def table(self, result: Any) -> Table | None:
         """The table for people; None if the stage has none."""
-        if own := self._own("table"):
+        if own := self._part("table"):
             table: Table | None = own(result)
             return table
-        columns = self._own("columns")
+        columns = self._part("columns")
         return None if columns is None else tabulated(columns(result), result)
 
     def summary(self, result: Any, title: str) -> Any:
@@ -133,39 +144,34 @@ class Stage:
 
     def omits(self, spec: object) -> tuple[str, ...]:
         """What the stage leaves out within itself in this scene."""
-        own = self._own("omits")
+        own = self._part("omits")
         return own(spec) if own else ()
 
     def packages(self, spec: object) -> tuple[str, ...]:
         """Heavy packages that the stage imports for this scene."""
-        own = self._own("packages")
+        own = self._part("packages")
         return own(spec) if own else ()
 
-    def _part(self, name: str) -> Callable[..., Any]:
-        """A function that every stage has."""
-        part: Callable[..., Any] = getattr(self._functions, name)
-        return part
-
-    def _own(self, name: str) -> Callable[..., Any] | None:
-        """A function that not every stage has."""
-        return getattr(self._functions, name, None)
-
-    @property
-    def _functions(self) -> Any:
+    def _part(self, name: str) -> Any:
+        """A part of the stage; None if its module has none of this name."""
         module, _, inner = self.home.partition(":")
         found = import_module(module)
-        return getattr(found, inner) if inner else found
+        part = getattr(getattr(found, inner) if inner else found, name, None)
+        return resolve(part) if isinstance(part, str) else part
 
 
 STAGES: dict[str, Stage] = {}  # those of all rooms, in the order of the pipeline; `tmmcalc.rooms` enters them
 
 
-class Upstream(dict[str, Any]):
-    """Results by stage, as a stage is given them, with the pipeline for specs that a result holds."""
+def arguments(inputs: Any) -> tuple[Any, ...]:
+    """What a stage reads of the spec as arguments of its function: a plain tuple is one each, None is none.
 
-    def __init__(self, results: Mapping[str, Any], another: Callable[[str, Sequence[str]], Mapping[str, Any]]) -> None:
-        super().__init__(results)
-        self.another = another  # (text of a spec, stages) -> their results
+    >>> arguments((1, "a")), arguments(2.0), arguments(None)
+    ((1, 'a'), (2.0,), ())
+    """
+    if inputs is None:
+        return ()
+    return inputs if type(inputs) is tuple else (inputs,)
 
 
 def of_scene(stages: Mapping[str, Stage], spec: object) -> dict[str, Stage]:
@@ -188,12 +194,6 @@ def tabulated(columns: Mapping[str, Any] | Sequence[Column], result: Any) -> Tab
         ["i", *(column.header for column in columns)],
         Late([np.array(result.labels), *(column.make for column in columns)]),
     )
-
-
-def returned(function: Callable[..., Any]) -> Any:
-    """The class that a function of a module with late annotations says it returns."""
-    said = function.__annotations__["return"]
-    return eval(said, function.__globals__) if isinstance(said, str) else said
 
 
 def resolve(reference: str) -> Callable[..., Any]:

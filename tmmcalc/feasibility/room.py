@@ -32,6 +32,7 @@ ROOM = Room(
             uses=EVERY,
             reads="asked_about",
             asked=("constraints", "nothing is to be kept"),
+            another=True,
             picture=Picture("the margin of every constraint, and the rule"),
         ),
     ),

@@ -67,6 +67,7 @@ ROOM = Room(
             "synthesis",
             "a linkage by what it is to do; checks; ready specs",
             asked=("synthesis", "no linkage is to be found"),
+            another=True,
             picture=Picture(
                 "the linkage found in its extreme positions with dimensions, or at its points with the coupler curve",
                 ("--choose",),

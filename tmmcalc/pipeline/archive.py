@@ -17,7 +17,7 @@ from tmmcalc.core.stage import Stage
 from tmmcalc.pipeline.hashing import stage_hash
 from tmmcalc.pipeline.manifest import Provenance
 from tmmcalc.pipeline.outcome import Event, Outcome
-from tmmcalc.pipeline.store import Damaged, Found, Missing, Store
+from tmmcalc.pipeline.store import Damaged, Missing, Store
 
 LOG_NAME = "run.log"
 
@@ -29,36 +29,36 @@ class Archive:
         self.store = Store(folder)
         self.csv = csv
         self.columns = tuple(columns)
-        self._hashes: dict[str, str] = {}
+        self._provenance: dict[str, Provenance] = {}  # of the stages so far
 
-    def provenance(self, stage: Stage, inputs: object, settings: Mapping[str, Any]) -> Provenance:
-        """Return what the result of a stage depends on; those that it reads must have come before."""
-        upstream = {name: self._hashes[name] for name in stage.upstream(self._hashes)}
-        digest = stage_hash(stage, inputs, settings, upstream)
-        self._hashes[stage.name] = digest
-        return Provenance(stage.name, __version__, digest, upstream, settings)
-
-    def outcome(
+    def valid(
         self,
         stage: Stage,
-        provenance: Provenance,
+        inputs: object,
+        settings: Mapping[str, Any],
         forced: str | None,
-        compute: Callable[[], Outcome],
         tell: Callable[[Event], None],
-    ) -> tuple[Outcome, Event]:
-        """Return the stored outcome if it is valid and not ``forced`` (the reason), else compute and save it.
+    ) -> tuple[Outcome | None, str]:
+        """Return the stored outcome of a stage if it is valid and not ``forced`` (the reason), and why it is or is not.
 
-        A damaged file is told at once, before the stage is computed again.
+        The stages that it reads must have come before. A damaged file is told at once.
         """
+        provenance = self._provenance_of(stage, inputs, settings)
         found = Missing(forced) if forced else self.store.find(provenance)
-        if isinstance(found, Found):
-            return self._loaded(stage, provenance, found)
         if isinstance(found, Damaged):
             tell(Event(stage.name, "damaged", found.message))
-        reason = found.reason if isinstance(found, Missing) else "its files were damaged"
-        outcome = compute()
-        self._save(provenance, outcome)
-        return outcome, Event(stage.name, "computed", reason)
+            return None, "its files were damaged"
+        if isinstance(found, Missing):
+            return None, found.reason
+        outcome = Outcome(stage, found.record)
+        if self.store.csv_differs(found, self.csv, self.columns):
+            self.save(outcome)
+        return outcome, "files are valid"
+
+    def save(self, outcome: Outcome) -> None:
+        """Write the files of a stage that was not found valid."""
+        provenance = self._provenance[outcome.stage.name]
+        self.store.save(provenance, outcome.record, outcome.table, self.csv, self.columns)
 
     def log(self, event: Event) -> None:
         """Append one line with the local time to the log; a log that cannot be written stops no run."""
@@ -75,11 +75,9 @@ class Archive:
         """Return the files of these stages."""
         return tuple(path for stage in stages for path in self.store.files(stage))
 
-    def _loaded(self, stage: Stage, provenance: Provenance, found: Found) -> tuple[Outcome, Event]:
-        outcome = Outcome(stage, found.record)
-        if self.store.csv_differs(found, self.csv, self.columns):
-            self._save(provenance, outcome)
-        return outcome, Event(stage.name, "loaded", "files are valid")
-
-    def _save(self, provenance: Provenance, outcome: Outcome) -> None:
-        self.store.save(provenance, outcome.record, outcome.table, self.csv, self.columns)
+    def _provenance_of(self, stage: Stage, inputs: object, settings: Mapping[str, Any]) -> Provenance:
+        """What the result of a stage depends on."""
+        upstream = {name: self._provenance[name].hash for name in stage.upstream(self._provenance)}
+        digest = stage_hash(stage, inputs, settings, upstream)
+        self._provenance[stage.name] = Provenance(stage.name, __version__, digest, upstream, settings)
+        return self._provenance[stage.name]

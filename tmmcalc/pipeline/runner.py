@@ -7,16 +7,15 @@ not see the same numbers to the last bit. Without an output folder nothing is ha
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import replace
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.core.plan import Plan, known_stage, plan
-from tmmcalc.core.stage import Stage, Upstream, of_scene
+from tmmcalc.core.stage import Stage, arguments, of_scene
 from tmmcalc.core.stored import matches
 from tmmcalc.pipeline.accuracy import check_accuracy
-from tmmcalc.pipeline.outcome import Event, Outcome, RunResult
+from tmmcalc.pipeline.outcome import Event, Outcome, Results, RunResult
 from tmmcalc.pipeline.plain import plain_record
 from tmmcalc.rooms import STAGES
 
@@ -120,11 +119,21 @@ class _Run:
         return bool(missing)
 
     def do(self, stage: Stage, keep_going: bool) -> None:
-        """Load or compute a stage, store it, and tell what was done."""
+        """Load a stage from its files if they are valid, else compute and store it; tell what was done."""
         began = perf_counter()
-        inputs = stage.inputs(self.spec)
+        inputs, settings, archive = stage.inputs(self.spec), self.options[stage.name], self.archive
+        kind: Literal["loaded", "computed"] = "loaded"
+        outcome, reason = None, "not stored"
         try:
-            outcome, event = self._outcome(stage, inputs)
+            if archive is not None:
+                outcome, reason = archive.valid(stage, inputs, settings, self.forced.get(stage.name), self.tell)
+            if outcome is None:
+                upstream = upstream_of(stage, Results(self.outcomes))
+                result = stage.solve(*arguments(inputs), **upstream, **settings)
+                record, kind = plain_record(stage.dump(result)), "computed"
+                outcome = Outcome(stage, lambda: record)
+                if archive is not None:
+                    archive.save(outcome)
             if self.tolerance is not None:
                 check_accuracy(outcome, self.tolerance)
         except TmmError as error:
@@ -135,25 +144,13 @@ class _Run:
             self.tell(Event(stage.name, "failed", "no result: the error stands at the end", perf_counter() - began))
             return
         self.outcomes[stage.name] = outcome
-        self.tell(replace(event, seconds=perf_counter() - began))
-
-    def _outcome(self, stage: Stage, inputs: object) -> tuple[Outcome, Event]:
-        if self.archive is None:
-            return self._computed(stage, inputs), Event(stage.name, "computed", "not stored")
-        provenance = self.archive.provenance(stage, inputs, self.options[stage.name])
-        forced = self.forced.get(stage.name)
-        return self.archive.outcome(stage, provenance, forced, lambda: self._computed(stage, inputs), self.tell)
-
-    def _computed(self, stage: Stage, inputs: object) -> Outcome:
-        upstream = upstream_of({name: self.outcomes[name].result for name in stage.upstream(self.outcomes)})
-        result = stage.solve(inputs, upstream, self.options[stage.name])
-        record = plain_record(stage.dump(result))
-        return Outcome(stage, lambda: record)
+        self.tell(Event(stage.name, kind, reason, perf_counter() - began))
 
 
-def upstream_of(results: Mapping[str, Any]) -> Upstream:
-    """Results by stage as a stage is given them."""
-    return Upstream(results, _another)
+def upstream_of(stage: Stage, results: Mapping[str, Any]) -> dict[str, Any]:
+    """What of the results a stage reads, as its function is given it, with the pipeline if it asks for that."""
+    read = {name: results[name] for name in stage.upstream(results)}
+    return {**read, "another": _another} if stage.another else read
 
 
 def _another(text: str, stages: Sequence[str]) -> dict[str, Any]:

@@ -129,14 +129,14 @@ def test_a_positional_drive_leaves_the_motor_in(begin: str) -> None:
 def test_a_machine_that_locks_without_its_loads_has_no_other_load_factor() -> None:
     for steps in ("load_steps = [{ factor = 0.5, time = 0.1 }]\n", ""):
         spec = parse_spec(whole(more=steps, load=1.0))
-        results = dict(run(spec, target="transient").results)
-        results["reduction"] = replace(results["reduction"], idle=None)
+        results = run(spec, target="transient").results
+        read = {**results, "reduction": replace(results["reduction"], idle=None)}
         if steps:
             with pytest.raises(NoSolutionError, match=r"load factor 0\.5 has no meaning.*locks the machine") as caught:
-                transient.solve(transient.inputs(spec), results, {"tolerance": 0.0})
+                transient.solve(*transient.inputs(spec), tolerance=0.0, **read)
             assert caught.value.remedy
         else:
-            assert transient.solve(transient.inputs(spec), results, {"tolerance": 0.0}).motions[0].t[-1] > 0
+            assert transient.solve(*transient.inputs(spec), tolerance=0.0, **read).motions[0].t[-1] > 0
 
 
 def test_without_a_duration_the_run_ends_steady() -> None:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmmcalc.cams.elastic import ElasticResult
 from tmmcalc.cams.stages.parts import at_speed, cam_of
@@ -11,6 +10,11 @@ from tmmcalc.cams.task import CamTask
 
 if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
+    from tmmcalc.cams.synthesis.results import Synthesis
+    from tmmcalc.machine.motion import Motion
+
+kind = ElasticResult
+columns = "tmmcalc.cams.elastic:elastic_columns"
 
 
 def inputs(spec: CamTables) -> CamTask:
@@ -18,15 +22,8 @@ def inputs(spec: CamTables) -> CamTask:
     return cam_of(spec, "asked", "loads", "elastic")
 
 
-def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> ElasticResult:
+def solve(task: CamTask, cam_synthesis: Synthesis, motion: Motion | None = None) -> ElasticResult:
     """The vibration over the turn, at the speed of the machine if it is known."""
     from tmmcalc.cams.elastic import solve_elastic
 
-    return solve_elastic(at_speed(given, upstream.get("motion")), upstream["cam_synthesis"].follower)
-
-
-def columns(result: ElasticResult) -> Mapping[str, Any]:
-    """One row a point of the panels."""
-    from tmmcalc.cams.elastic import elastic_columns
-
-    return elastic_columns(result)
+    return solve_elastic(at_speed(task, motion), cam_synthesis.follower)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmmcalc.cams.forces.results import CamForces
 from tmmcalc.cams.stages.parts import at_speed, cam_of
@@ -11,6 +10,11 @@ from tmmcalc.cams.task import CamTask
 
 if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
+    from tmmcalc.cams.synthesis.results import Synthesis
+    from tmmcalc.machine.motion import Motion
+
+kind = CamForces
+columns = "tmmcalc.cams.forces.columns:force_columns"
 
 
 def inputs(spec: CamTables) -> CamTask:
@@ -18,15 +22,8 @@ def inputs(spec: CamTables) -> CamTask:
     return cam_of(spec, "asked", "limits", "loads", "guide")
 
 
-def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> CamForces:
+def solve(task: CamTask, cam_synthesis: Synthesis, motion: Motion | None = None) -> CamForces:
     """Everything that acts on the follower over the turn."""
     from tmmcalc.cams.forces.solve import solve_forces
 
-    return solve_forces(at_speed(given, upstream.get("motion")), upstream["cam_synthesis"].follower)
-
-
-def columns(result: CamForces) -> Mapping[str, Any]:
-    """One row a position."""
-    from tmmcalc.cams.forces.columns import force_columns
-
-    return force_columns(result)
+    return solve_forces(at_speed(task, motion), cam_synthesis.follower)

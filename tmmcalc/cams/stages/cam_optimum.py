@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmmcalc.cams.optimum.results import CamOptimum
 from tmmcalc.cams.stages.parts import at_speed, cam_of
@@ -11,6 +10,10 @@ from tmmcalc.cams.task import CamTask
 
 if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
+    from tmmcalc.cams.synthesis.results import Synthesis
+    from tmmcalc.machine.motion import Motion
+
+kind = CamOptimum
 
 
 def inputs(spec: CamTables) -> CamTask:
@@ -18,8 +21,8 @@ def inputs(spec: CamTables) -> CamTask:
     return cam_of(spec, "asked", "limits", "loads", "guide", "requirements", "optimum")
 
 
-def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> CamOptimum:
+def solve(task: CamTask, cam_synthesis: Synthesis, motion: Motion | None = None) -> CamOptimum:
     """Contour, least height, active constraints, what relaxing them would buy; at the speed of the machine."""
     from tmmcalc.cams.optimum.solve import solve_optimum
 
-    return solve_optimum(at_speed(given, upstream.get("motion")), upstream["cam_synthesis"].follower)
+    return solve_optimum(at_speed(task, motion), cam_synthesis.follower)

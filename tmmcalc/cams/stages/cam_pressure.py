@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmmcalc.cams.pressure.solve import Pressure
 from tmmcalc.cams.stages.parts import cam_of
@@ -11,6 +10,10 @@ from tmmcalc.cams.task import CamTask
 
 if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
+    from tmmcalc.cams.synthesis.results import Synthesis
+
+kind = Pressure
+columns = "tmmcalc.cams.pressure.solve:pressure_columns"
 
 
 def inputs(spec: CamTables) -> CamTask:
@@ -18,15 +21,8 @@ def inputs(spec: CamTables) -> CamTask:
     return cam_of(spec, "limits")
 
 
-def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Pressure:
+def solve(task: CamTask, cam_synthesis: Synthesis) -> Pressure:
     """The angle at all rows, its largest values on rise and return."""
     from tmmcalc.cams.pressure.solve import solve_pressure
 
-    return solve_pressure(given, upstream["cam_synthesis"].follower)
-
-
-def columns(result: Pressure) -> Mapping[str, Any]:
-    """One row a position."""
-    from tmmcalc.cams.pressure.solve import pressure_columns
-
-    return pressure_columns(result)
+    return solve_pressure(task, cam_synthesis.follower)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmmcalc.cams.profile.results import Profile
 from tmmcalc.cams.stages.parts import cam_of
@@ -11,6 +10,10 @@ from tmmcalc.cams.task import CamTask
 
 if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
+    from tmmcalc.cams.synthesis.results import Synthesis
+
+kind = Profile
+columns = "tmmcalc.cams.profile.columns:profile_columns"
 
 
 def inputs(spec: CamTables) -> CamTask:
@@ -18,15 +21,8 @@ def inputs(spec: CamTables) -> CamTask:
     return cam_of(spec, "asked", "limits")
 
 
-def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Profile:
+def solve(task: CamTask, cam_synthesis: Synthesis) -> Profile:
     """All profiles, where they fail, the largest roller."""
     from tmmcalc.cams.profile.solve import solve_profile
 
-    return solve_profile(given, upstream["cam_synthesis"].follower)
-
-
-def columns(result: Profile) -> Mapping[str, Any]:
-    """One row a position."""
-    from tmmcalc.cams.profile.columns import profile_columns
-
-    return profile_columns(result)
+    return solve_profile(task, cam_synthesis.follower)

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmmcalc.cams.stages.parts import at_speed, cam_of
 from tmmcalc.cams.strength.results import CamStrength
 from tmmcalc.cams.task import CamTask
 
 if TYPE_CHECKING:
+    from tmmcalc.cams.forces.results import CamForces
     from tmmcalc.cams.room import CamTables
+    from tmmcalc.cams.synthesis.results import Synthesis
+    from tmmcalc.machine.motion import Motion
+
+kind = CamStrength
+columns = "tmmcalc.cams.strength.columns:strength_columns"
 
 
 def inputs(spec: CamTables) -> CamTask:
@@ -18,16 +23,8 @@ def inputs(spec: CamTables) -> CamTask:
     return cam_of(spec, "asked", "limits", "loads", "guide", "requirements")
 
 
-def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> CamStrength:
+def solve(task: CamTask, cam_synthesis: Synthesis, cam_forces: CamForces, motion: Motion | None = None) -> CamStrength:
     """Every requirement with its margin."""
     from tmmcalc.cams.strength.solve import solve_strength
 
-    task = at_speed(given, upstream.get("motion"))
-    return solve_strength(task, upstream["cam_synthesis"].follower, upstream["cam_forces"])
-
-
-def columns(result: CamStrength) -> Mapping[str, Any]:
-    """Slip, stresses and moments, one row a position."""
-    from tmmcalc.cams.strength.columns import strength_columns
-
-    return strength_columns(result)
+    return solve_strength(at_speed(task, motion), cam_synthesis.follower, cam_forces)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmmcalc.cams.stages.parts import cam_of
 from tmmcalc.cams.synthesis.results import Synthesis
@@ -12,14 +11,10 @@ from tmmcalc.cams.task import CamTask
 if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
 
+solve = "tmmcalc.cams.synthesis.solve:solve_synthesis"
+kind = Synthesis
+
 
 def inputs(spec: CamTables) -> CamTask:
     """The motion, sizes that are given, limits of pressure angle and radii."""
     return cam_of(spec, "asked", "limits")
-
-
-def solve(given: CamTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Synthesis:
-    """Every size, by the textbook and exactly."""
-    from tmmcalc.cams.synthesis.solve import solve_synthesis
-
-    return solve_synthesis(given)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmmcalc.cams.indexing.results import Indexing
 from tmmcalc.cams.indexing.task import IndexingTask
 
 if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
+
+solve = "tmmcalc.cams.indexing.solve:solve_indexing"
+kind = Indexing
+columns = "tmmcalc.cams.indexing.columns:indexing_columns"
 
 
 def inputs(spec: CamTables) -> IndexingTask:
@@ -19,17 +22,3 @@ def inputs(spec: CamTables) -> IndexingTask:
     from tmmcalc.cams.tables.tasks.indexing import to_indexing
 
     return replace(to_indexing(spec), tolerance=0.0)
-
-
-def solve(given: IndexingTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Indexing:
-    """Limits, lambda, both flanks at all rows, roller, efficiency."""
-    from tmmcalc.cams.indexing.solve import solve_indexing
-
-    return solve_indexing(given)
-
-
-def columns(result: Indexing) -> Mapping[str, Any]:
-    """One row a part of the step."""
-    from tmmcalc.cams.indexing.columns import indexing_columns
-
-    return indexing_columns(result)

@@ -1,6 +1,6 @@
 """``tmmcalc cam forces``."""
 
-from tmmcalc.cli.stage import stage_command
+from tmmcalc.cli.job import stage_command
 
 command = stage_command(
     "cam_forces",

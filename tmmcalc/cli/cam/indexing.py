@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmmcalc.cli.exporting import Chord, Dxf, Files, Nc, Svg, check_files, contents_of, files_of, write_files
-from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
-from tmmcalc.cli.work import Job, table_file, title
+from tmmcalc.cli.output import table_file, title
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ def command(
 def _compare(task: IndexingTask, heading: str, patterns: list[str], form: Format) -> None:
     from tmmcalc.cams.facts.indexing_compared import comparison_document
     from tmmcalc.cams.indexing.compare import compare
-    from tmmcalc.cli.work import show
+    from tmmcalc.cli.output import show
 
     show(comparison_document(compare(task), heading, patterns, everything=form is not Format.table), form)
 

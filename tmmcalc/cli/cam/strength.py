@@ -6,21 +6,20 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.flags import with_flags
-from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
-from tmmcalc.cli.work import Job, table_file, title
+from tmmcalc.cli.job import Solved, of_stage
+from tmmcalc.cli.options import Columns, Format, Positions, patterns_of
+from tmmcalc.report.document import Document
 
 
-@with_flags
+@of_stage("cam_strength", "requirements of the cam")
 def command(
-    job: Job,
-    form: Form = Format.table,
+    solved: Solved,
     turn: Annotated[
         bool, typer.Option("--turn", help="Slip, stresses and moments over the turn in place of the margins.")
     ] = False,
     columns: Columns = None,
     positions: Positions = None,
-) -> None:
+) -> Document:
     """Every requirement as a margin with its formula: slip, profile, pin, shaft, stem, guide, contact stress.
 
     What has no data is told as not judged. --columns and --positions choose from the table over the turn, which
@@ -28,19 +27,11 @@ def command(
 
     Example: tmmcalc cam strength my.toml --turn --columns "phi,D,sigma_H"
     """
-    patterns = patterns_of(columns)
-    scene = job.spec()
-    run = job.run(scene, "cam_strength")
-    from tmmcalc.cams.facts.cam_strength import document as strength_document
+    result, patterns = solved.result, patterns_of(columns)
+    if not (turn or patterns or positions or solved.form is Format.csv):
+        return solved.document(everything=solved.everything)
     from tmmcalc.cams.facts.cam_strength import turn_document
     from tmmcalc.report.rows import rows_of
 
-    result, heading = run.results["cam_strength"], title(scene, job.file, "requirements of the cam")
-    everything = form is not Format.table
-    if turn or patterns or positions or form is Format.csv:
-        rows = rows_of(positions, result.positions.labels)
-        where = table_file(run, "cam_strength")
-        printed = turn_document(result, heading, patterns=patterns, rows=rows, everything=everything, where=where)
-    else:
-        printed = strength_document(result, heading, everything=everything)
-    job.finish(printed, run, form)
+    rows, where = rows_of(positions, result.positions.labels), solved.where
+    return turn_document(result, solved.title, patterns=patterns, rows=rows, everything=solved.everything, where=where)

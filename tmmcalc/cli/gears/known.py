@@ -10,13 +10,13 @@ if TYPE_CHECKING:
     from tmmcalc.project import Spec
 
 
-def check_pair(scene: Spec, wanted: str | None) -> None:
+def check_pair(scene: Spec, pair: str | None, **_: object) -> None:
     """Raise `UsageError` for a pair that no run of this spec has."""
-    wheels = None if wanted is None else _wheels(scene)
+    wheels = None if pair is None else _wheels(scene)
     if wheels is not None:
         from tmmcalc.gears.facts.meshes import places
 
-        places([name for name, _ in wheels], wanted, "pair")
+        places([name for name, _ in wheels], pair, "pair")
 
 
 def check_wheel(scene: Spec, wanted: str | None) -> None:

@@ -6,11 +6,11 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.gears.drawn import length_of
 from tmmcalc.cli.gears.known import check_pair
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format
-from tmmcalc.cli.work import Job, title
+from tmmcalc.cli.output import title
 
 
 @with_flags

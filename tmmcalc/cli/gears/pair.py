@@ -6,31 +6,34 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.gears.drawn import length_of
 from tmmcalc.cli.gears.known import check_pair
-from tmmcalc.cli.options import Form, Format
-from tmmcalc.cli.work import Job, title
+from tmmcalc.cli.job import Solved, of_stage
+from tmmcalc.report.document import Document
 
 
-@with_flags
+def _length(text: str) -> float:
+    return length_of(text, "--sliding-step", "2 mm")
+
+
+@of_stage("pair", "pairs of gears", check_pair)
 def command(
-    job: Job,
-    form: Form = Format.table,
+    solved: Solved,
     pair: Annotated[
         str | None,
         typer.Option("--pair", metavar="NAME", help="This pair alone, where there are several.", show_default=False),
     ] = None,
     step: Annotated[
-        str | None,
+        float | None,
         typer.Option(
             "--sliding-step",
+            parser=_length,
             metavar="LENGTH",
             help="Sliding in equal steps of rho1 from a quarter of it: '2 mm'.",
             show_default=False,
         ),
     ] = None,
-) -> None:
+) -> Document:
     """Pairs of gears: shifts, centre distance, radii, contact ratios, sliding; every condition with its margin.
 
     Of a [train] every mesh of the tooth set that was chosen. The table shows the radii; --format csv prints the
@@ -39,12 +42,6 @@ def command(
 
     Example: tmmcalc gears pair my.toml --pair 1-2 --sliding-step '2 mm'
     """
-    width = None if step is None else length_of(step, "--sliding-step", "2 mm")
-    scene = job.spec()
-    check_pair(scene, pair)
-    run = job.run(scene, "pair")
-    from tmmcalc.gears.facts.pair import chosen_pairs
-    from tmmcalc.gears.facts.pair import document as pair_document
+    from tmmcalc.gears.facts.pair import chosen_pairs, document
 
-    result, heading = chosen_pairs(run.results["pair"], pair), title(scene, job.file, "pairs of gears")
-    job.finish(pair_document(result, heading, everything=form is not Format.table, step=width), run, form)
+    return document(chosen_pairs(solved.result, pair), solved.title, everything=solved.everything, step=step)

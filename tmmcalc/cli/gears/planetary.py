@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.flags import with_flags
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format
-from tmmcalc.cli.work import Job, title
+from tmmcalc.cli.output import title
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:

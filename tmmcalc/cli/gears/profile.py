@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmmcalc.cli.exporting import Dxf, Svg, files_of, write_files
-from tmmcalc.cli.flags import with_flags
 from tmmcalc.cli.gears.drawn import Drawn, angle_of, check_flags, drawn_bytes, length_of, tracks_of
 from tmmcalc.cli.gears.known import check_wheel
+from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format
-from tmmcalc.cli.work import Job, title
+from tmmcalc.cli.output import title
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
 

@@ -2,25 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from tmmcalc.extras.bearing import Bearing, BearingTask, solve_bearing
+from tmmcalc.extras.bearing import Bearing, solve_bearing
+from tmmcalc.extras.tables.tasks.extras import to_bearing
 
-if TYPE_CHECKING:
-    from tmmcalc.extras.room import ExtraTables
-
-
-def inputs(spec: ExtraTables) -> BearingTask:
-    """What the table says, in SI."""
-    from tmmcalc.extras.tables.tasks.extras import to_bearing
-
-    return to_bearing(spec)
-
-
-def solve(given: BearingTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Bearing:
-    """All of it."""
-    return solve_bearing(given)
+inputs = to_bearing
+solve = solve_bearing
+kind = Bearing
 
 
 def errors(result: Bearing) -> dict[str, Any]:

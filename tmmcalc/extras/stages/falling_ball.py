@@ -2,32 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from tmmcalc.extras.falling_ball import Ball, BallTask, solve_falling_ball
+from tmmcalc.extras.falling_ball import Ball, solve_falling_ball
+from tmmcalc.extras.tables.tasks.extras import to_ball
 
 if TYPE_CHECKING:
     from tmmcalc.extras.room import ExtraTables
 
-
-def inputs(spec: ExtraTables) -> BallTask:
-    """What the table says, in SI."""
-    from tmmcalc.extras.tables.tasks.extras import to_ball
-
-    return to_ball(spec)
-
-
-def solve(given: BallTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Ball:
-    """All of it."""
-    return solve_falling_ball(given)
-
-
-def columns(result: Ball) -> Mapping[str, Any]:
-    """One row a time."""
-    from tmmcalc.extras.columns import ball_columns
-
-    return ball_columns(result)
+inputs = to_ball
+solve = solve_falling_ball
+kind = Ball
+columns = "tmmcalc.extras.columns:ball_columns"
 
 
 def packages(spec: ExtraTables) -> tuple[str, ...]:

@@ -2,32 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from tmmcalc.extras.reliability import Reliability, ReliabilityTask, solve_reliability
+from tmmcalc.extras.reliability import Reliability, solve_reliability
+from tmmcalc.extras.tables.tasks.extras import to_reliability
 
 if TYPE_CHECKING:
     from tmmcalc.extras.room import ExtraTables
 
-
-def inputs(spec: ExtraTables) -> ReliabilityTask:
-    """What the table says, in SI."""
-    from tmmcalc.extras.tables.tasks.extras import to_reliability
-
-    return to_reliability(spec)
-
-
-def solve(given: ReliabilityTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Reliability:
-    """All of it."""
-    return solve_reliability(given)
-
-
-def columns(result: Reliability) -> Mapping[str, Any]:
-    """One row a time."""
-    from tmmcalc.extras.columns import reliability_columns
-
-    return reliability_columns(result)
+inputs = to_reliability
+solve = solve_reliability
+kind = Reliability
+columns = "tmmcalc.extras.columns:reliability_columns"
 
 
 def packages(spec: ExtraTables) -> tuple[str, ...]:

@@ -2,25 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from tmmcalc.extras.tie_down import TieDown, TieDownTask, solve_tie_down
+from tmmcalc.extras.tables.tasks.extras import to_tie_down
+from tmmcalc.extras.tie_down import TieDown, solve_tie_down
 
-if TYPE_CHECKING:
-    from tmmcalc.extras.room import ExtraTables
-
-
-def inputs(spec: ExtraTables) -> TieDownTask:
-    """What the table says, in SI."""
-    from tmmcalc.extras.tables.tasks.extras import to_tie_down
-
-    return to_tie_down(spec)
-
-
-def solve(given: TieDownTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> TieDown:
-    """All of it."""
-    return solve_tie_down(given)
+inputs = to_tie_down
+solve = solve_tie_down
+kind = TieDown
 
 
 def errors(result: TieDown) -> dict[str, Any]:

@@ -6,24 +6,24 @@ those of which a stage has no result.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 from tmmcalc.core.errors import NoSolutionError, TmmError
-from tmmcalc.core.stage import Upstream
+from tmmcalc.core.stage import Another
 from tmmcalc.feasibility.judge import Candidate, Feasibility, FeasibilityTask
 from tmmcalc.feasibility.stages.judged import judged
 
 
-def judge_designs(task: FeasibilityTask, upstream: Upstream) -> Feasibility:
+def judge_designs(task: FeasibilityTask, upstream: Mapping[str, Any], another: Another) -> Feasibility:
     """Judge all designs; raises `NoSolutionError` if no stage that is asked about has a result of any of them."""
     synthesis = upstream["synthesis"]
     found: list[tuple[Candidate, Feasibility | None]] = []
     for number, design in enumerate(synthesis.designs, 1):
         own = {**upstream, "synthesis": replace(synthesis, designs=(design,))}
         try:
-            result = judged(task, {**own, **of_ready(task, design, own, upstream.another)})
+            result = judged(task, {**own, **of_ready(task, design, own, another)})
         except TmmError as error:
             if error.exit_code < NoSolutionError.exit_code:
                 raise
@@ -52,15 +52,7 @@ def _rank(candidate: Candidate) -> tuple[int, float]:
     return 1, -candidate.function
 
 
-def of_ready(
-    task: FeasibilityTask,
-    design: Any,
-    own: Mapping[str, Any],
-    another: Callable[[str, Sequence[str]], Mapping[str, Any]],
-) -> Mapping[str, Any]:
-    """Results of the ready spec of a solution for the stages that constraints ask about and the scene itself has not.
-
-    ``another`` solves the stages of a spec by its text, as `Upstream` has it.
-    """
+def of_ready(task: FeasibilityTask, design: Any, own: Mapping[str, Any], another: Another) -> Mapping[str, Any]:
+    """Results of the ready spec of a solution for stages that constraints ask about and the scene itself has not."""
     asked = [name for name in dict.fromkeys(each.stage for each in task.constraints) if name not in own]
     return another(design.spec, asked) if asked else {}

@@ -5,15 +5,16 @@ Of a synthesis every design is judged, by its own row of the table and by the st
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.stage import Upstream
+from tmmcalc.core.stage import Another
 from tmmcalc.feasibility.judge import Feasibility, FeasibilityTask
 from tmmcalc.feasibility.stages.judged import judged
 
 if TYPE_CHECKING:
     from tmmcalc.feasibility.room import FeasibilityTables
+
+kind = Feasibility
 
 
 def inputs(spec: FeasibilityTables) -> FeasibilityTask:
@@ -23,13 +24,13 @@ def inputs(spec: FeasibilityTables) -> FeasibilityTask:
     return to_feasibility(spec)
 
 
-def solve(task: FeasibilityTask, upstream: Upstream, settings: Mapping[str, Any]) -> Feasibility:
+def solve(task: FeasibilityTask, another: Another, **upstream: Any) -> Feasibility:
     """Judge every constraint; raises `UsageError` for a quantity that the stage does not tell."""
     if "synthesis" not in upstream:
         return judged(task, upstream)
     from tmmcalc.feasibility.stages.candidates import judge_designs
 
-    return judge_designs(task, upstream)
+    return judge_designs(task, upstream, another)
 
 
 def errors(result: Feasibility) -> dict[str, Any]:

@@ -21,7 +21,7 @@ from tmmcalc.gears.meshing.contours import Area, Blocking, ContourCorner, Contou
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 
 
-def solve_blocking(found: Pairs) -> Blocking:
+def solve_blocking(pair: Pairs) -> Blocking:
     """The strict and the tolerated contour of every external pair; the others get a remark.
 
     >>> from tmmcalc.gears.meshing.task import PairTask
@@ -30,8 +30,8 @@ def solve_blocking(found: Pairs) -> Blocking:
     >>> round(solve_blocking(Pairs((pair,), "", ())).pairs[0].strict.main.area, 4)
     0.9687
     """
-    external = [pair for pair in found.pairs if pair.task.kind == "external"]
-    return Blocking(tuple(_pair_contour(pair) for pair in external), tuple(_remarks(found)))
+    external = [each for each in pair.pairs if each.task.kind == "external"]
+    return Blocking(tuple(_pair_contour(each) for each in external), tuple(_remarks(pair)))
 
 
 def _remarks(found: Pairs) -> list[str]:

@@ -16,14 +16,14 @@ if TYPE_CHECKING:
     from tmmcalc.gears.selection.results import Selection
 
 
-def solve_pairs(task: PairsTask, selection: Selection | None = None) -> Pairs:
+def solve_pairs(task: PairsTask, criteria: Selection | None = None) -> Pairs:
     """All pairs: those written out, else the meshes of the chosen train.
 
     Raises `NoSolutionError` with every pair that cannot be made.
     """
     if task.pairs:
         return Pairs(_each(task.pairs), "", ())
-    if selection is None:
+    if criteria is None:
         raise UsageError(
             "there is neither a pair nor a train",
             where="pairs",
@@ -31,7 +31,7 @@ def solve_pairs(task: PairsTask, selection: Selection | None = None) -> Pairs:
         )
     from tmmcalc.gears.meshing.train import solve_meshes
 
-    return solve_meshes(task, selection, solve_pair)
+    return solve_meshes(task, criteria, solve_pair)
 
 
 def solve_pair(task: PairTask) -> MeshPair:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.conversion import largest
@@ -11,25 +10,15 @@ from tmmcalc.gears.meshing.contours import Blocking
 if TYPE_CHECKING:
     from tmmcalc.gears.room import GearTables
 
+solve = "tmmcalc.gears.meshing.blocking:solve_blocking"
+kind = Blocking
+columns = "tmmcalc.gears.meshing.blocking:blocking_columns"
+
 
 def inputs(spec: GearTables) -> None:
     """Nothing beside the pairs."""
 
 
-def solve(given: None, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Blocking:
-    """The contours of every external pair."""
-    from tmmcalc.gears.meshing.blocking import solve_blocking
-
-    return solve_blocking(upstream["pair"])
-
-
 def errors(result: Blocking) -> dict[str, Any]:
     """Estimates of its errors."""
     return largest([area.error for pair in result.pairs for area in (pair.strict, pair.tolerated)])
-
-
-def columns(result: Blocking) -> Mapping[str, Any]:
-    """The boundary of every contour, one point a row."""
-    from tmmcalc.gears.meshing.blocking import blocking_columns
-
-    return blocking_columns(result)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.conversion import largest
@@ -13,6 +12,11 @@ from tmmcalc.gears.wanted import NO_KEPT
 
 if TYPE_CHECKING:
     from tmmcalc.gears.room import GearTables
+    from tmmcalc.gears.sizing import Sizing
+    from tmmcalc.gears.trains import Trains
+
+kind = Selection
+columns = "tmmcalc.gears.selection.columns:chosen_columns"
 
 
 def inputs(spec: GearTables) -> SelectionTask:
@@ -22,23 +26,16 @@ def inputs(spec: GearTables) -> SelectionTask:
     return to_selection(spec)
 
 
-def solve(given: SelectionTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Selection:
+def solve(task: SelectionTask, train: Trains, strength: Sizing) -> Selection:
     """Weigh every train that is strong enough, and choose."""
     from tmmcalc.gears.selection.solve import solve_selection
 
-    return solve_selection(upstream["train"], upstream["strength"], given)
+    return solve_selection(train, strength, task)
 
 
 def errors(result: Selection) -> dict[str, Any]:
     """Estimates of its errors."""
     return largest([variant.error for variant in result.variants])
-
-
-def columns(result: Selection) -> Mapping[str, Any]:
-    """All trains, one a row, one variant after the other."""
-    from tmmcalc.gears.selection.columns import chosen_columns
-
-    return chosen_columns(result)
 
 
 def omits(spec: GearTables) -> tuple[str, ...]:

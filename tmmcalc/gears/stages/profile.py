@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.gears.meshing.profiles import Profiles
 
 if TYPE_CHECKING:
+    from tmmcalc.gears.meshing.results import Pairs
     from tmmcalc.gears.room import GearTables
+
+kind = Profiles
+columns = "tmmcalc.gears.meshing.tooth:profile_columns"
 
 
 def inputs(spec: GearTables) -> int:
@@ -18,20 +21,13 @@ def inputs(spec: GearTables) -> int:
     return profile_points(spec)
 
 
-def solve(given: int, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Profiles:
+def solve(points: int, pair: Pairs) -> Profiles:
     """Half a tooth of every wheel."""
     from tmmcalc.gears.meshing.tooth import solve_profiles
 
-    return solve_profiles(upstream["pair"], given)
+    return solve_profiles(pair, points)
 
 
 def errors(result: Profiles) -> dict[str, Any]:
     """Estimates of its errors."""
     return {"outline": max((wheel.error for wheel in result.wheels), default=0.0)}
-
-
-def columns(result: Profiles) -> Mapping[str, Any]:
-    """The points of half a tooth, one wheel after the other."""
-    from tmmcalc.gears.meshing.tooth import profile_columns
-
-    return profile_columns(result)

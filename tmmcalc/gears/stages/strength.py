@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.conversion import largest
@@ -11,6 +10,10 @@ from tmmcalc.gears.sizing import Sizing, SizingTask
 
 if TYPE_CHECKING:
     from tmmcalc.gears.room import GearTables
+    from tmmcalc.gears.trains import Trains
+
+kind = Sizing
+columns = "tmmcalc.gears.strength.columns:stacked"
 
 
 def inputs(spec: GearTables) -> SizingTask:
@@ -20,12 +23,11 @@ def inputs(spec: GearTables) -> SizingTask:
     return to_sizing(spec)
 
 
-def solve(given: SizingTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Sizing:
+def solve(task: SizingTask, train: Trains, reduction: Any = None) -> Sizing:
     """Size every set of every variant, for the largest reduced moment where no torque is given."""
     from tmmcalc.gears.sizing import solve_sizing
 
-    reduction = upstream.get("reduction")
-    return solve_sizing(upstream["train"], given, None if reduction is None else largest_moment(reduction))
+    return solve_sizing(train, task, None if reduction is None else largest_moment(reduction))
 
 
 def largest_moment(reduction: Any) -> float:
@@ -46,10 +48,3 @@ def largest_moment(reduction: Any) -> float:
 def errors(result: Sizing) -> dict[str, Any]:
     """Estimates of its errors."""
     return largest([variant.error for variant in result.variants])
-
-
-def columns(result: Sizing) -> Mapping[str, Any]:
-    """All sized sets, one row a set, one variant after the other."""
-    from tmmcalc.gears.strength.columns import stacked
-
-    return stacked(result)

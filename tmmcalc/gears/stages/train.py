@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.records import record
@@ -14,6 +13,9 @@ from tmmcalc.gears.wanted import NO_KEPT
 if TYPE_CHECKING:
     from tmmcalc.feasibility.judge import FeasibilityTask
     from tmmcalc.gears.room import GearTables
+
+kind = Trains
+columns = "tmmcalc.gears.columns:stacked"
 
 
 @record
@@ -31,7 +33,7 @@ def inputs(spec: GearTables) -> Asked:
     return Asked(to_train(spec), kept_rows(spec, "train"))
 
 
-def solve(given: Asked, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Trains:
+def solve(given: Asked) -> Trains:
     """All tooth sets of every variant that keep the user's constraints."""
     from tmmcalc.core.progress import tell
     from tmmcalc.gears.train import solve_train
@@ -47,13 +49,6 @@ def solve(given: Asked, upstream: Mapping[str, Any], settings: Mapping[str, Any]
 def errors(result: Trains) -> dict[str, Any]:
     """Estimates of its errors."""
     return {"ratio": 0.0, "angles": max(variant.error for variant in result.variants)}
-
-
-def columns(result: Trains) -> Mapping[str, Any]:
-    """All sets that are held, one row a set, one variant after the other."""
-    from tmmcalc.gears.columns import stacked
-
-    return stacked(result)
 
 
 def omits(spec: GearTables) -> tuple[str, ...]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.stage import said
@@ -10,7 +9,6 @@ from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.wanted import FRICTION, NO_CSV, SPRINGS, interpolated, is_long
 
 if TYPE_CHECKING:
-    from tmmcalc.core.columns import Column
     from tmmcalc.linkage.loading import Loading
     from tmmcalc.linkage.model import Mechanism
     from tmmcalc.linkage.room import LinkageTables
@@ -18,6 +16,10 @@ if TYPE_CHECKING:
 
 INERTIA = "massless links: no loads of inertia"
 GEAR = "no gear on the crank: no force of a mesh"
+
+solve = "tmmcalc.linkage.forces.forces:solve_forces"
+kind = Forces
+columns = "tmmcalc.linkage.forces.columns:columns"
 
 
 def inputs(spec: LinkageTables) -> tuple[Mechanism, Loading]:
@@ -28,23 +30,9 @@ def inputs(spec: LinkageTables) -> tuple[Mechanism, Loading]:
     return to_linkage(spec.linkage), to_loading(spec)
 
 
-def solve(given: tuple[Mechanism, Loading], upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Forces:
-    """Solve all positions."""
-    from tmmcalc.linkage.forces.forces import solve_forces  # a stored result is loaded without it
-
-    return solve_forces(*given, upstream["kinematics"])
-
-
 def errors(result: Forces) -> dict[str, Any]:
     """Estimates of its errors."""
     return {"reactions": result.error}
-
-
-def columns(result: Forces) -> Sequence[Column]:
-    """All columns, one row a position; two where friction jumps."""
-    from tmmcalc.linkage.forces import columns as reactions
-
-    return reactions.columns(result)
 
 
 def omits(spec: LinkageTables) -> tuple[str, ...]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, get_type_hints
 
 import numpy as np
@@ -14,9 +13,9 @@ from tmmcalc.linkage.results import Kinematics, Method, Trace
 from tmmcalc.linkage.wanted import NO_CSV, is_long
 
 if TYPE_CHECKING:
-    from tmmcalc.core.columns import Column
     from tmmcalc.linkage.model import Mechanism
     from tmmcalc.linkage.room import LinkageTables
+    from tmmcalc.linkage.structure import Structure
 
 LOOPS = "all groups are dyads, in closed form: no loops are iterated, no branches followed"
 EXTRA = "no extra positions and no dead centres among the positions: equal steps alone"
@@ -26,6 +25,8 @@ _TRACE_ARRAYS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "joint_s", "joi
 _TRACE_FIELDS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "s", "ds", "dds")
 _OUTPUT_ARRAYS = ("s", "ds", "dds")
 
+columns = "tmmcalc.linkage.columns:columns"
+
 
 def inputs(spec: LinkageTables) -> Mechanism:
     """The linkage as plain numbers; masses, gravity and the project's title are not read."""
@@ -34,12 +35,12 @@ def inputs(spec: LinkageTables) -> Mechanism:
     return to_linkage(spec.linkage)
 
 
-def solve(mechanism: Mechanism, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Kinematics:
+def solve(mechanism: Mechanism, structure: Structure, **settings: Any) -> Kinematics:
     """Solve all positions by the method of the settings; a step or decimals of 0 mean the default and none."""
     from tmmcalc.linkage.kinematics import solve_kinematics  # a stored result is loaded without it
 
     method = Method(settings["method"], settings["step"] or None, settings["decimals"] or None)
-    return solve_kinematics(mechanism, upstream["structure"], method)
+    return solve_kinematics(mechanism, structure, method)
 
 
 def dump(result: Kinematics) -> Record:
@@ -74,13 +75,6 @@ def load(record: Record) -> Kinematics:
     given["branches"] = restore(hints["branches"], record.scalars.get("branches", {}), arrays, "branches")
     stored = {**record.scalars, "error": record.error, "counters": record.counters}
     return Kinematics(**given, **{f: restore(hints[f], stored.get(f)) for f in hints if f not in given})
-
-
-def columns(result: Kinematics) -> Sequence[Column]:
-    """All columns, one row a position."""
-    from tmmcalc.linkage import columns as positions
-
-    return positions.columns(result)
 
 
 def omits(spec: LinkageTables) -> tuple[str, ...]:

@@ -8,20 +8,17 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, TmmError
+from tmmcalc.core.stage import Another
 from tmmcalc.feasibility.judge import Feasibility, FeasibilityTask
 from tmmcalc.feasibility.rule import failing, may_hold
 from tmmcalc.feasibility.stages.candidates import of_ready
 from tmmcalc.feasibility.stages.judged import judged
 from tmmcalc.linkage.synthesis.results import Design, Synthesis
-
-Another = Callable[[str, Sequence[str]], Mapping[str, Any]]  # solves stages of a spec by its text
 
 SOUGHT = 40  # designs that are judged
 REFUSED = "no result"  # of a design whose ready spec cannot be solved

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmmcalc.core.conversion import plain, restore
 from tmmcalc.core.stored import Record
@@ -13,17 +12,14 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.model import Mechanism
     from tmmcalc.linkage.room import LinkageTables
 
+solve = solve_structure
+
 
 def inputs(spec: LinkageTables) -> Mechanism:
     """Links and joints with their kinds and links: the metric plays no part."""
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     return skeleton(to_linkage(spec.linkage))
-
-
-def solve(mechanism: Mechanism, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Structure:
-    """Find the groups."""
-    return solve_structure(mechanism)
 
 
 def dump(result: Structure) -> Record:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmmcalc.core.records import record
-from tmmcalc.core.stage import Upstream, said
+from tmmcalc.core.stage import Another, said
 from tmmcalc.core.stored import Late, Table
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.synthesis.task import SynthesisTask
@@ -21,6 +20,8 @@ if TYPE_CHECKING:
 NO_SIFT = "no [[constraints]]: solutions are not sifted"
 CLOSED = "solutions in closed form, all listed: they are not sifted by the constraints"
 NO_SEARCH = "no [synthesis.dwell.optimum]: no search for the best dwell"
+
+kind = Synthesis
 
 
 @record
@@ -44,7 +45,7 @@ def inputs(spec: LinkageTables) -> Request:
     return Request(task, plan(spec).running)
 
 
-def solve(given: Request, upstream: Upstream, settings: Mapping[str, Any]) -> Synthesis:
+def solve(given: Request, another: Another) -> Synthesis:
     """All solutions that are listed, the best first; those of a search that fail constraints are passed over."""
     from tmmcalc.linkage.synthesis.kinds import SEARCHES, solve_synthesis
 
@@ -54,7 +55,7 @@ def solve(given: Request, upstream: Upstream, settings: Mapping[str, Any]) -> Sy
     from tmmcalc.linkage.stages.sifted import SOUGHT, sifted
 
     found = solve_synthesis(replace(given.task, solutions=max(SOUGHT, count)))
-    return sifted(constraints, found, frozenset(given.own), count, upstream.another)
+    return sifted(constraints, found, frozenset(given.own), count, another)
 
 
 def errors(result: Synthesis) -> dict[str, Any]:

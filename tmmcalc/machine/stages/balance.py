@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,6 +16,7 @@ from tmmcalc.machine.wanted import shakes
 if TYPE_CHECKING:
     from tmmcalc.linkage.loading import Body
     from tmmcalc.linkage.model import Mechanism
+    from tmmcalc.linkage.results import Kinematics
     from tmmcalc.machine.balance.enginetask import Engine
     from tmmcalc.machine.balance.rotortask import BalancedRotor
     from tmmcalc.machine.balance.task import BalanceTask, Balancing
@@ -69,14 +69,15 @@ def _linkage(spec: MachineTables) -> tuple[Mechanism, tuple[Body, ...], BalanceT
     return to_linkage(spec.linkage), to_loading(spec).bodies, to_balance(spec)
 
 
-def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Balances:
+def solve(given: Given, kinematics: Kinematics | None = None) -> Balances:
     """Shaking forces, and what balancing leaves of them."""
     linkage = engine = rotor = None
     if given.linkage is not None:
         from tmmcalc.machine.balance.task import solve_balance
 
         mechanism, bodies, task = given.linkage
-        linkage = solve_balance(mechanism, bodies, upstream["kinematics"], task)
+        assert kinematics is not None
+        linkage = solve_balance(mechanism, bodies, kinematics, task)
     if given.engine is not None:
         from tmmcalc.machine.balance.enginetask import solve_engine
 

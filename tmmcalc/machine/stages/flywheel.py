@@ -17,6 +17,9 @@ if TYPE_CHECKING:
     from tmmcalc.machine.room import MachineTables
 
 
+kind = Flywheel
+
+
 class Asked(NamedTuple):
     """What a flywheel is for: the constant inertia at hand, what drives, the mean speed without a motor [rad/s]."""
 
@@ -37,7 +40,7 @@ def inputs(spec: MachineTables) -> Given:
     return task, to_motor(spec), to_gears(spec), to_motion(spec)
 
 
-def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Flywheel:
+def solve(*given: *Given, **upstream: Any) -> Flywheel:
     """All methods, and the wheel itself."""
     return solve_flywheel(_machine(given, upstream))
 
@@ -53,7 +56,7 @@ def _machine(given: Given, upstream: Mapping[str, Any]) -> Machine:
     from tmmcalc.machine.stages.shaft import equal_steps, geared, motor_ratio, sense, shaft_ratio
 
     task, machine = given[0], asked(given, upstream)
-    gears = geared(upstream, given[2])
+    gears = geared(given[2], upstream.get("criteria"))
     reduction, power = upstream["reduction"], upstream["power"]
     return Machine(
         reduction.cycle,
@@ -73,7 +76,7 @@ def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
     from tmmcalc.machine.stages.shaft import constant_inertia, driver, geared, mean_speed
 
     _, wish, gears, motion = given
-    gears = geared(upstream, gears)
+    gears = geared(gears, upstream.get("criteria"))
     if motion.undriven:
         from tmmcalc.machine.selfregulation import undriven_driver
 

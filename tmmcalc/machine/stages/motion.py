@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -16,12 +16,14 @@ from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.wanted import NO_REGIME, constant_moment, curved
 
 if TYPE_CHECKING:
-    from tmmcalc.core.columns import Column
     from tmmcalc.machine.driver import ConstantInertia, Driver
     from tmmcalc.machine.room import MachineTables
 
 
 NO_WHEEL = "no [flywheel]: the motion has none"
+
+kind = Motion
+columns = motion_columns
 
 
 class Asked(NamedTuple):
@@ -42,7 +44,7 @@ def inputs(spec: MachineTables) -> Given:
     return to_motor(spec), to_gears(spec), to_motion(spec), to_flywheel(spec), speed_key(spec)
 
 
-def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Motion:
+def solve(*given: *Given, tolerance: float, **upstream: Any) -> Motion:
     """The regime with the flywheel that is there, or else the one that was found."""
     from tmmcalc.machine.motion import solve_motion
 
@@ -58,7 +60,7 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
         (reduction.labels, reduction.phi, theta),
         given[4],
         undriven=given[2].undriven,
-        tolerance=settings["tolerance"],
+        tolerance=tolerance,
     )
 
 
@@ -67,7 +69,7 @@ def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
     from tmmcalc.machine.stages.shaft import constant_inertia, driver, flywheel_inertia, geared, mean_speed
 
     wish, gears, task, wheel, _ = given
-    gears = geared(upstream, gears)
+    gears = geared(gears, upstream.get("criteria"))
     inertia = constant_inertia(upstream, gears, task, flywheel_inertia(upstream, wheel, gears))
     return Asked(inertia, driver(upstream, wish, gears, task), mean_speed(upstream, task))
 
@@ -75,11 +77,6 @@ def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
 def errors(result: Motion) -> dict[str, Any]:
     """Estimates of its errors."""
     return plain(result.regime.errors)
-
-
-def columns(result: Motion) -> Sequence[Column]:
-    """All columns, one row a position."""
-    return motion_columns(result)
 
 
 def omits(spec: MachineTables) -> tuple[str, ...]:

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmmcalc.core.stage import said
 from tmmcalc.machine.power import Power
 from tmmcalc.machine.wanted import curved
 
 if TYPE_CHECKING:
+    from tmmcalc.gears.selection.results import Selection
     from tmmcalc.machine.model import Gears, MotorChoice
     from tmmcalc.machine.power import MotorDuty
     from tmmcalc.machine.reduction.results import Reduction
     from tmmcalc.machine.room import MachineTables
+
+kind = Power
 
 
 NO_MOTOR = "no [motor]: it is not asked for power and speed"
@@ -31,15 +33,16 @@ def inputs(spec: MachineTables) -> Given:
     return to_motor(spec), to_gears(spec), speed_key(spec)
 
 
-def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Power:
+def solve(
+    wish: MotorChoice | None, gears: Gears, key: str, *, reduction: Reduction, criteria: Selection | None = None
+) -> Power:
     """Work and power of the cycle, and how the motor stands to them."""
     from tmmcalc.linkage.rounding import MARGIN
     from tmmcalc.machine.power import WorkPart, chosen_motor, duty_of, solve_power
     from tmmcalc.machine.reduction.signs import turnover
     from tmmcalc.machine.stages.shaft import geared, sense
 
-    wish, gears, key = given[0], geared(upstream, given[1]), given[2]
-    reduction: Reduction = upstream["reduction"]
+    gears = geared(gears, criteria)
     parts = tuple(
         WorkPart(c.name, c.kind, c.work, turnover(reduction.cycle.panels, part), c.error)
         for c, part in zip(reduction.contributions, reduction.parts, strict=True)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from tmmcalc.core.columns import Column
     from tmmcalc.linkage.loading import Loading
     from tmmcalc.linkage.model import Mechanism
+    from tmmcalc.linkage.results import Kinematics
     from tmmcalc.machine.room import MachineTables
 
 
@@ -28,6 +29,8 @@ DIAGRAM = "[torque] in place of a linkage: nothing is reduced, the diagram is ta
 
 
 Given = tuple["Mechanism", "Loading", str] | TorqueTask
+
+kind = Reduction
 
 
 def inputs(spec: MachineTables) -> Given:
@@ -44,7 +47,13 @@ def inputs(spec: MachineTables) -> Given:
     return to_linkage(spec.linkage), to_loading(spec), rods
 
 
-def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Reduction:
+def solve(
+    given: Mechanism | TorqueTask,
+    loading: Loading | None = None,
+    rods: str = "exact",
+    *,
+    kinematics: Kinematics | None = None,
+) -> Reduction:
     """Reduce everything to the input link."""
     if isinstance(given, TorqueTask):
         from tmmcalc.machine.diagram.task import cycle_of
@@ -53,8 +62,9 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
         return reduced_diagram(given.name, cycle_of(given))
     from tmmcalc.machine.reduction.reduce import solve_reduction  # a stored result is loaded without it
 
-    mechanism, loading, rods = given
-    return solve_reduction(mechanism, loading, upstream["kinematics"], rods)
+    assert loading is not None
+    assert kinematics is not None
+    return solve_reduction(given, loading, kinematics, rods)
 
 
 def columns(result: Reduction) -> Sequence[Column]:

@@ -21,9 +21,8 @@ if TYPE_CHECKING:
 EQUAL = 1e-9  # relative difference of steps that count as equal
 
 
-def geared(upstream: Mapping[str, Any], gears: Gears) -> Gears:
+def geared(gears: Gears, found: Selection | None) -> Gears:
     """The gears; the ratio and the inertia that the spec does not give are those of the best gear train."""
-    found: Selection | None = upstream.get("criteria")
     if found is None:
         return gears
     train = found.winner

@@ -42,6 +42,8 @@ Given = tuple[
     Linkage | None,
 ]
 
+kind = TimedMotions
+
 OWN = ("merson", "rk4", "collocation", "auto")  # methods of integration that are the program's own
 POSITIONAL = (
     '[motion] drive = "positional" holds for the steady motion; motions in time take the motor, also for the steady '
@@ -74,13 +76,13 @@ def _linkage(spec: MachineTables) -> Linkage | None:
     return given if isinstance(given, tuple) else None
 
 
-def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> TimedMotions:
+def solve(*given: *Given, tolerance: float, **upstream: Any) -> TimedMotions:
     """Put the drive together and run every scenario."""
     from tmmcalc.machine.stages.shaft import mean_speed
     from tmmcalc.machine.transient.task import solve_transients
 
     tasks, motion = given[0], given[4]
-    return solve_transients(machine_of(given, upstream), tasks, mean_speed(upstream, motion), settings["tolerance"])
+    return solve_transients(machine_of(given, upstream), tasks, mean_speed(upstream, motion), tolerance)
 
 
 def machine_of(given: Given, upstream: Mapping[str, Any]) -> Machine:
@@ -89,7 +91,7 @@ def machine_of(given: Given, upstream: Mapping[str, Any]) -> Machine:
     from tmmcalc.machine.transient.task import Machine
 
     tasks, shafts, wish, gears, motion, wheel, linkage = given
-    gears = geared(upstream, gears)
+    gears = geared(gears, upstream.get("criteria"))
     reduction, duty = upstream["reduction"], upstream["power"].duty
     wish = _whole_curve(wish, duty)
     moved = driver(upstream, wish, gears, replace(motion, positional=False))

@@ -2,39 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmmcalc.core.stage import said
 from tmmcalc.manipulators.columns import manipulator_columns
 from tmmcalc.manipulators.results import Manipulator
+from tmmcalc.manipulators.tables.tasks.manipulator import to_manipulator
 
 if TYPE_CHECKING:
-    from tmmcalc.core.columns import Column
     from tmmcalc.manipulators.room import ManipulatorTables
-    from tmmcalc.manipulators.task import ManipulatorTask
 
 
 NO_OBSTACLES = "no obstacles: no distance to any is taken"
 
-
-def inputs(spec: ManipulatorTables) -> ManipulatorTask:
-    """Arm, motion, limits and obstacles."""
-    from tmmcalc.manipulators.tables.tasks.manipulator import to_manipulator
-
-    return to_manipulator(spec)
-
-
-def solve(given: ManipulatorTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Manipulator:
-    """The inverse problem of a path, or the direct one of the joints."""
-    from tmmcalc.manipulators.solve import solve_manipulator
-
-    return solve_manipulator(given)
-
-
-def columns(result: Manipulator) -> Sequence[Column]:
-    """All columns, one row an instant."""
-    return manipulator_columns(result)
+inputs = to_manipulator
+solve = "tmmcalc.manipulators.solve:solve_manipulator"
+kind = Manipulator
+columns = manipulator_columns
 
 
 def omits(spec: ManipulatorTables) -> tuple[str, ...]:

@@ -3,27 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from tmmcalc.vibration.pendulum.results import PendulumResult
-from tmmcalc.vibration.pendulum.task import PendulumTask
+from tmmcalc.vibration.tables.tasks.vibration import to_pendulum
 
-if TYPE_CHECKING:
-    from tmmcalc.vibration.room import VibrationTables
-
-
-def inputs(spec: VibrationTables) -> PendulumTask:
-    """The rod, the disc, the joint, and what is asked of them."""
-    from tmmcalc.vibration.tables.tasks.vibration import to_pendulum
-
-    return to_pendulum(spec)
-
-
-def solve(given: PendulumTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> PendulumResult:
-    """Everything that is asked of the pendulum."""
-    from tmmcalc.vibration.pendulum.solve import solve_pendulum
-
-    return solve_pendulum(given)
+inputs = to_pendulum
+solve = "tmmcalc.vibration.pendulum.solve:solve_pendulum"
+kind = PendulumResult
 
 
 def columns(result: PendulumResult) -> Mapping[str, Any]:

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.stage import said
+from tmmcalc.vibration.tables.tasks.vibration import to_vibrator
 from tmmcalc.vibration.vibrator.results import VibratorResult
-from tmmcalc.vibration.vibrator.task import VibratorTask
 
 if TYPE_CHECKING:
     from tmmcalc.vibration.room import VibrationTables
@@ -18,19 +18,9 @@ NO_CURVE = "no [vibrator.curve]: no resonance curve"
 NO_START = "no [vibrator.start]: no start with a given angle"
 NO_DRIVE = "no [vibrator.drive]: no start under a motor"
 
-
-def inputs(spec: VibrationTables) -> VibratorTask:
-    """The bodies, springs and unbalance, and what is asked of them."""
-    from tmmcalc.vibration.tables.tasks.vibration import to_vibrator
-
-    return to_vibrator(spec)
-
-
-def solve(given: VibratorTask, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> VibratorResult:
-    """Everything that is asked of the device."""
-    from tmmcalc.vibration.vibrator.solve import solve_vibrator
-
-    return solve_vibrator(given)
+inputs = to_vibrator
+solve = "tmmcalc.vibration.vibrator.solve:solve_vibrator"
+kind = VibratorResult
 
 
 def columns(result: VibratorResult) -> Mapping[str, Any]:

@@ -1,0 +1,311 @@
+"""What every command that runs stages is: shared flags in, the pipeline once, its document out."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import field
+from inspect import Parameter, Signature, signature
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from tmmcalc.cli.messages import say, show_damage, show_event
+from tmmcalc.cli.options import (
+    Columns,
+    Csv,
+    Depfile,
+    Form,
+    Format,
+    Fresh,
+    FromStage,
+    Out,
+    Positions,
+    Quiet,
+    Set,
+    SpecFile,
+    Store,
+    Strict,
+    Tolerance,
+    patterns_of,
+)
+from tmmcalc.cli.output import check_place, check_tolerance, raise_failures, show, table_file, title, warnings_of
+from tmmcalc.core.errors import LimitError, UsageError
+from tmmcalc.core.records import record
+from tmmcalc.report.document import Document
+
+if TYPE_CHECKING:
+    from tmmcalc.pipeline.outcome import Event, RunResult
+    from tmmcalc.project import Spec
+
+
+@record
+class Job:
+    """The flags that all stage commands share."""
+
+    file: Path
+    out: Path | None = None
+    store: bool = True
+    fresh: bool = False
+    from_stage: str | None = None
+    csv: bool | None = None
+    depfile: Path | None = None
+    strict: bool = False
+    quiet: bool = False
+    overrides: Sequence[str] = ()
+    settings: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    keep_going: bool = False
+    tolerance: float | None = None  # relative error that is asked of every stage
+    columns: Sequence[str] = ()  # names and wildcards of those that a CSV has; empty: all
+    skip: Sequence[str] = ()  # stages that are left out
+
+    def spec(self) -> Spec:
+        """Read the spec with its overrides."""
+        from tmmcalc.project import load_spec
+
+        return load_spec(self.file, self.overrides)
+
+    @property
+    def folder(self) -> Path | None:
+        """Where the stage files go; None if nothing is stored."""
+        if not self.store:
+            return None
+        return self.out or Path(f"{self.file.stem}.out")
+
+    def run(self, spec: Spec, target: str | None) -> RunResult:
+        """Run the pipeline with messages on standard error, and write the depfile."""
+        from tmmcalc.pipeline.runner import run
+
+        if self.depfile is not None:
+            self._check_depfile(self.depfile)
+        with self._telling() as (on_start, on_event):
+            result = run(
+                spec,
+                target=target,
+                out=self.folder,
+                fresh=self.fresh,
+                from_stage=self.from_stage,
+                csv=self.csv,
+                columns=self.columns,
+                skip=self.skip,
+                settings=self.settings,
+                tolerance=self.tolerance,
+                on_start=on_start,
+                on_event=on_event,
+                keep_going=self.keep_going,
+            )
+        if self.depfile is not None:
+            from tmmcalc.pipeline.depfile import write
+            from tmmcalc.project.files import named_files
+
+            write(self.depfile, result.files, [self.file, *named_files(spec, self.file.parent)])
+        return result
+
+    @contextmanager
+    def _telling(self) -> Iterator[tuple[Callable[[str], None] | None, Callable[[Event], None]]]:
+        """What tells of a stage that is begun, if anything does, and of one that is done: live on a terminal."""
+        if self.quiet or not sys.stderr.isatty():
+            yield None, show_damage if self.quiet else show_event
+            return
+        from tmmcalc.cli.progress import Progress
+
+        with Progress() as progress:
+            yield progress.start, progress.done
+
+    def summarised(self, target: str | None) -> tuple[Document, RunResult]:
+        """Run the spec; the document of its summaries."""
+        from tmmcalc.pipeline.summary import run_document
+
+        scene = self.spec()
+        result = self.run(scene, target)
+        return run_document(result, title(scene, self.file, "run")), result
+
+    def _check_depfile(self, file: Path) -> None:
+        """Refuse what would only come out after the computation."""
+        if not self.store:
+            raise UsageError(
+                "--no-store leaves no files that could depend on the spec",
+                where="--depfile",
+                remedy="leave one of the two flags out",
+            )
+        check_place(file, "--depfile")
+
+    def finish(self, document: Document, result: RunResult, form: Format) -> None:
+        """Print the document, say where the files are; under ``strict`` warnings are the end."""
+        from tmmcalc.report.errors import with_errors
+
+        target = result.plan.target
+        if target is not None and target in result.outcomes and not document.parts:
+            document = with_errors(document, result.record(target).error)
+        show(document, form)
+        self.close(document, result)
+
+    def close(self, document: Document, result: RunResult) -> None:
+        """What comes after the document: where the files are, and the errors."""
+        if result.files and not self.quiet:
+            say(f"files in {self.folder}: {', '.join(file.name for file in result.files)}", "dim")
+        raise_failures(result.failures)
+        self.check_warnings(document)
+
+    def check_warnings(self, document: Document) -> None:
+        """Under ``strict`` raise LimitError if a document warns."""
+        warnings = warnings_of(document)
+        if warnings and self.strict:
+            count = f"{len(warnings)} warning{'s' if len(warnings) > 1 else ''}"
+            raise LimitError(
+                "\n  ".join((count, *warnings)), where="--strict", remedy="mend the causes, or leave --strict out"
+            )
+
+
+@record
+class Solved:
+    """What a stage command prints a document of: the run of its stage, and how it is asked to print."""
+
+    spec: Spec
+    file: Path  # of the spec
+    run: RunResult
+    stage: str
+    heading: str  # of the document, after the title of the project
+    form: Format
+
+    @property
+    def title(self) -> str:
+        """The title of the document."""
+        return title(self.spec, self.file, self.heading)
+
+    @property
+    def result(self) -> Any:
+        """The result of the stage."""
+        return self.run.results[self.stage]
+
+    @property
+    def everything(self) -> bool:
+        """Whether all rows are printed, for programs."""
+        return self.form is not Format.table
+
+    @property
+    def where(self) -> str:
+        """The file of the whole table; empty if it was not written."""
+        return table_file(self.run, self.stage)
+
+    def document(self, **chosen: Any) -> Document:
+        """The document of the stage, with a table of what is chosen."""
+        found: Document = self.run.outcomes[self.stage].stage.document(self.result, self.title, **chosen)
+        return found
+
+
+def with_flags(body: Callable[..., None]) -> Callable[..., None]:
+    """The command that takes the shared flags and those of ``body``, and calls ``body(job, ...)``.
+
+    A flag of the body's own stands in place of the shared one of its name.
+    """
+    own = _own(body)
+
+    def command(**given: Any) -> None:
+        body(_taken(given, own), **given)
+
+    return _signed(command, own, body)
+
+
+def of_stage(
+    stage: str, heading: str = "", check: Callable[..., None] = lambda spec, **flags: None
+) -> Callable[[Callable[..., Document]], Callable[..., None]]:
+    """Make of ``body(solved, ...)`` the command that runs a stage and prints the document that ``body`` returns.
+
+    Its flags are those of the body, ``form`` and the shared ones. The title says ``heading``, by default the stage.
+    Before anything is run ``check(spec, **flags)`` refuses what the scene has not, and columns that name nothing are
+    refused.
+    """
+
+    def made(body: Callable[..., Document]) -> Callable[..., None]:
+        own = [FORM, *_own(body)]
+
+        def command(**given: Any) -> None:
+            job, form = _taken(given, own), given.pop("form")
+            patterns_of(given.get("columns"))
+            scene = job.spec()
+            check(scene, **given)
+            run = job.run(scene, stage)
+            job.finish(body(Solved(scene, job.file, run, stage, heading or stage, form), **given), run, form)
+
+        return _signed(command, own, body)
+
+    return made
+
+
+def stage_command(stage: str, text: str, heading: str = "") -> Callable[..., None]:
+    """The command of a stage with positions, whose help is ``text``.
+
+    The document is chosen by ``patterns``, ``rows``, ``everything``, ``where``.
+    """
+
+    def body(solved: Solved, columns: Columns = None, positions: Positions = None) -> Document:
+        from tmmcalc.report.rows import rows_of
+
+        return solved.document(
+            patterns=patterns_of(columns),
+            rows=rows_of(positions, solved.result.labels),
+            everything=solved.everything,
+            where=solved.where,
+        )
+
+    body.__doc__ = text
+    return of_stage(stage, heading)(body)
+
+
+def summary_command(stage: str, text: str, heading: str = "", *, forms: bool = False) -> Callable[..., None]:
+    """The command of a stage without positions, whose help is ``text``.
+
+    With ``forms`` its document is told as ``everything`` whether a format for programs is asked for.
+    """
+
+    def body(solved: Solved) -> Document:
+        return solved.document(**({"everything": solved.everything} if forms else {}))
+
+    body.__doc__ = text
+    return of_stage(stage, heading)(body)
+
+
+def _own(body: Callable[..., Any]) -> list[Parameter]:
+    """The flags of a body: all parameters but the first."""
+    return list(signature(body, eval_str=True).parameters.values())[1:]
+
+
+def _signed(command: Callable[..., None], own: Sequence[Parameter], body: Callable[..., Any]) -> Callable[..., None]:
+    """The command with the flags that typer is to give it, the spec first, and the help of ``body``."""
+    taken = {parameter.name for parameter in own}
+    spec, *rest = (each for each in SHARED if each.name not in taken)
+    listed = [spec, *own, *rest]
+    assert all(parameter.kind is Parameter.POSITIONAL_OR_KEYWORD for parameter in listed)
+    command.__signature__ = Signature(listed)  # type: ignore[attr-defined]
+    command.__annotations__ = {parameter.name: parameter.annotation for parameter in listed}
+    command.__doc__ = body.__doc__
+    return command
+
+
+def _taken(given: dict[str, Any], own: Sequence[Parameter]) -> Job:
+    """The job of the shared flags, which are taken out of what is given."""
+    taken = {parameter.name for parameter in own}
+    return _job(**{each.name: given.pop(each.name) for each in SHARED if each.name not in taken})
+
+
+def _job(
+    spec: SpecFile,
+    out: Out = None,
+    store: Store = True,
+    fresh: Fresh = False,
+    from_stage: FromStage = None,
+    csv: Csv = None,
+    depfile: Depfile = None,
+    strict: Strict = False,
+    quiet: Quiet = False,
+    tolerance: Tolerance = None,
+    overrides: Set = None,
+) -> Job:
+    if tolerance is not None:
+        check_tolerance(tolerance)
+    return Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or (), tolerance=tolerance)
+
+
+SHARED = tuple(signature(_job, eval_str=True).parameters.values())  # flags of all stage commands
+FORM = Parameter("form", Parameter.POSITIONAL_OR_KEYWORD, default=Format.table, annotation=Form)

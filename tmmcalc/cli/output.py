@@ -1,0 +1,99 @@
+"""What commands check before they write, and how they print and write documents."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tmmcalc.cli.messages import say, show_error, whoever_reads
+from tmmcalc.cli.options import Format
+from tmmcalc.core.errors import TmmError, UsageError
+
+if TYPE_CHECKING:
+    from tmmcalc.pipeline.outcome import RunResult
+    from tmmcalc.project import Spec
+    from tmmcalc.report.document import Document
+
+
+def raise_failures(failures: Mapping[str, TmmError]) -> None:
+    """The errors of stages without a result: the first ends the command, the others are said before it."""
+    errors = list(failures.values())
+    for error in errors[1:]:
+        show_error(error)
+    if errors:
+        raise errors[0]
+
+
+def check_place(file: Path, where: str) -> None:
+    """Raise UsageError unless a file can be in this place: its folder is there and it is none itself."""
+    if file.is_dir():
+        raise UsageError(f"{file} is a folder", where=where, remedy="name a file in it")
+    if not file.parent.is_dir():
+        raise UsageError(f"there is no folder {file.parent}", where=where, remedy="make it first, or choose another")
+
+
+def check_apart(*files: Path | None) -> None:
+    """Raise UsageError if two of the files to be written are the same one, so that the later would take its place."""
+    told = [file for file in files if file is not None]
+    for k, file in enumerate(told):
+        if file.resolve() in {other.resolve() for other in told[:k]}:
+            raise UsageError(f"{file} would be written twice", where="-o, --plot", remedy="name two files")
+
+
+def check_picture(file: Path, where: str) -> None:
+    """Raise UsageError if no picture could be drawn to a file; asked before the computation."""
+    from tmmcalc.report.drawing import check_matplotlib, form_of
+
+    check_place(file, where)
+    form_of(file)
+    check_matplotlib()
+
+
+def check_tolerance(error: float) -> None:
+    """Raise `UsageError` unless this is a relative error that could be asked for."""
+    if not 0 < error < 1:
+        raise UsageError(f"{error:g} is no relative error", where="--tolerance", remedy="write e.g. --tolerance 1e-6")
+
+
+def table_file(run: RunResult, stage: str) -> str:
+    """Where the whole table of a stage stands; empty if it was not written."""
+    return next((str(file) for file in run.files if file.name == f"{stage}.csv"), "")
+
+
+def title(spec: Spec, file: Path, what: str) -> str:
+    """Heading of a document."""
+    return f"{spec.project.title or file.stem}: {what}"
+
+
+def deliver(document: Document, form: Format, out: Path | None) -> None:
+    """Print a document, or write it to a file in one step."""
+    if out is None:
+        show(document, form)
+        return
+    from io import StringIO
+
+    from tmmcalc.core.atomic import replace_file
+    from tmmcalc.report.render import render
+
+    text = StringIO()
+    render(document, form.value, text)
+    replace_file(out, text.getvalue().encode())
+
+
+def show(document: Document, form: Format) -> None:
+    """Print a document to standard output; csv has no place for warnings, so they go to standard error."""
+    from tmmcalc.report.render import render
+
+    if form is Format.csv:
+        for warning in warnings_of(document):
+            say(warning, "yellow")
+    with whoever_reads(sys.stdout):
+        render(document, form.value)
+
+
+def warnings_of(document: Document) -> list[str]:
+    """The warnings among the notes of a document and its parts."""
+    own = [note for note in document.notes if note.startswith("warning")]
+    return own + [warning for part in document.parts for warning in warnings_of(part)]
