@@ -69,7 +69,11 @@ class OneMass:
 
     def inertia_on(self, panels: Panels) -> Values:
         """Total inertia (K, N) [kg*m^2] on other panels."""
-        return onto(self.cycle, panels).inertia + self.constant
+        cycle = self.cycle
+        if panels is cycle.panels:
+            return cycle.inertia + self.constant
+        inertia = cycle.panels.at(cycle.inertia, panels.x.ravel())
+        return inertia.reshape(panels.count, panels.order) + self.constant
 
     def speed(self, panels: Panels, energy: Values) -> Values:
         """Angular speed (K, N) [rad/s] of the kinetic energy on ``panels``."""

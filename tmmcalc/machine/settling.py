@@ -9,7 +9,6 @@ that does not tell, the machine is followed turn by turn until it does, or stand
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -24,6 +23,8 @@ from tmmcalc.machine.regime import multipliers
 TURNS = 300  # cycles followed before the search is given up
 SELDOM = 1.25  # times the cycles followed when the regime was last tried: before that it is not tried again
 LEG = 1e-8  # tolerance of the motion that is followed
+MESHES = 8  # on which a stretch of it is sought, before it is cut
+SPENT = 0.75  # of the angle over which the energy would be spent: a panel up to there still resolves the motion
 STANDSTILL = 0.005  # of the no-load speed
 SLOW = 0.2  # of the no-load speed: a motion that cannot be followed below it has come to a stand
 RUNAWAY = 20.0  # times the no-load speed
@@ -204,41 +205,56 @@ def _again(machine: OneMass, last: _Leg, y: Values) -> _Leg | None:
 
 
 def _turn(machine: OneMass, y: Values, turn: int) -> _Leg | Halt:
-    """The motion over one cycle from the state ``y`` (m,) at theta = 0."""
+    """The motion over one cycle from the state ``y`` (m,) at theta = 0.
+
+    As many panels at once as Newton's method bears: where it fails, half of them, and of one panel the beginning.
+    """
     system, edges = machine.equations(), machine.cycle.panels.edges
     least = 2 * NARROWEST * machine.cycle.period
-    todo = list(pairwise(edges.tolist()))[::-1]
+    todo = [edges]
     parts: list[Orbit] = []
     while todo:
-        low, high = todo.pop()
-        bounds = np.array([low, high])
-        inertia = _inertia_at(machine, bounds)
-        part = _part(machine, system, bounds, y, inertia[0])
+        bounds = todo.pop()
+        lasts = _lasts(machine, bounds[0], y)
+        part = _part(machine, system, bounds, y) if len(bounds) > 2 or bounds[1] - bounds[0] < lasts else None
         if part is None:
-            if high - low < least:
-                return _stopped(machine, float(low), y, inertia[0], turn)
-            middle = (low + high) / 2
-            todo += [(middle, high), (low, middle)]
+            if len(bounds) == 2:
+                if bounds[1] - bounds[0] < least:
+                    return _stopped(machine, float(bounds[0]), y, turn)
+                cut = min(float(np.mean(bounds)), max(float(bounds[0]) + SPENT * lasts, float(bounds[0]) + least / 2))
+                bounds = np.insert(bounds, 1, cut)
+            middle = len(bounds) // 2
+            todo += [bounds[middle:], bounds[: middle + 1]]
             continue
         parts.append(part)
-        y = part.edges[:, -1]
-        pace = float(np.sqrt(2 * y[0] / inertia[1])) / machine.reference
-        if not STANDSTILL < pace < RUNAWAY:
-            return Halt(pace < 1, float(high), turn)
-    joined = Panels(np.append([p.panels.edges[0] for p in parts], edges[-1]), machine.cycle.panels.order)
-    ends = np.column_stack([*(p.edges[:, 0] for p in parts), y])
+        y, on = part.edges[:, -1], part.panels.edges
+        pace = np.sqrt(2 * part.edges[0] / _inertia_at(machine, on)) / machine.reference
+        beyond = np.flatnonzero((pace <= STANDSTILL) | (pace >= RUNAWAY))
+        if beyond.size:
+            return Halt(bool(pace[beyond[0]] < 1), float(on[beyond[0]]), turn)
+    joined = Panels(np.append(np.concatenate([p.panels.edges[:-1] for p in parts]), edges[-1]), parts[0].panels.order)
+    ends = np.column_stack([*(p.edges[:, :-1] for p in parts), y])
     return _Leg(joined, np.concatenate([p.y for p in parts], axis=1), ends)
 
 
-def _part(machine: OneMass, system: System, bounds: Values, y: Values, inertia: float) -> Orbit | None:
-    """The motion over one panel, None if it does not resolve it."""
-    panel = Panels(bounds, machine.cycle.panels.order)
-    omega = np.full((1, panel.order), np.sqrt(2 * y[0] / inertia))
-    guess = machine.state(panel, omega, y[-1] if machine.lag else None)
+def _part(machine: OneMass, system: System, bounds: Values, y: Values) -> Orbit | None:
+    """The motion from ``y`` (m,) over panels with the edges ``bounds``, or finer ones; None if it is not resolved."""
+    panels = Panels(bounds, machine.cycle.panels.order)
+    omega = np.full((panels.count, panels.order), _speed_at(machine, bounds[0], y))
+    guess = machine.state(panels, omega, y[-1] if machine.lag else None)
     try:
-        return solve(system, panel, guess, ends=initial(y), floor=machine.floor, tolerance=LEG, passes=1)
+        return solve(system, panels, guess, ends=initial(y), floor=machine.floor, tolerance=LEG, passes=MESHES)
     except AccuracyError:
         return None
+
+
+def _lasts(machine: OneMass, theta: float, y: Values) -> float:
+    """Angle [rad] over which the energy is spent at the rate at which it falls; infinite where it grows."""
+    omega = _speed_at(machine, theta, y)
+    load, viscous, quadratic = _loads_at(machine, theta)
+    driving = y[-1] if machine.lag else machine.characteristic.moment(omega)
+    net = float(driving + load + (viscous + quadratic * omega) * omega)
+    return -float(y[0]) / net if net < 0 else np.inf
 
 
 def _inertia_at(machine: OneMass, theta: Values) -> Values:
@@ -246,14 +262,23 @@ def _inertia_at(machine: OneMass, theta: Values) -> Values:
     return machine.cycle.panels.at(machine.cycle.inertia, theta) + machine.constant
 
 
-def _stopped(machine: OneMass, theta: float, y: Values, inertia: float, turn: int) -> Halt:
+def _speed_at(machine: OneMass, theta: float, y: Values) -> float:
+    """Angular speed [rad/s] at one angle in the state ``y`` (m,)."""
+    return float(np.sqrt(2 * y[0] / _inertia_at(machine, np.array([theta]))[0]))
+
+
+def _loads_at(machine: OneMass, theta: float) -> Values:
+    """Moment, viscous and quadratic factor (3,) of the loads at one angle."""
+    cycle = machine.cycle
+    rows = np.stack((cycle.moment, cycle.viscous, cycle.quadratic))
+    return cycle.panels.at(rows, np.array([theta]))[:, 0]
+
+
+def _stopped(machine: OneMass, theta: float, y: Values, turn: int) -> Halt:
     """The end of a motion that no panel resolves: a stop if all moments on the way to standstill brake."""
-    cycle, motor = machine.cycle, machine.characteristic
-    pace = float(np.sqrt(2 * y[0] / inertia)) / machine.reference
+    motor, pace = machine.characteristic, _speed_at(machine, theta, y) / machine.reference
     omega = machine.reference * np.append(SPEEDS[pace > SPEEDS], pace)
-    load, viscous, quadratic = cycle.panels.at(
-        np.stack((cycle.moment, cycle.viscous, cycle.quadratic)), np.array([theta])
-    )
+    load, viscous, quadratic = _loads_at(machine, theta)
     if pace < SLOW or np.all(motor.moment(omega) + load + (viscous + quadratic * omega) * omega < 0):
         return Halt(True, theta, turn)
     raise AccuracyError(

@@ -29,20 +29,25 @@ Machine = Callable[[float], OneMass]  # of its constant inertia
 
 
 def stall_inertia(
-    cycle: Cycle, characteristic: Characteristic, *, time_constant: float = 0.0, tolerance: float = 1e-6
+    cycle: Cycle,
+    characteristic: Characteristic,
+    *,
+    time_constant: float = 0.0,
+    tolerance: float = 1e-6,
+    stalls: float = 0.0,
 ) -> float:
     """Least constant inertia [kg*m^2] that carries the machine through its peak load, to a relative ``tolerance``.
 
-    Zero if the links alone do. Raises `NoSolutionError` if the mean load is too much for the motor, or the machine does
-    not settle with any inertia.
+    ``stalls`` is one that is known not to; zero if the links alone carry it. Raises `NoSolutionError` if the mean load
+    is too much for the motor, or the machine does not settle with any inertia.
     """
     machine = _family(cycle, characteristic, time_constant)
     check_mean_load(machine(1.0))
-    carrying = _carrying(machine, 0.0)
+    carrying = _carrying(machine, stalls)
     none = LEAST * carrying[0]
-    if _regime(machine(none)) is not None:
+    if stalls < none and _regime(machine(none)) is not None:
         return 0.0
-    return _threshold(machine, none, carrying, tolerance)
+    return _threshold(machine, max(stalls, none), carrying, tolerance)
 
 
 def _family(cycle: Cycle, characteristic: Characteristic, lag: float) -> Machine:

@@ -138,12 +138,11 @@ def ample(cycle: Cycle, delta: float, constant_inertia: float) -> float:
 
 
 def _carrying(cycle: Cycle, characteristic: Characteristic, time_constant: float, stalls: float) -> float | None:
-    """The least constant inertia that carries the machine over its peak load; None if the search finds none."""
+    """The least constant inertia beyond one that ``stalls`` that carries the machine; None if the search finds none."""
     try:
-        found = stall_inertia(cycle, characteristic, time_constant=time_constant, tolerance=THRESHOLD)
+        return stall_inertia(cycle, characteristic, time_constant=time_constant, tolerance=THRESHOLD, stalls=stalls)
     except (AccuracyError, NoSolutionError):
         return None
-    return found if found > stalls else None
 
 
 def _earliest(model: Model, delta: float, first: Trial, root: Trial, count: int, trials: list[Trial]) -> Trial:
