@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import os
 from pathlib import Path
+from typing import Any
 
 # One thread for each of the processes that test side by side, as on the command line; numpy reads it when it starts.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -39,6 +40,14 @@ def pytest_collection_finish() -> None:
 @pytest.fixture
 def shaper() -> str:
     return SHAPER.read_text(encoding="utf-8")
+
+
+@pytest.fixture(scope="session")
+def schema() -> dict[str, Any]:
+    """The schema of specs, as editors get it."""
+    from tmmcalc.project.schema import json_schema
+
+    return json_schema()
 
 
 @pytest.fixture

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import mpmath as mp
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.studies.study import FLOOR
 from tmmcalc.gears.accuracy.pair import TERMS
@@ -43,7 +44,7 @@ def test_the_series_of_the_inverse_involute_ends_with_its_next_term() -> None:
             assert float(mp.log(missed[0] / missed[1], 2)) == pytest.approx(2 * n + 1, abs=0.01)
 
 
-@pytest.mark.parametrize("name", ["pair-spur", "pair-blocking"])
+@sparing("name", ["pair-spur", "pair-blocking"], every=2)
 def test_rasters_are_of_first_order_and_roots_are_exact(name: str) -> None:
     area, total = studies_of(name, "blocking").values()
     assert series_of(area, "raster").order == pytest.approx(1.0, abs=0.25)

@@ -163,7 +163,7 @@ def test_sides_of_the_beginning_of_the_turn() -> None:
         assert (behind[0], first[0]) == (0.0, 0)
 
 
-@pytest.mark.parametrize("name", ["cam-translating", "cam-oscillating", "cam-groove", "cam-flat"])
+@sparing("name", ["cam-translating", "cam-oscillating", "cam-groove", "cam-flat"], every=4)
 def test_largest_forces_of_a_cam(name: str) -> None:
     (study,) = studies_of(name, "cam_forces").values()
     assert max(errors_of(study, "extremes")) < 1e-13

@@ -95,6 +95,7 @@ def test_a_file_that_changes_between_two_sweeps_in_one_process(loaded: Path, col
     assert not any(row.alone for row in after)
 
 
+@pytest.mark.slow
 def test_a_map_of_a_file_that_changes(loaded: Path) -> None:
     loaded.write_text(
         loaded.read_text() + '\n[[constraints]]\nname="light"\nstage="forces"\ncolumn="R_A"\nat_most=1e9\n'

@@ -6,6 +6,7 @@ import math
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 import tmmcalc
 from tmmcalc.batch.points import solve_points
@@ -47,7 +48,7 @@ def test_quantities_are_those_of_the_stages() -> None:
         assert row["motion.delta"] == tmmcalc.solve_motion(spec).regime.delta
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("of", "truth"),
     [
         ("max", lambda c: c.max()),
@@ -58,6 +59,7 @@ def test_quantities_are_those_of_the_stages() -> None:
         ("first", lambda c: c[0]),
         ("last", lambda c: c[-1]),
     ],
+    every=3,
 )
 def test_what_is_asked_of_a_column(of: str, truth) -> None:
     (row, _) = rows(SHAPER, FEW, "motion.inertia=40,50", columns=(f"kinematics.{of}(vS_D)",))

@@ -103,6 +103,7 @@ def test_position_0_that_is_given(start: str) -> None:
     assert compared(task, range(0, 6, 2)) == 3
 
 
+@pytest.mark.slow
 def test_variants_that_fail_tell_why() -> None:
     """Cranks longer than the frame, a ram without a mass, a force that stalls the motor."""
     ranges = [f"{CRANK}=0.2:0.8:3", "mechanism.links[id=5].mass=-5:190:2", "loads[0].force=7500:60000:2"]

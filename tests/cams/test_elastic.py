@@ -105,6 +105,7 @@ def test_mass_follows_the_equation() -> None:
     assert course.given + curved == pytest.approx(course.mass, abs=1e-6 * float(np.max(np.abs(course.mass))))
 
 
+@pytest.mark.slow
 def test_rigid_limit() -> None:
     """A very stiff, damped train carries the cam's own acceleration where nothing jumps."""
     program = Program(

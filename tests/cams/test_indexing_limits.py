@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
+from sparing import sparing
 
 from cams.indexing_scene import SCENES, law_at, task
 from tmmcalc.cams.indexing import solve_indexing
@@ -93,7 +94,7 @@ def test_limits_of_the_step_undo_those_of_lambda() -> None:
         assert largest_step(z2, ratio) == pytest.approx(pi - 2 * np.angle(ratio - np.exp(-1j * pi / z2)), rel=1e-14)
 
 
-@pytest.mark.parametrize("name", symmetric_laws())
+@sparing("name", symmetric_laws(), every=4)
 def test_the_groove_crosses_itself_below_lambda_min_alone(name: str) -> None:
     peak = step_law(name).peak
     least = bounds(peak, 6, RIGHT, 0.8).ratio_min

@@ -128,6 +128,7 @@ def test_positions_are_numbered_as_in_the_tables_and_can_be_read(name):
         assert np.hypot(*(place - middle)) < 6.5 * figure.dpi / 25.4
 
 
+@pytest.mark.slow
 def test_only_the_line_of_the_cusp_has_its_look():
     """It bounds the pitch curve: the working profile may cross it, and must not be taken for it."""
     follower = Follower("translating", 0.055, 0.01, 0.02)

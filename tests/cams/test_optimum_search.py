@@ -149,6 +149,7 @@ def test_where_two_constraints_bind_the_height_is_stationary() -> None:
     assert least.steps < 12
 
 
+@pytest.mark.slow
 def test_an_active_limit_relaxed_lowers_the_mechanism() -> None:
     result = solve_optimum(roller_task(), ROLLER)
     assert result.least.active == (8, 9)
@@ -196,6 +197,7 @@ def test_options_are_compared_each_with_its_spring() -> None:
     assert softer.preload == pytest.approx(0.6 * base.preload)  # (K1 - 1) P_M
 
 
+@pytest.mark.slow
 def test_materials_and_rollers_are_compared() -> None:
     """Each option is what the whole task gives with that requirement."""
     task = roller_task(contacts=(("steel", 6e8), ("", 4e8)), roller_ratios=(("needle", 1.15),), phases="rise")

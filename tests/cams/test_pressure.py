@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower, contact_path
@@ -60,7 +61,7 @@ def test_it_is_the_angle_between_normal_and_velocity(follower):
 
 
 @pytest.mark.parametrize("follower", FOLLOWERS)
-@pytest.mark.parametrize("law", ["const", "sine", "modified_trapezoid"])
+@sparing("law", ["const", "sine", "modified_trapezoid"], every=3, first=1)
 def test_extremes_are_those_of_a_dense_sample(follower, law):
     program = program_of(follower, law, "cosine")
     found = solve_pressure(task_of(program, follower.kind), follower)

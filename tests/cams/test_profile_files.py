@@ -7,6 +7,7 @@ from math import pi, radians
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from cams.test_law_result import same
 from cams.turns import task_of, turn
@@ -80,7 +81,7 @@ def test_outlines_are_closed_counter_clockwise_chains_with_exact_arcs(scene):
     assert all(arc.centre == 0 for arc in arcs)
 
 
-@pytest.mark.parametrize("scene", SCENES)
+@sparing("scene", SCENES, every=4)
 def test_cubics_keep_the_tolerance(scene):
     program, follower, _ = scene
     rim, tolerance = Rim(follower, program), 1e-6

@@ -75,6 +75,7 @@ def test_a_neck_stands_square_to_both_sides():
         assert np.max(np.abs((np.conj(ends.tangent) * chord).real)) < 1e-9 * abs(chord)
 
 
+@pytest.mark.slow
 def test_beyond_a_neck_the_profile_crosses_itself_without_a_cusp():
     for _, program, follower, reach in necked():
         roller = reach.distance * (1 + 1e-4)

@@ -104,7 +104,7 @@ def test_optimum_against_a_search(seed, which):
     assert least <= mine * (1 + 1e-2)  # the search, which stays inside, comes near it
 
 
-@pytest.mark.parametrize("back", [None, 40, 30])
+@sparing("back", [None, 40, 30], every=3, first=1)
 @pytest.mark.parametrize("assembly", [1, -1])
 @pytest.mark.parametrize("sense", [1, -1])
 def test_limits_are_reached_and_kept(back, assembly, sense):

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from .conftest import Cli, environment
 
@@ -56,7 +57,7 @@ def test_from_computes_that_stage_and_all_after_it(cli: Cli) -> None:
     assert "forced from kinematics" in err
 
 
-@pytest.mark.parametrize("name", ["kinematics.npz", "kinematics.toml", "structure.toml"])
+@sparing("name", ["kinematics.npz", "kinematics.toml", "structure.toml"], every=3)
 @pytest.mark.parametrize("flags", [(), ("-q",)])
 def test_a_damaged_file_is_told_and_made_again(cli: Cli, name: str, flags: tuple[str, ...]) -> None:
     cli("run", "my.toml", "-q")

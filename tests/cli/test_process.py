@@ -67,6 +67,7 @@ def test_a_reader_that_has_gone_is_no_fault(folder: Path, args: tuple[str, ...])
     assert b"Traceback" not in err
 
 
+@pytest.mark.slow
 @posix
 def test_interrupt(folder: Path) -> None:
     process = subprocess.Popen(

@@ -103,6 +103,7 @@ def test_bad_input_is_one_error_and_leaves_nothing(cli: Cli, args: tuple[str, ..
     assert left() == set()
 
 
+@pytest.mark.slow
 def test_a_sweep_that_is_up_to_date_says_so(cli: Cli) -> None:
     first = cli(*SWEEP, "--columns", "stroke_D")
     again = cli(*SWEEP, "--columns", "stroke_D")

@@ -6,7 +6,6 @@ import json
 from pathlib import Path
 
 import numpy as np
-import pytest
 from sparing import sparing
 from typer.testing import CliRunner
 
@@ -29,7 +28,7 @@ def file_of(command: str) -> str:
     return str(templates.path(f"extra-{command}"))
 
 
-@pytest.mark.parametrize("command", SPECS)
+@sparing("command", SPECS, every=3)
 def test_documents(command: str) -> None:
     words = SPECS[command][1]
     people = RUNNER.invoke(app, ["extra", command, file_of(command), "--no-store", "-q"])
@@ -39,7 +38,7 @@ def test_documents(command: str) -> None:
     assert json.loads(programs.stdout)
 
 
-@pytest.mark.parametrize("command", SPECS)
+@sparing("command", SPECS, every=3)
 def test_what_is_stored_is_what_was_found(command: str, tmp_path: Path) -> None:
     stage = SPECS[command][0]
     scene = tmmcalc.load_spec(file_of(command))

@@ -11,6 +11,7 @@ import mpmath
 import numpy as np
 import pytest
 from mpmath import mpf
+from sparing import sparing
 
 from tmmcalc.stress.expected import Expected, expected
 
@@ -146,7 +147,7 @@ def test_an_undercut_crosses_itself_once_a_cusp(beyond: float) -> None:
         assert between == pytest.approx(math.sqrt(3), rel=3 * math.sqrt(beyond))
 
 
-@pytest.mark.parametrize("beyond", [1e-6, 1e-7, 1e-9, 3e-11])
+@sparing("beyond", [1e-6, 1e-7, 1e-9, 3e-11], every=4)
 def test_an_undercut_too_small_to_cross_is_told_by_its_angles(beyond: float) -> None:
     """Their width goes as the root of what is beyond; the loop itself is below rounding."""
     profile = undercut(beyond)

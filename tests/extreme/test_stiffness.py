@@ -65,6 +65,7 @@ def missed(found: Transient, true: np.ndarray) -> float:
     return float(np.max(np.abs(found.omega - true)) / np.max(np.abs(true)))
 
 
+@pytest.mark.slow
 def test_stiff_shafts_cost_no_more_than_soft_ones() -> None:
     counts = []
     for stiffness in STIFFNESSES:

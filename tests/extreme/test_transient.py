@@ -92,7 +92,7 @@ def test_no_start_and_stall() -> None:
     assert stalled.motor_work[-1] + stalled.load_work[-1] == pytest.approx(0, abs=1e-6)
 
 
-@pytest.mark.parametrize("lag", [1e-9, 1e-6, 1e-3])
+@sparing("lag", [1e-9, 1e-6, 1e-3], every=3)
 def test_lag_of_the_motor(lag: float) -> None:
     """A lag far below all other times changes the motion in proportion to itself."""
     override = ('transients=[{name="run-up", duration="0.3 s", load=0}]',)

@@ -7,6 +7,7 @@ from itertools import product
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from tmmcalc import UsageError
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask, judge, margin
@@ -79,7 +80,7 @@ def some_rule(generator: random.Random, depth: int) -> str:
     return f"({word.join(some_rule(generator, depth - 1) for _ in range(generator.randint(2, 3)))})"
 
 
-@pytest.mark.parametrize("form", FORMS)
+@sparing("form", FORMS, every=3)
 def test_random_rules_keep_their_sign_however_deep(form: Form) -> None:
     generator, sizes = random.Random(7), np.random.default_rng(7)
     for _ in range(300):

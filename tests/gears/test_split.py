@@ -71,6 +71,7 @@ def test_limits_of_the_stage_ratio(criterion: str) -> None:
     assert corner.ratios == pytest.approx([6.0, 6.0], rel=1e-12)
 
 
+@pytest.mark.slow
 def test_limits_of_three_stages() -> None:
     """With a narrow box the best split stands on its border; compared with a fine scan of the box."""
     low, high, total = 2.5, 3.2, 26.0

@@ -42,7 +42,7 @@ def closed_dead_centres(l1: float, l2: float, e: float) -> tuple[float, float]:
     return math.asin(e / (l2 + l1)), math.pi + math.asin(e / (l2 - l1))
 
 
-@pytest.mark.parametrize("lengths", [(0.1, 0.32, -0.04), (0.1, 0.32, 0.0), (0.1, 0.3, 0.15), (0.03, 0.9, 0.4)])
+@sparing("lengths", [(0.1, 0.32, -0.04), (0.1, 0.32, 0.0), (0.1, 0.3, 0.15), (0.03, 0.9, 0.4)], every=4, first=2)
 @pytest.mark.parametrize("start", [0.0, -0.5, 2.0, None])
 @pytest.mark.parametrize("speed", [1.0, -7.0])
 def test_dead_centres_of_a_crank_slider(lengths: tuple[float, float, float], start: float | None, speed: float) -> None:

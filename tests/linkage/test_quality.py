@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 from random_mechanisms import build
+from sparing import sparing
 from transforms import moved, scaled
 
 from linkage.scenes import crank_slider, four_bar, full_turn, part, slotted, trammel, with_input, yoke
@@ -87,7 +88,7 @@ def test_a_slot_along_its_own_guide_is_singular_everywhere() -> None:
     assert solve_kinematics(full_turn(yoke(0.1, 0.03))).qualities[0].regularity == pytest.approx(math.sin(0.03))
 
 
-@pytest.mark.parametrize("seed", range(25))
+@sparing("seed", range(25), every=6)
 def test_random_chains_against_a_dense_scan(seed: int) -> None:
     """No place of 20 001 is worse than the one reported, and the reported one is as bad as it says."""
     mechanism = build(np.random.default_rng(seed), span=math.radians(20)).mechanism

@@ -102,7 +102,7 @@ def test_press_case_with_its_exact_flywheel() -> None:
     assert regime.theta_min == pytest.approx(case["phi_min_tangent_rad"], abs=0.01)
 
 
-@pytest.mark.parametrize("constant", [1.8, 3.0, 30.0, 1e4])
+@sparing("constant", [1.8, 3.0, 30.0, 1e4], every=4)
 def test_upsetter_against_quadrature_and_a_root(constant: float) -> None:
     """The level of the energy by scipy on a dense grid of the closed formulas."""
     regime = positional(upsetter(), constant, 10.0)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from sparing import sparing
 
 from machine.motion import CASES, TURN, Kloss, Lossy, of_pieces, upsetter, upsetter_functions, upsetter_motor
 from tmmcalc.core.errors import NoSolutionError
@@ -90,6 +91,7 @@ def test_a_machine_that_stops_in_a_later_cycle() -> None:
     assert isinstance(settled(OneMass(load, threshold * 1.001, motor)), Orbit)
 
 
+@pytest.mark.slow
 def test_many_cycles_to_a_stop_are_followed_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Just below the threshold the machine creeps on; a cycle solved from the last one is that of panel after panel."""
     load, motor = of_pieces([-290.0, 0.0], [0.0, TURN / 2, TURN]), Kloss(10.7, 10.0, 8.0, pull_out=160.0, slip=0.25)
@@ -116,7 +118,7 @@ def test_many_cycles_to_a_stop_are_followed_at_once(monkeypatch: pytest.MonkeyPa
     assert slowly.theta == pytest.approx(halt.theta, rel=1e-6)
 
 
-@pytest.mark.parametrize(("sense", "told"), [(1.0, "stalls at 6"), (-1.0, "stalls at -6")])
+@sparing(("sense", "told"), [(1.0, "stalls at 6"), (-1.0, "stalls at -6")], every=2)
 def test_the_angle_is_the_coordinate_of_the_input(sense: float, told: str) -> None:
     load, motor = (
         of_pieces([0.0, -700.0, 0.0], [0.0, 1.0, 2.0, TURN]),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.plane import Point
 from tmmcalc.linkage.dyad import solve_dyad
@@ -19,7 +20,7 @@ from .scenes import ARMS, PLANE, SPACE, derivative, task
 PAIRS = [(arm, route) for arm in ARMS for route in (SPACE if ARMS[arm].spatial else PLANE)]
 
 
-@pytest.mark.parametrize(("arm", "route"), PAIRS)
+@sparing(("arm", "route"), PAIRS, every=4)
 def test_round_trip(arm: str, route: str) -> None:
     result = solve_manipulator(task(arm, route, steps=60))
     again = direct(result.arm, result.q)
@@ -30,7 +31,7 @@ def test_round_trip(arm: str, route: str) -> None:
     assert result.residual < 1e-12
 
 
-@pytest.mark.parametrize(("arm", "route"), PAIRS)
+@sparing(("arm", "route"), PAIRS, every=4)
 def test_rates_are_the_derivatives_in_time(arm: str, route: str) -> None:
     """Of gripper and joints, by differences of the eighth order between the jumps."""
     asked = task(arm, route)

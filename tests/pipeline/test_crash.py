@@ -114,7 +114,7 @@ def test_killed_while_a_csv_is_removed(tmp_path: Path, after: bool):
         assert "damaged" not in [kind for _, kind in shown(result)]
 
 
-@pytest.mark.parametrize("limit", [0, 1, 100, 700, 1500, 2500])
+@sparing("limit", [0, 1, 100, 700, 1500, 2500], every=3, first=2)
 @pytest.mark.parametrize("deadly", [True, False])
 def test_disk_that_ends_in_the_middle_of_a_file(tmp_path: Path, limit: int, deadly: bool):
     """The kernel stops the write at the limit, by a signal that kills or by an error as of a full disk."""

@@ -21,6 +21,7 @@ from tmmcalc.project.loader import LARGEST_FILE
 from tmmcalc.project.root import ENTRIES
 
 
+@pytest.mark.slow
 def test_every_ready_spec_loads() -> None:
     for name in templates.names():
         spec = load_spec(templates.path(name))

@@ -67,28 +67,27 @@ def test_text_is_stable_json() -> None:
     assert json_schema()["$schema"] == "https://json-schema.org/draft/2020-12/schema"
 
 
-def test_no_keyword_that_editors_or_toml_do_not_know() -> None:
-    for node in nodes(json_schema()):
+def test_no_keyword_that_editors_or_toml_do_not_know(schema: dict[str, Any]) -> None:
+    for node in nodes(schema):
         assert "prefixItems" not in node
         assert node.get("type") != "null"
         assert "discriminator" not in node
 
 
-def test_every_key_has_a_description() -> None:
-    for node in nodes(json_schema()):
+def test_every_key_has_a_description(schema: dict[str, Any]) -> None:
+    for node in nodes(schema):
         for key, value in node.get("properties", {}).items():
             assert isinstance(value, dict)
             assert value.get("description"), key
 
 
-def test_tables_are_closed() -> None:
-    for node in nodes(json_schema()):
+def test_tables_are_closed(schema: dict[str, Any]) -> None:
+    for node in nodes(schema):
         if node.get("type") == "object":
             assert node["additionalProperties"] is False
 
 
-def test_shaper_is_accepted(shaper: str) -> None:
-    schema = json_schema()
+def test_shaper_is_accepted(shaper: str, schema: dict[str, Any]) -> None:
     assert accepts(schema, tomllib.loads(shaper), schema)
     for old, new in [
         ('"55 rpm"', '"55 kg"'),
@@ -100,8 +99,7 @@ def test_shaper_is_accepted(shaper: str) -> None:
         assert not accepts(schema, tomllib.loads(shaper.replace(old, new, 1)), schema), new
 
 
-def test_a_machine_is_accepted(shaper: str) -> None:
-    schema = json_schema()
+def test_a_machine_is_accepted(shaper: str, schema: dict[str, Any]) -> None:
     text = shaper + MACHINE
     assert accepts(schema, tomllib.loads(text), schema)
     for old, new in [
@@ -125,8 +123,7 @@ def test_a_machine_is_accepted(shaper: str) -> None:
         assert not accepts(schema, tomllib.loads(text.replace(old, new)), schema), new
 
 
-def test_shafts_motions_and_balancing_are_accepted(shaper: str) -> None:
-    schema = json_schema()
+def test_shafts_motions_and_balancing_are_accepted(shaper: str, schema: dict[str, Any]) -> None:
     text = shaper + MACHINE + ENGINE + ROTOR
     assert accepts(schema, tomllib.loads(text), schema)
     for old, new in [
@@ -154,8 +151,7 @@ def test_shafts_motions_and_balancing_are_accepted(shaper: str) -> None:
     assert accepts(schema, tomllib.loads(listed), schema)
 
 
-def test_a_torque_diagram_is_accepted() -> None:
-    schema = json_schema()
+def test_a_torque_diagram_is_accepted(schema: dict[str, Any]) -> None:
     head = '[torque]\nspeed = "180 rpm"\n'
     for law in (
         'harmonics = { terms = [{ order = "1/2", cos = 5 }] }',
@@ -174,8 +170,7 @@ def test_a_torque_diagram_is_accepted() -> None:
         assert not accepts(schema, tomllib.loads(head + law), schema), law
 
 
-def test_pairs_are_accepted() -> None:
-    schema = json_schema()
+def test_pairs_are_accepted(schema: dict[str, Any]) -> None:
     text = (
         '[pair]\nteeth = [14, 27]\nmodule = "5 mm"\nhelix_angle = "-15 deg"\nrack = "stub 20"\nx1 = 0.5\nx2 = "1/3"\n'
         'angle_range = ["15 deg", 0.5]\nspan_teeth = [3]\npoints = 30\n[[pair.meshes]]\nmesh = "2\'-3"\n'

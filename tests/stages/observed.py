@@ -1,23 +1,26 @@
 """What happens when a spec is run: functions called, modules imported, files written; each in a fresh process.
 
-    python -m stages.observed '["SPEC", "KEY=VALUE"]' ...     prints one line of JSON a spec
-
-The process forks before every spec, with numpy and pydantic but no room of the program imported, so that a spec costs
-its own imports and nothing of another one's.
+``python -m stages.observed`` answers questions, one line of JSON each. It forks before every answer, with
+what every run imports and nothing more, so that a spec costs its own imports and nothing of another one's.
 """
 
 from __future__ import annotations
 
 import json
 import os
+import subprocess
 import sys
 import tempfile
 import traceback
 from collections import Counter
+from functools import cache
+from importlib import import_module
 from pathlib import Path
 from types import FrameType
 from typing import Any
 
+TESTS = Path(__file__).parents[1]
+EVERY = ("numpy", "pydantic", "tomli_w", "tmmcalc.project", "tmmcalc.pipeline.runner")  # of a run
 HEAVY = ("scipy", "matplotlib", "joblib", "dask", "distributed", "ezdxf", "rich", "typer")
 
 
@@ -51,30 +54,56 @@ def observe(file: str, *overrides: str) -> dict[str, Any]:
     return {"counts": counts, "modules": modules, "files": files, "arrays": arrays, "rows": rows}
 
 
-def main(scenes: list[list[str]]) -> None:
-    """Observe every spec in a process of its own."""
-    import numpy  # noqa: F401
-    import pydantic  # noqa: F401
-    import tomli_w  # noqa: F401
+def imported(file: str, target: str | None, *overrides: str) -> list[str]:
+    """Modules of the program, of scipy and of matplotlib after a run to a stage that stores nothing."""
+    from tmmcalc.pipeline.runner import run
+    from tmmcalc.project import load_spec
 
-    import tmmcalc  # noqa: F401
+    run(load_spec(file, overrides), target=target)
+    return sorted(name for name in sys.modules if name.startswith(("tmmcalc.", "scipy", "matplotlib")))
 
-    for scene in scenes:
-        sys.stdout.flush()
+
+def answer(what: str, *given: Any) -> Any:
+    """What ``observe`` or ``imported`` gives in a process of its own."""
+    asked = _answering()
+    assert asked.stdin is not None
+    assert asked.stdout is not None
+    asked.stdin.write(json.dumps([what, *given]) + "\n")
+    asked.stdin.flush()
+    found, fault = json.loads(asked.stdout.readline())
+    assert not fault, fault
+    return found
+
+
+@cache
+def _answering() -> subprocess.Popen[str]:
+    """The process that answers; it ends with its input, that is with this process."""
+    paths = os.pathsep.join([str(TESTS), str(TESTS.parent)])
+    return subprocess.Popen(
+        [sys.executable, "-m", "stages.observed"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": paths},
+    )
+
+
+def main() -> None:
+    """Answer every question of the input in a process of its own."""
+    for name in EVERY:
+        import_module(name)
+    while line := sys.stdin.readline():
+        what, *given = json.loads(line)
         child = os.fork()
         if child == 0:
-            code = 1
             try:
-                print(json.dumps(observe(*scene)), flush=True)
-                code = 0
+                said = [{"observe": observe, "imported": imported}[what](*given), ""]
             except BaseException:
-                traceback.print_exc()
-            finally:
-                os._exit(code)
-        _, status = os.waitpid(child, 0)
-        if status:
-            raise SystemExit(f"{scene[0]}: no observation")
+                said = [None, traceback.format_exc()]
+            print(json.dumps(said), flush=True)
+            os._exit(0)
+        os.waitpid(child, 0)
 
 
 if __name__ == "__main__":
-    main([json.loads(scene) for scene in sys.argv[1:]])
+    main()

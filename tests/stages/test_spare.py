@@ -5,16 +5,15 @@ The sentences of ``plan --why`` and its tables of packages are held against what
 
 from __future__ import annotations
 
-import json
-import os
 import subprocess
 import sys
 from collections.abc import Mapping
+from functools import cache
 from importlib import import_module
-from pathlib import Path
 from typing import Any, get_args
 
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.plan import plan
 from tmmcalc.gears.wanted import NO_KEPT
@@ -37,8 +36,9 @@ from tmmcalc.rooms import STAGES
 from tmmcalc.spec.late import LateTable
 from tmmcalc.vibration.stages.vibrator import NO_CURVE, NO_DRIVE, NO_EXCITATION, NO_START
 
+from .observed import answer
+
 CONFIGS = templates.folder()
-TESTS = Path(__file__).parents[1]
 ROOMS = ("linkage", "machine", "gears", "cams", "vibration", "extras", "manipulators", "feasibility")
 OUTER = ("cli", "report", "batch", "accuracy", "stress")  # no room: a run needs none of them
 ON_MODELS = {"linkage.model", "linkage.results", "linkage.structure", "linkage.matching"}
@@ -131,17 +131,10 @@ def scene(name: str) -> tuple[str, ...]:
     return (str(CONFIGS / f"{name}.toml"), *SHORTER.get(name, ()))
 
 
-def observed(names: list[str]) -> dict[str, dict[str, Any]]:
-    """Functions, modules and files of the run of every spec."""
-    done = subprocess.run(
-        [sys.executable, "-m", "stages.observed", *(json.dumps(scene(name)) for name in names)],
-        capture_output=True,
-        text=True,
-        check=False,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join([str(TESTS), str(TESTS.parent)])},
-    )
-    assert done.returncode == 0, done.stderr
-    return dict(zip(names, map(json.loads, done.stdout.splitlines()), strict=True))
+def observed(name: str) -> dict[str, Any]:
+    """Functions, modules and files of the run of a spec."""
+    seen: dict[str, Any] = answer("observe", *scene(name))
+    return seen
 
 
 def faults(name: str, seen: Mapping[str, Any]) -> list[str]:
@@ -258,6 +251,7 @@ def parts(modules: set[str]) -> set[str]:
     return {name for name in names if "._" not in name}
 
 
+@cache
 def come_with(named: tuple[str, ...]) -> set[str]:
     """Modules in memory after the packages are imported."""
     if not named:
@@ -266,19 +260,17 @@ def come_with(named: tuple[str, ...]) -> set[str]:
     return set(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split())
 
 
-@pytest.mark.parametrize("part", range(4))
-def test_no_scene_does_what_it_does_not_need(part: int) -> None:
-    names = list(KINDS)[part::4]
-    found = observed(names)
-    assert not [fault for name in names for fault in faults(name, found[name])]
-    for name in names:
-        modules = {each.removeprefix("tmmcalc.") for each in found[name]["modules"]}
-        rooms = {room for room, part in map(placed, modules - ON_MODELS) if room in ROOMS and part not in ("", *READ)}
-        assert rooms == set(KINDS[name]), name
+@sparing("name", KINDS, every=4)
+def test_no_scene_does_what_it_does_not_need(name: str) -> None:
+    found = observed(name)
+    assert not faults(name, found)
+    modules = {each.removeprefix("tmmcalc.") for each in found["modules"]}
+    rooms = {room for room, part in map(placed, modules - ON_MODELS) if room in ROOMS and part not in ("", *READ)}
+    assert rooms == set(KINDS[name])
 
 
 def test_what_is_beyond_the_need_is_seen() -> None:
-    seen = observed(["scotch-yoke"])["scotch-yoke"]
+    seen = observed("scotch-yoke")
     assert not faults("scotch-yoke", seen)
     modules = (
         "tmmcalc.gears.stages.train",
@@ -299,10 +291,9 @@ def test_what_is_beyond_the_need_is_seen() -> None:
 
 
 @pytest.mark.slow
-def test_no_ready_spec_does_what_it_does_not_need() -> None:
-    names = [name for name in templates.names() if "/" not in name and name not in KINDS]
-    found = observed(names)
-    assert not [fault for name in names for fault in faults(name, found[name])]
+@pytest.mark.parametrize("name", [name for name in templates.names() if "/" not in name and name not in KINDS])
+def test_no_ready_spec_does_what_it_does_not_need(name: str) -> None:
+    assert not faults(name, observed(name))
 
 
 def test_every_sentence_is_held_against_what_happens() -> None:

@@ -68,6 +68,7 @@ def test_a_crash_on_the_twin_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None
     assert of_stage(rung).error is None
 
 
+@pytest.mark.slow
 def test_a_crash_as_the_twin_is_written_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
     def unwritten(document: object) -> None:
         raise TypeError("no such unit")
@@ -92,6 +93,7 @@ def refusing(spec: Any, **more: Any) -> RunResult:
     return replace(found, outcomes=kept, failures={"kinematics": NoSolutionError("dead point", where="kinematics")})
 
 
+@pytest.mark.slow
 def test_a_stage_that_only_the_twin_refuses_is_disputed(monkeypatch: pytest.MonkeyPatch) -> None:
     twins_end(monkeypatch, refusing)
     met = of_stage(dead_point(monkeypatch, 1.0).rungs[0])
@@ -109,6 +111,7 @@ def test_beside_a_warning_it_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     assert met.message.endswith("; in other units: kinematics: dead point")
 
 
+@pytest.mark.slow
 def test_a_twin_that_is_refused_as_a_whole_is_disputed(monkeypatch: pytest.MonkeyPatch) -> None:
     def refused(*_: object, **__: object) -> RunResult:
         raise UsageError("no such length", where="spec")
@@ -118,6 +121,7 @@ def test_a_twin_that_is_refused_as_a_whole_is_disputed(monkeypatch: pytest.Monke
     assert (met.stage, met.status, met.message) == ("twin", DISPUTED, "in other units: spec: no such length")
 
 
+@pytest.mark.slow
 def test_an_error_that_the_twin_has_not_is_told_so(monkeypatch: pytest.MonkeyPatch) -> None:
     ordinary = scales.twin(variants("four-bar").data)
     monkeypatch.setattr("tmmcalc.stress.run.twin", lambda _: ordinary)
@@ -126,6 +130,7 @@ def test_an_error_that_the_twin_has_not_is_told_so(monkeypatch: pytest.MonkeyPat
     assert met.message.endswith("; in other units it has a result")
 
 
+@pytest.mark.slow
 def test_a_number_that_is_none_in_the_twin_alone_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
     def broken(spec: Any, **more: Any) -> RunResult:
         found = run(spec, **more)

@@ -44,6 +44,7 @@ def test_dead_point_of_a_crank_slider_is_a_crank_as_long_as_the_rod(monkeypatch:
         assert met.error < 1e-14 * (rung.condition or 0.0) ** 2
 
 
+@pytest.mark.slow
 def test_cusp_of_a_cam_is_the_least_radius_of_its_pitch_curve(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cams, "LEFT", (1.0, 1e-6, -1e-3))
     ladder = climbed("extreme/cusp-near", "cusp", "cam.roller_radius='10 mm'", stage="cam_profile")
@@ -187,6 +188,7 @@ def test_gears_keep_their_digits_where_their_shapes_do(monkeypatch: pytest.Monke
     assert max(errors(border, "pair")) < 1e-13
 
 
+@pytest.mark.slow
 def test_a_mesh_that_closes_loses_digits_as_its_angle_does(monkeypatch: pytest.MonkeyPatch) -> None:
     """inv(alpha) = Q: what a rounding of the shifts is to Q, which goes as the part of the way left."""
     monkeypatch.setattr(gears, "LEFT", (1.0, 1e-4, 1e-8, 1e-12, -1e-3))

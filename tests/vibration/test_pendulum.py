@@ -130,6 +130,7 @@ def hermite_elements(task: PendulumTask, many: int) -> tuple[np.ndarray, np.ndar
     return k[1:, 1:], m[1:, 1:], g[1:, 1:]
 
 
+@pytest.mark.slow
 def test_spinning_rotor_against_finite_elements() -> None:
     """The same elements by hand, the quadratic problem in first-order form by a general solver."""
     task = centrifuge(mesh=Mesh(12, 3))
@@ -148,6 +149,7 @@ def test_spinning_rotor_against_finite_elements() -> None:
         assert np.all(coarse.frequency >= better.frequency * (1 - 1e-9)) or coarse.name == "backward"
 
 
+@pytest.mark.slow
 def test_hermite_cubics_converge_with_the_fourth_order() -> None:
     exact = first(CANTILEVER)[2]
     errors = [first(replace(CANTILEVER, mesh=Mesh(many, 3)))[2] / exact - 1 for many in (4, 8, 16)]
@@ -268,6 +270,7 @@ def test_nothing_holds_the_rod() -> None:
         solve_pendulum(replace(CANTILEVER, pivot=0.0))
 
 
+@pytest.mark.slow
 def test_mode_shapes_are_orthogonal_and_counted() -> None:
     found = solve_pendulum(replace(CHAIN, modes=6))
     modes = found.modes[0]

@@ -53,6 +53,7 @@ def test_rigid_pendulum_under_a_carrier() -> None:
     assert found.carrier_y[-1] == 0
 
 
+@pytest.mark.slow
 def test_spinning_pendulum_against_the_matrix_exponential() -> None:
     """M z'' - i Omega G z' + K z = -b a + f m e Omega^2 exp(i Omega t): the carrier turns a corner, the bowl is off."""
     asked = Swing(
@@ -108,6 +109,7 @@ def test_the_unbalance_does_work_on_what_is_not_its_own_whirl() -> None:
     assert np.mean(turned.real) == pytest.approx(result.deflection, rel=0.2)
 
 
+@pytest.mark.slow
 def test_two_planes_move_apart() -> None:
     """Without spin a round rod moves as its planes would alone; of a flat one each plane has its own frequency."""
     round_ = centrifuge(spin=0.0, swing=Swing(1.0, 100, deflection=0.01, push=0.1))

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar
+from sparing import sparing
 
 from tmmcalc.core.errors import NoSolutionError, SingularityError, UsageError
 from tmmcalc.machine.motors.model import Motor
@@ -134,7 +135,7 @@ def integrated(task: VibratorTask, found: VibratorResult) -> np.ndarray:
     return last.y[:7, -1]
 
 
-@pytest.mark.parametrize("tangential", [True, False])
+@sparing("tangential", [True, False], every=2)
 def test_start_with_a_given_angle(tangential: bool) -> None:
     task = replace(device(), speed=152.0, run_up=RunUp(400.0, 0.6, 300, tangential), points=PART)
     found = solve_vibrator(task)

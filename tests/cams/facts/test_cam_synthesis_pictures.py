@@ -63,7 +63,7 @@ def test_tangents_touch_the_curve_and_meet_in_the_axis():
     assert sorted(distances)[1] < 1e-9
 
 
-@pytest.mark.parametrize("name", ["oscillating", "mirrored"])
+@sparing("name", ["oscillating", "mirrored"], every=2)
 def test_lines_of_the_rocker_meet_in_the_axis(name):
     task = TASKS[name]
     axes = synthesis_figure(task, solve_synthesis(task)).axes[0]

@@ -6,6 +6,7 @@ from typing import get_args, get_type_hints
 
 import pytest
 from faults import HOSTILE, Faults, check_fault
+from sparing import sparing
 
 from tmmcalc.cams import follower, task
 from tmmcalc.cams.laws.catalogue import LAWS as CATALOGUE
@@ -656,7 +657,7 @@ def check_places(text: str) -> None:
 
 
 @pytest.mark.parametrize("scene", [RT, RK, PT])
-@pytest.mark.parametrize("key", KEYS)
+@sparing("key", KEYS, every=4)
 def test_nothing_breaks_a_check(scene: str, key: str) -> None:
     lines = "".join(line for line in scene.splitlines(keepends=True) if not line.startswith(f"{key} = "))
     for value in HOSTILE:

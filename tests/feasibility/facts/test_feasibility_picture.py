@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from drawing import drawn
+from sparing import sparing
 
 pytest.importorskip("matplotlib")
 
@@ -49,7 +50,7 @@ def test_bars_are_margins() -> None:
     assert title == "Constraints: not feasible: b\nrule: a and b and (a or c)"
 
 
-@pytest.mark.parametrize("rows", [1, 4, 10])
+@sparing("rows", [1, 4, 10], every=3)
 def test_words_do_not_run_into_one_another(rows: int) -> None:
     figure = feasibility_figure(found(rows))
     figure.draw_without_rendering()

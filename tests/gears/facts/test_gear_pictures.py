@@ -260,6 +260,7 @@ class TestTrain:
 
 
 class TestCriteria:
+    @pytest.mark.slow
     def test_front_and_winner(self, order: Ordered, of_criteria: Figure) -> None:
         result = order.results["criteria"]
         axes = axes_of(of_criteria, "mass of moving wheels $M$, kg")

@@ -12,6 +12,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from gears.involute.profile.envelope import CASES
 from tmmcalc.core.errors import UsageError
@@ -254,7 +255,7 @@ def exact(member: Member, placing: Placing) -> np.ndarray:
     return member.module * turned(outline(member.element, tolerance=1e-2 * FINE / member.module))
 
 
-@pytest.mark.parametrize("pair", [BOOK, UNDER, RING])
+@sparing("pair", [BOOK, UNDER, RING], every=3)
 def test_svg_read_back(pair: MeshPair) -> None:
     drawn = mesh_tracks(pair, FINE, 0.05)
     root = ElementTree.fromstring(svg(outlines(drawn), FINE, "A & B").decode())

@@ -5,6 +5,7 @@ from math import cos, degrees, pi, radians, sin, tan
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from gears.involute.cases import wheel
 from tmmcalc.core.errors import NoSolutionError, UsageError
@@ -60,7 +61,7 @@ def least_gap(pair: InternalPair, phases: int = 3001, points: int = 160) -> floa
 
 
 @pytest.mark.parametrize("beta", [0.0, 20.0])
-@pytest.mark.parametrize("case", PAIRS)
+@sparing("case", PAIRS, every=3)
 def test_trochoid_interference_against_rolled_teeth(case, beta):
     pair = pair_of(*case, beta)
     found = margins(pair)
@@ -74,6 +75,7 @@ def test_trochoid_interference_against_rolled_teeth(case, beta):
         assert gap == pytest.approx(found["trochoid"], abs=2e-3)
 
 
+@pytest.mark.slow
 def test_trochoid_margin_vanishes_where_teeth_begin_to_collide():
     shifts = np.linspace(-0.6, 0.0, 13)
     by_formula = [trochoid_margin(pair_of(30, 36, 0.0, float(x))) > 0 for x in shifts]

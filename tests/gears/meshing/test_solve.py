@@ -226,6 +226,7 @@ def test_chosen_shifts_are_inside(strategy):
         assert found.contact_ratio == pytest.approx(1.2, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_checks_alone_tell_whether_shifts_are_inside():
     """Points around the contour, against its own margins."""
     rng = np.random.default_rng(5)

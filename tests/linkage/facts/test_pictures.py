@@ -133,6 +133,7 @@ def test_equal_inputs_give_equal_bytes(shaper, suffix: str, magic: bytes, tmp_pa
     assert sorted(p.name for p in tmp_path.iterdir()) == [first.name, second.name]
 
 
+@pytest.mark.slow
 def test_bytes_do_not_depend_on_the_process_or_its_settings(shaper, tmp_path: Path) -> None:
     script = (
         "import sys, pathlib, matplotlib; matplotlib.rcParams['font.size'] = 20\n"
@@ -257,6 +258,7 @@ def test_a_crank_alone_is_drawn(tmp_path: Path) -> None:
     assert (tmp_path / "b.svg").stat().st_size > 10_000
 
 
+@pytest.mark.slow
 def test_the_reduction_is_drawn(pressed, tmp_path: Path) -> None:
     drawn("reduction", "machine", tmp_path / "a.pdf", solve_reduction(*pressed[:3]))
     assert (tmp_path / "a.pdf").read_bytes().startswith(b"%PDF")

@@ -67,6 +67,7 @@ def test_mean_speeds_have_the_unit_of_the_stroke(name: str, unit: str) -> None:
     assert values[f"{symbol}_mean[{unit}/s]"] == pytest.approx(2 * found.best.times.stroke / found.best.times.period)
 
 
+@pytest.mark.slow
 def test_the_sense_of_the_crank_is_told() -> None:
     found = solved("motion")
     document = synthesis_document(found, "synthesis")
@@ -134,6 +135,7 @@ def test_picture_shows_both_extremes_with_dimensions() -> None:
     assert any(text.startswith(("6'", "12'")) for text in texts)  # the second extreme
 
 
+@pytest.mark.slow
 def test_picture_marks_the_wanted_points() -> None:
     found = solved("motion")
     mechanism = to_linkage(parse_spec(found.best.spec).linkage)

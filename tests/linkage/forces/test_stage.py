@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from properties import examples
 from random_mechanisms import RandomMechanism, scenes
+from sparing import sparing
 from transforms import moved, renumbered, scaled, swapped, with_axes
 
 import tmmcalc
@@ -74,9 +75,7 @@ def scenes_of_maxima() -> list[tuple[str, Mechanism, Loading]]:
     ]
 
 
-@pytest.mark.parametrize(
-    ("name", "mechanism", "loading"), scenes_of_maxima(), ids=lambda v: v if isinstance(v, str) else ""
-)
+@sparing(("name", "mechanism", "loading"), scenes_of_maxima(), ids=lambda v: v if isinstance(v, str) else "", every=3)
 def test_maxima_between_the_positions(name: str, mechanism: Mechanism, loading: Loading) -> None:
     """Against a grid of a fiftieth of a degree and both limits at the place that is named."""
     kinematics = solve_kinematics(mechanism)

@@ -73,6 +73,7 @@ def branch_of(mechanism: Mechanism) -> Branch:
     return tmmcalc.solve_kinematics(over(mechanism, 0.1)).branches["III(2,3,4,5)"]
 
 
+@pytest.mark.slow
 def test_a_branch_of_two_turns_against_a_walk_along_it() -> None:
     """After one turn the plate stands otherwise, after two it is back; the crank turns fully all the while."""
     mechanism = two_turns()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from faults import HOSTILE, Faults, check_lines, check_only_fault
 from project.scenes import CONFIGS
+from sparing import sparing
 
 from tmmcalc.project import parse_spec
 
@@ -848,7 +849,7 @@ KEYS = {
 }
 
 
-@pytest.mark.parametrize(("table", "key"), [(table, key) for table, keys in KEYS.items() for key in keys.split()])
+@sparing(("table", "key"), [(table, key) for table, keys in KEYS.items() for key in keys.split()], every=6)
 def test_no_value_breaks_the_checks(shaper: str, table: str, key: str) -> None:
     head = f"{LOAD}[loads.{table}]\n" if table else "[[loads]]\n" if key in LOAD else LOAD
     for value in HOSTILE:

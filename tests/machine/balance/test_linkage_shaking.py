@@ -11,6 +11,7 @@ import mpmath
 import numpy as np
 import pytest
 from linkage.scenes import crank_slider, driven_rod, four_bar, slotted, trammel
+from sparing import sparing
 from transforms import moved, scaled, with_axes
 
 from machine.balance.balanced import PRESS, SCENES, TURN, Array, Scene, chain_of, derivative, momenta, scene
@@ -127,7 +128,7 @@ def test_the_press_of_the_worked_case() -> None:
     np.testing.assert_allclose(np.abs(single.turned), expected["D_modulus"], rtol=tolerance)
 
 
-@pytest.mark.parametrize("make", SCENES.values(), ids=SCENES)
+@sparing("make", SCENES.values(), ids=SCENES, every=4)
 def test_harmonics_and_extremes_do_not_depend_on_the_positions(make: Callable[[], Scene]) -> None:
     case = make()
     one, other = solved(case, full(7)), solved(case, np.array([0.3, 5.0]))
@@ -206,7 +207,7 @@ def test_the_moment_about_another_point() -> None:
     assert np.max(np.abs(there.moment - one.moment + lever)) < 1e-12 * there.moment_size.largest
 
 
-@pytest.mark.parametrize("excess", [1.0, 1e-2, 1e-4, 1e-5])
+@sparing("excess", [1.0, 1e-2, 1e-4, 1e-5], every=4)
 def test_the_error_estimate_near_a_dead_point(excess: float) -> None:
     """The series against extended precision where its errors are largest, around the stretched rod."""
     case = scene(crank_slider(0.1, 0.1 * (1 + excess)), Body(2, 1.0, 0.01, 0.05 + 0j), Body(3, 2.0, 0.0, 0j))

@@ -440,6 +440,7 @@ class TestPicture:
         curve = max(forces.lines, key=lambda line: (len(line.get_ydata()), line.get_ydata()[0]))
         assert curve.get_ydata()[::30] == pytest.approx([*case["R_modulus"], case["R_modulus"][0]], rel=1e-5)
 
+    @pytest.mark.slow
     def test_the_smallest_circle_touches_the_hodograph(self) -> None:
         """In the axes of the crank the smallest circle passes through the outermost places and holds all others."""
         _, turning, _, _ = self.figure(press()).axes

@@ -98,6 +98,7 @@ class TestFlywheel:
         said = texts(self.curve(wheel(swinging(links=1.5)), sense))
         assert ("30" in said, f"{MINUS}30" in said) == (sense > 0, sense < 0)
 
+    @pytest.mark.slow
     def test_work_over_the_cycle(self) -> None:
         result = wheel(swinging(links=1.5))
         axes = axes_of(flywheel_figure(result, positions(24)[1]), "$\\varphi$, °")
@@ -106,6 +107,7 @@ class TestFlywheel:
         assert work == pytest.approx(100 * (1 - np.cos(theta)), abs=1e-9)
         assert own == pytest.approx(work - 1.5 * (1 + np.cos(2 * theta) / 2) * 200, abs=1e-9)
 
+    @pytest.mark.slow
     def test_bars_are_the_inertias_of_the_methods(self) -> None:
         axes = axes_of(flywheel_figure(wheel(swinging()), positions(24)[1]), "$J_\\mathrm{F}$, kg·m²")
         assert [bar.get_width() for bar in axes.patches] == [pytest.approx(25)] * 5
@@ -166,6 +168,7 @@ class TestMotion:
         assert (x[0], x[-1]) == (0, -360)
         assert x[np.argmax(loaded)] == pytest.approx(-180, abs=2)
 
+    @pytest.mark.slow
     def test_moments_and_acceleration(self) -> None:
         figure = self.positional()
         axes = axes_of(figure, "$M$, N·m")
@@ -176,6 +179,7 @@ class TestMotion:
         eps = np.asarray(axes_of(figure, "$\\varepsilon$, rad/s²").lines[0].get_ydata())
         assert eps == pytest.approx(4 * np.sin(np.radians(x)), abs=1e-9)
 
+    @pytest.mark.slow
     def test_a_jump_of_the_load_shows_both_limits(self) -> None:
         axes = axes_of(self.driven(), "$M$, N·m")
         x, load = np.asarray(axes.lines[2].get_xydata()).T
@@ -186,6 +190,7 @@ class TestMotion:
         assert len(self.positional().axes) == 3
         assert len(self.driven().axes) == 5
 
+    @pytest.mark.slow
     def test_all_forms_of_the_characteristic_go_through_both_points(self) -> None:
         near, whole = self.driven().axes[3:]
         assert legend(near)[:3] == ["Kloss, in use", "parabola", "line"]

@@ -267,6 +267,7 @@ def whole() -> Any:
     return run(parse_spec(spec))
 
 
+@pytest.mark.slow
 def test_the_last_turn_is_that_of_the_steady_regime(whole: Any) -> None:
     """The regime comes from a boundary problem over the cycle, the turn from steps in time."""
     found = values(transient_summary(whole.results["transient"], "t"))

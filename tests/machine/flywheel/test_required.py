@@ -104,6 +104,7 @@ class TestClosedForm:
         assert found.needed
         assert found.monotone
 
+    @pytest.mark.slow
     def test_motor_damps_so_that_less_is_needed(self) -> None:
         cycle = from_harmonics(-80.0, [(1, 0.0, 100.0)], 10.0)
         found = required_inertia(cycle, parabola_motor(), 0.05, 1.0)

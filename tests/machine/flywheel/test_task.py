@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from machines import sine
+from sparing import sparing
 
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver
@@ -27,7 +28,7 @@ def flywheel(cycle: Cycle, delta: float, motor: Kloss | None = None, lag: float 
     return solve_flywheel(Machine(cycle, ConstantInertia(further=0.5), wanted(delta), driver, cycle.speed, 1.0))
 
 
-@pytest.mark.parametrize("lag", [0.0, 0.02])
+@sparing("lag", [0.0, 0.02], every=2)
 def test_rounding_of_a_tiny_delta_is_no_rise_of_it(lag: float) -> None:
     motor = kloss(100.0, 0.2, 21.0, 20.0)
     found = flywheel(sine(100.0), 1e-9, motor, lag)

@@ -7,6 +7,7 @@ from typing import get_args
 import pytest
 from faults import HOSTILE, Faults, check_lines, check_only_fault
 from project.scenes import CONFIGS, ENGINE, ROTOR
+from sparing import sparing
 
 from tmmcalc.machine.balance.arrangements import FIRING, THROWS
 from tmmcalc.machine.balance.task import SCHEMES
@@ -563,7 +564,7 @@ KEYS = {
 ARRAYS = ("balance.counterweights", "balance.add", "engine.cylinders", "rotor.unbalances")
 
 
-@pytest.mark.parametrize(("table", "key"), [(table, key) for table, keys in KEYS.items() for key in keys.split()])
+@sparing(("table", "key"), [(table, key) for table, keys in KEYS.items() for key in keys.split()], every=6)
 def test_no_value_breaks_the_checks(shaper: str, table: str, key: str) -> None:
     head = f"[[{table}]]" if table in ARRAYS else f"[{table}]"
     laid_out = table == "engine" and key not in ("arrangement", "cylinders")

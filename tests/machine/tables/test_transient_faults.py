@@ -7,6 +7,7 @@ from typing import get_args
 import pytest
 from faults import HOSTILE, Faults, check_lines, check_only_fault
 from project.scenes import CONFIGS, TORQUE
+from sparing import sparing
 
 from tmmcalc.machine.tables.transients import TransientTable
 from tmmcalc.machine.transient.methods import METHODS
@@ -426,7 +427,7 @@ KEYS = {
 }
 
 
-@pytest.mark.parametrize(("table", "key"), [(table, key) for table, keys in KEYS.items() for key in keys.split()])
+@sparing(("table", "key"), [(table, key) for table, keys in KEYS.items() for key in keys.split()], every=6)
 def test_no_value_breaks_the_checks(shaper: str, table: str, key: str) -> None:
     head = "[transients.brake]" if table.endswith("brake") else f"[[{table}]]"
     above = "[[transients]]\nduration = 5\n" if "." in table else ""

@@ -43,7 +43,7 @@ def _roots(p: float, q: float) -> tuple[complex, complex]:
     return (q / far, far)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@sparing("method", METHODS, every=3)
 def test_two_masses(method: str) -> None:
     expected = case("dyn-ext-two-mass")["expected"]
     result = run(two_mass(2e4), Scenario("start", 0.05), method, expected["t"])
@@ -59,7 +59,7 @@ def test_two_masses(method: str) -> None:
 
 
 @pytest.mark.parametrize("damping_ratio", [0.5, 5.0])
-@pytest.mark.parametrize("stiffness", [1e3, 1e5, 1e6, 1e8, 1e10, 1e12])
+@sparing("stiffness", [1e3, 1e5, 1e6, 1e8, 1e10, 1e12], every=3)
 def test_damped_shafts_from_soft_to_stiff(stiffness: float, damping_ratio: float) -> None:
     k = 2 * damping_ratio * math.sqrt(stiffness * 2.5) / 2.5
     times = np.array([0.1, 0.2, 0.35, 0.5])
@@ -72,6 +72,7 @@ def test_damped_shafts_from_soft_to_stiff(stiffness: float, damping_ratio: float
     assert result.method == ("merson" if stiffness < 1e4 else "collocation" if stiffness > 1e7 else result.method)
 
 
+@pytest.mark.slow
 def test_radau_on_a_stiff_shaft() -> None:
     k = math.sqrt(1e12 * 2.5) / 2.5
     times = np.array([0.1, 0.5])
@@ -137,6 +138,7 @@ def test_three_masses_with_gears_against_the_matrix_exponential(method: str) -> 
     assert result.imbalance < 1e-9
 
 
+@pytest.mark.slow
 def test_own_shafts_and_reduced_ones_are_the_same_drive() -> None:
     own, all_reduced = (run(three_mass(o), Scenario("run-up", 0.6, speed=3.0)) for o in (True, False))
     assert own.omega[2, -1] == pytest.approx(all_reduced.omega[2, -1], rel=1e-12)

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from machine.transient.scenes import at, case, constant, cycle, event, kloss, line, parabola, run
 from tmmcalc.machine.transient.model import Drive, Mass
@@ -50,7 +51,7 @@ def test_quadratic_resistance(method: str) -> None:
     check(result, 12 / grown, 4 * np.log(grown), 12.0)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@sparing("method", METHODS, every=4)
 def test_constant_and_quadratic_resistance_to_standstill(method: str) -> None:
     """J w' = -c - q w^2 stops at t = J/sqrt(c q) arctan(w_0 sqrt(q/c)), theta = J/(2 q) ln(1 + q w_0^2/c)."""
     c, q, j = 3.0, 0.02, 2.0
@@ -131,7 +132,7 @@ def test_parabola_under_harmonic_load_stays_periodic() -> None:
     assert result.omega[0, 0] == pytest.approx(expected["omega"][0], rel=1e-7)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@sparing("method", METHODS, every=4)
 def test_energy_is_kept_where_no_moment_acts(method: str) -> None:
     given, expected = case("dyn-closed-energy")["inputs"], case("dyn-closed-energy")["expected"]
     drive = Drive((Mass(0.5),), cycle=cycle(0.0, lambda p: 0.3 * (1 - np.cos(2 * p)), speed=10.0))

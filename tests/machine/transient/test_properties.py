@@ -63,7 +63,7 @@ def test_methods_agree_and_energy_balances(seed: int) -> None:
     assert other.imbalance < 1e-10
 
 
-@pytest.mark.parametrize("seed", [2, 3])
+@sparing("seed", [2, 3], every=2)
 def test_the_origin_of_the_angle_does_not_matter(seed: int) -> None:
     drive, scenario = random_drive(seed)
     turned = replace(scenario, angle=14 * math.pi)

@@ -71,9 +71,10 @@ def reference(inertia: float, motor: Any, start: tuple[float, float], span: floa
     return y
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("method", "bound"),
     [("merson", 1e-8), ("collocation", 1e-8), ("DOP853", 1e-8), ("RK45", 1e-8), ("Radau", 1e-8), ("LSODA", 1e-7)],
+    every=3,
 )
 def test_run_up_against_an_independent_integration(method: str, bound: float) -> None:
     result = run(started(MOTOR), Scenario("start", 3.0, load=IDLE), method)

@@ -136,6 +136,7 @@ def test_a_motor_without_a_rated_speed_has_no_verdict_on_heating() -> None:
     assert not said(run(Drive((Mass(1.0),), characteristic=constant(9.0)), Scenario("start", 1.0)), "heating")
 
 
+@pytest.mark.slow
 def test_a_run_ends_when_it_is_steady() -> None:
     """The same motion with ten times the duration: up to there it is the same, and it would go on as it is."""
     motor = kloss(242.0, 0.2773, 10.714, 10.0)

@@ -60,12 +60,22 @@ class Labels:
         self._points.append(points)
         self._weights.append(np.full(len(points), weight))
 
+    def _around(self, line: Plane, reach: float) -> tuple[Plane, Real]:
+        """The points that stand for what is drawn, with their weights: those within ``reach`` mm of a line and more."""
+        if len(self._points) > 1:
+            self._points, self._weights = [np.concatenate(self._points)], [np.concatenate(self._weights)]
+        (points,), (weights,) = self._points, self._weights
+        beyond = reach + STEP  # a box that rounding cannot make too small
+        inside = (points.real > line.real.min() - beyond) & (points.real < line.real.max() + beyond)
+        inside &= (points.imag > line.imag.min() - beyond) & (points.imag < line.imag.max() + beyond)
+        return points[inside], weights[inside]
+
     def crowded(self, line: Iterable[complex], reach: float) -> float:
         """How much of what is drawn lies within ``reach`` mm of a line (data coordinates), by weight."""
         z = self._paper(np.array(list(line), dtype=complex))
         count = max(2, int(abs(z[-1] - z[0]) / STEP))
         along = z[0] + (z[-1] - z[0]) * np.linspace(0, 1, count)
-        points, weights = np.concatenate(self._points), np.concatenate(self._weights)
+        points, weights = self._around(along, reach)
         near = np.min(np.abs(points[:, None] - along), axis=1) < reach
         x0, x1, y0, y1 = self._frame
         outside = (along.real < x0) | (along.real > x1) | (along.imag < y0) | (along.imag > y1)
@@ -110,7 +120,7 @@ class Labels:
         width, height = half[0] + 0.4, half[1] + 0.4
         cost = np.zeros(len(centres))
         if self._points:
-            points, weights = np.concatenate(self._points), np.concatenate(self._weights)
+            points, weights = self._around(np.array([anchor]), NEAR + width)
             near = np.abs(points - anchor) < NEAR + width
             away = points[near][None, :] - centres[:, None]
             cost += ((np.abs(away.real) < width) & (np.abs(away.imag) < height)) @ weights[near]

@@ -50,7 +50,7 @@ def test_corners_and_area_of_the_worked_case():
         assert min(np.hypot(x1 - corner["x1"], x2 - corner["x2"]) for x1, x2 in places) < 2e-5
 
 
-@pytest.mark.parametrize("asked", [*PAIRS, *random_tasks(10)], ids=lambda t: f"{t.first.teeth}/{t.second.teeth}")
+@sparing("asked", [*PAIRS, *random_tasks(10)], ids=lambda t: f"{t.first.teeth}/{t.second.teeth}", every=5)
 def test_corners_meet_two_conditions_and_edges_one(asked):
     for found in contours(asked):
         for region in filter(None, (found.main, *found.pieces)):
@@ -118,7 +118,7 @@ NECKS = [
 ]
 
 
-@pytest.mark.parametrize("asked", NECKS, ids=lambda t: f"{t.first.teeth}/{t.second.teeth}")
+@sparing("asked", NECKS, ids=lambda t: f"{t.first.teeth}/{t.second.teeth}", every=4)
 def test_areas_that_a_deep_straight_flank_joins(asked):
     """The flank ends below h_a*, so meshes with one tip or both inside the reference circles adjoin the main region."""
     for found in contours(asked):
@@ -200,6 +200,7 @@ def test_every_piece_is_traced(rack):
             assert found.untraced == (), (z1, z2, ratio, tip, helix)
 
 
+@pytest.mark.slow
 def test_area_is_that_of_a_much_finer_polygon():
     found = contour(task(14, 17)).region
     w = np.linspace(found.angles[0], found.angles[-1], 20001)[1:-1]

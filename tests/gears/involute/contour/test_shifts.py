@@ -6,6 +6,7 @@ import sys
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from gears.involute.contour.pairs import PAIRS, case, task
 from tmmcalc.core.errors import NoSolutionError, UsageError
@@ -48,7 +49,7 @@ def test_optima_are_not_beaten_by_a_raster(asked):
         assert own - raster < 0.05
 
 
-@pytest.mark.parametrize("asked", PAIRS, ids=lambda t: f"{t.first.teeth}/{t.second.teeth}")
+@sparing("asked", PAIRS, ids=lambda t: f"{t.first.teeth}/{t.second.teeth}", every=3)
 def test_every_strategy_stays_inside(asked):
     distance = asked.first.reference + asked.second.reference + 0.7
     for strategy in STRATEGIES:

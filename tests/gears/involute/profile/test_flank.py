@@ -36,6 +36,7 @@ def test_flank_is_what_the_rack_leaves() -> None:
     assert checked > 120
 
 
+@pytest.mark.slow
 def test_fillet_runs_from_the_root_circle_into_the_involute() -> None:
     for wheel, shape in EXTREMES:
         try:

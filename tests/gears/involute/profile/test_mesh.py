@@ -6,6 +6,7 @@ from math import acos, cos, pi, radians
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.plane import cross
@@ -51,7 +52,7 @@ def nearest(pair: Pair, phase: float, side: int, part: tuple[float, float], teet
     return away
 
 
-@pytest.mark.parametrize("name", PAIRS)
+@sparing("name", PAIRS, every=4)
 @pytest.mark.parametrize("side", [1, -1])
 def test_ratio_is_constant(name: str, side: int) -> None:
     pair = PAIRS[name]
@@ -71,7 +72,7 @@ def test_ratio_is_constant(name: str, side: int) -> None:
         assert abs(away.min()) < 1e-10
 
 
-@pytest.mark.parametrize("name", ["spur", "helical", "undercut"])
+@sparing("name", ["spur", "helical", "undercut"], every=3)
 def test_outlines_do_not_overlap(name: str) -> None:
     pair, tolerance = PAIRS[name], 1e-4
     polygons = [outline(tooth(flank), tolerance=tolerance) for flank in flanks(pair)]

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from gears.involute.profile.extremes import EXTREMES
 from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
@@ -98,7 +99,7 @@ def distance(points: np.ndarray, line: np.ndarray) -> float:
     return float(best.max())
 
 
-@pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-9])
+@sparing("tolerance", [1e-3, 1e-6, 1e-9], every=3)
 def test_cubics_keep_the_tolerance_and_join_smoothly(tolerance: float) -> None:
     for wheel in WHEELS[:4]:
         for curve in tooth(flank_of(wheel)).curves:
