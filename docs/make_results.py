@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from importlib import import_module
 from inspect import getmodule
 from pathlib import Path
 from typing import Any
 
 from tmmcalc.core.quantity import Quantity, given_out
-from tmmcalc.core.stage import Stage, returned
+from tmmcalc.core.stage import Stage
 from tmmcalc.rooms import ROOMS, STAGES
 
 PAGE = Path(__file__).parent / "results.md"
@@ -33,15 +32,23 @@ def page() -> str:
 
 
 def _told(stage: Stage) -> Iterator[Quantity]:
-    """What the result of a stage gives out, and what heads its columns besides."""
-    module, _, inner = stage.home.partition(":")
-    home: Any = import_module(module)
-    functions = getattr(home, inner) if inner else home
-    found = given_out(returned(functions.solve))
-    if columns := getmodule(getattr(functions, "columns", None)):
-        own = [each for each in vars(columns).values() if isinstance(each, Quantity)]
+    """What the results of a stage give out, and what heads its columns besides."""
+    found: dict[str, Quantity] = {}
+    for kind in stage.kinds:
+        found |= {key: each for key, each in given_out(kind).items() if key not in found}
+    if columns := stage.part("columns"):
+        own = _within(tuple(vars(getmodule(columns)).values()))
         found |= {each.key: each for each in own if each.key not in found}
     yield from found.values()
+
+
+def _within(value: Any) -> Iterator[Quantity]:
+    """Quantities that stand in a module by themselves, or several together."""
+    if isinstance(value, Quantity):
+        yield value
+    elif isinstance(value, tuple):
+        for each in value:
+            yield from _within(each)
 
 
 def _rows(told: list[Quantity]) -> Iterator[str]:
@@ -49,7 +56,8 @@ def _rows(told: list[Quantity]) -> Iterator[str]:
     yield "|---|---|---|---|"
     for each in told:
         symbol = f"`{each.symbol}`" if each.symbol else ""
-        yield f"| `{each.key}` | {each.meaning} | {symbol} | {each.source} |".replace("  |", " |")
+        cells = (f"`{each.key}`", each.meaning, symbol, each.source)
+        yield f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in cells)} |".replace("  |", " |")
 
 
 if __name__ == "__main__":

@@ -58,9 +58,9 @@ class Stage:
     ``packages(spec)``    heavy packages that it imports for this scene
 
     A part that is heavy to import is given by its name, ``"module:function"``: a stored result is loaded without the
-    theory. A result that is no record of plain values and arrays has ``dump(result)`` and ``load(record)``, a table of
-    another form ``table(result)``. ``wanted`` and ``reads`` are called while planning, also for scenes that leave the
-    stage out: their module must import little.
+    theory. A result that is no record of plain values and arrays has ``dump(result)`` and ``load(record)``; one whose
+    parts are imported apart names their classes as ``kinds``; a table of another form has ``table(result)``. ``wanted``
+    and ``reads`` are called while planning, also for scenes that leave the stage out: their module must import little.
     """
 
     name: str
@@ -99,38 +99,43 @@ class Stage:
 
     def inputs(self, spec: object) -> Any:
         """What the stage reads of the spec."""
-        return self._part("inputs")(spec)
+        return self.part("inputs")(spec)
+
+    @property
+    def kinds(self) -> tuple[type, ...]:
+        """Classes of what it gives out."""
+        return tuple(map(resolve, self.part("kinds") or ())) or (self.part("kind"),)
 
     @property
     def solve(self) -> Callable[..., Any]:
         """The function that finds the result."""
-        function: Callable[..., Any] = self._part("solve")
+        function: Callable[..., Any] = self.part("solve")
         return function
 
     def dump(self, result: Any) -> Record:
         """The stored form of a result."""
-        if own := self._part("dump"):
+        if own := self.part("dump"):
             record: Record = own(result)
             return record
         from tmmcalc.core.conversion import plain, to_record
 
-        errors = self._part("errors")
+        errors = self.part("errors")
         return to_record(result, plain(result.error) if errors is None else errors(result))
 
     def load(self, record: Record) -> Any:
         """The result that was stored."""
-        if own := self._part("load"):
+        if own := self.part("load"):
             return own(record)
         from tmmcalc.core.conversion import from_record
 
-        return from_record(self._part("kind"), record)
+        return from_record(self.part("kind"), record)
 
     def table(self, result: Any) -> Table | None:
         """The table for people; None if the stage has none."""
-        if own := self._part("table"):
+        if own := self.part("table"):
             table: Table | None = own(result)
             return table
-        columns = self._part("columns")
+        columns = self.part("columns")
         return None if columns is None else tabulated(columns(result), result)
 
     def summary(self, result: Any, title: str) -> Any:
@@ -144,15 +149,15 @@ class Stage:
 
     def omits(self, spec: object) -> tuple[str, ...]:
         """What the stage leaves out within itself in this scene."""
-        own = self._part("omits")
+        own = self.part("omits")
         return own(spec) if own else ()
 
     def packages(self, spec: object) -> tuple[str, ...]:
         """Heavy packages that the stage imports for this scene."""
-        own = self._part("packages")
+        own = self.part("packages")
         return own(spec) if own else ()
 
-    def _part(self, name: str) -> Any:
+    def part(self, name: str) -> Any:
         """A part of the stage; None if its module has none of this name."""
         module, _, inner = self.home.partition(":")
         found = import_module(module)
@@ -196,12 +201,11 @@ def tabulated(columns: Mapping[str, Any] | Sequence[Column], result: Any) -> Tab
     )
 
 
-def resolve(reference: str) -> Callable[..., Any]:
+def resolve(reference: str) -> Any:
     """Return the function that ``"module:function"`` names, importing its module.
 
     >>> resolve("math:hypot")(3.0, 4.0)
     5.0
     """
     module, _, name = reference.partition(":")
-    function: Callable[..., Any] = getattr(import_module(module), name)
-    return function
+    return getattr(import_module(module), name)

@@ -25,6 +25,7 @@ _TRACE_ARRAYS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "joint_s", "joi
 _TRACE_FIELDS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "s", "ds", "dds")
 _OUTPUT_ARRAYS = ("s", "ds", "dds")
 
+kind = Kinematics
 columns = "tmmcalc.linkage.columns:columns"
 
 

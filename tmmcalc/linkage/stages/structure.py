@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.room import LinkageTables
 
 solve = solve_structure
+kind = Structure
 
 
 def inputs(spec: LinkageTables) -> Mechanism:

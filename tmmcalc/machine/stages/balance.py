@@ -28,6 +28,12 @@ NO_LINKAGE = "no linkage with masses: no shaking force over positions"
 NO_ENGINE = "no [engine]: no orders of cylinders"
 NO_ROTOR = "no [rotor]: no correction planes"
 
+kinds = (
+    "tmmcalc.machine.balance.task:Balancing",
+    "tmmcalc.machine.balance.enginetask:Engine",
+    "tmmcalc.machine.balance.rotortask:BalancedRotor",
+)
+
 
 @record
 class Balances:
