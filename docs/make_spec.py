@@ -11,6 +11,7 @@ default of the field, in the units in which specs are written.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
@@ -29,7 +30,7 @@ from tmmcalc.spec.quantities import Quantity
 from tmmcalc.spec.table import Table
 
 PAGE = Path(__file__).parent / "spec.md"
-MARKED = re.compile(r"(<!-- keys: (.*?) -->\n).*?(<!-- end -->)", re.DOTALL)
+MARKED = re.compile(r"(<!-- keys: ([^\n]*) -->\n)(?:(?!<!-- keys).)*?(<!-- end -->)", re.DOTALL)
 ASKED = re.compile(r"([\w.]+)(?: \(([\w ]+)\))?")
 TOLD = re.compile(r",? \(default: ([^()]*(?:\([^()]*\)[^()]*)*)\)")
 SHOWN = {"angle": ("deg",), "length": ("m", "mm", "um"), "pressure": ("MPa", "Pa")}  # units of defaults, largest first
@@ -59,22 +60,19 @@ def known() -> set[tuple[str, str]]:
     found, todo = set(), [(name, table) for name, field in Spec.model_fields.items() for table in _tables(field)]
     while todo:
         path, model = todo.pop()
-        for name, field in model.model_fields.items():
-            place = f"{path}.{_name(name, field)}"
-            row = _row(place, field)
+        for key, field in _fields(model).items():
+            row = _row(f"{path}.{key}", field)
             found.add((row.key, row.meaning))
-            todo += [(place, table) for table in _tables(field)]
+            todo += [(f"{path}.{key}", table) for table in _tables(field)]
     return found
 
 
-def _name(name: str, field: FieldInfo) -> str:
-    return field.alias or name
-
-
 def _table(asked: str) -> str:
-    """The table of keys of one or several tables of the spec."""
+    """The table of keys of one or several tables of the spec; rows of the same key stand one after the other."""
     forms = {path.rpartition(".")[2]: _rows(path, keys) for path, keys in ASKED.findall(asked)}
-    rows = list(dict.fromkeys(row for each in _in_turn(list(forms.values())) for row in each))
+    every = list(dict.fromkeys(row for rows in forms.values() for row in rows))
+    keys = list(dict.fromkeys(row.key for row in every))
+    rows = sorted(every, key=lambda row: keys.index(row.key))
     whose = [[form for form, rows_of in forms.items() if row in rows_of] for row in rows]
     columns = {
         "key": [f"`{row.key}`" for row in rows],
@@ -91,35 +89,36 @@ def _line(cells: Iterable[str]) -> str:
     return f"|{'|'.join(f' {cell} ' if cell else ' ' for cell in cells)}|\n"
 
 
-def _in_turn(forms: Sequence[Sequence[Row]]) -> Iterator[list[Row]]:
-    """Rows of the same key one after the other, in the order in which the forms have the keys."""
-    keys = dict.fromkeys(row.key for rows in forms for row in rows)
-    for key in keys:
-        yield [row for rows in forms for row in rows if row.key == key]
-
-
 def _rows(path: str, keys: str = "") -> list[Row]:
     """The rows of one table of the spec: of all its keys, or of those that are named."""
     place, model = _found(path)
-    fields = {_name(name, field): field for name, field in model.model_fields.items()}
+    fields = _fields(model)
     return [_row(f"{place}.{key}", fields[key]) for key in keys.split() or fields]
 
 
 def _found(path: str) -> tuple[str, type[Table]]:
     """Where a spec has the table of a path, and its model; forms of a table are told apart by their kind."""
-    place, models = "", [Spec]
+    place: list[str] = []
+    models: list[type[Table]] = [Spec]
     for part in path.split("."):
-        forms = [
-            model for model in models if part in get_args(getattr(model.model_fields.get("kind"), "annotation", 0))
-        ]
+        forms = [model for model in models if part in _kinds(model)]
         if not forms:
-            place = f"{place}.{part}".lstrip(".")
-            fields = [
-                field for model in models for name, field in model.model_fields.items() if _name(name, field) == part
-            ]
+            place.append(part)
+            fields = [_fields(model)[part] for model in models if part in _fields(model)]
             forms = [table for field in fields for table in _tables(field)]
+        if not forms:
+            raise LookupError(f"<!-- keys: {path} --> asks for a table that the spec does not have")
         models = forms
-    return place, models[0]
+    return ".".join(place), models[0]
+
+
+def _fields(model: type[Table]) -> dict[str, FieldInfo]:
+    """Fields by their keys: from is a word of Python, so its field has another name."""
+    return {field.alias or name: field for name, field in model.model_fields.items()}
+
+
+def _kinds(model: type[Table]) -> tuple[Any, ...]:
+    return get_args(model.model_fields["kind"].annotation) if "kind" in model.model_fields else ()
 
 
 def _tables(field: FieldInfo) -> Iterator[type[Table]]:
@@ -169,12 +168,11 @@ def _default(field: FieldInfo) -> str:
 def _dimensions(field: FieldInfo) -> tuple[str, ...]:
     """Dimensions of the quantities that a field holds."""
     for reader in _leaves(field.annotation, *field.metadata):
-        while not isinstance(reader, Quantity) and hasattr(reader, "item"):
+        while hasattr(reader, "item"):
             reader = reader.item
-        if isinstance(reader, Within):
-            reader = reader.quantity
-        if isinstance(reader, Quantity):
-            return reader.dimensions
+        quantity = reader.quantity if isinstance(reader, Within) else reader
+        if isinstance(quantity, Quantity):
+            return quantity.dimensions
     return ()
 
 
@@ -204,13 +202,13 @@ def _quantity(value: float, dimension: str) -> str:
 
 def _scale(dimension: str, unit: str) -> float:
     factor = UNITS[dimension][unit]
-    return factor.num / factor.den * (3.141592653589793 if factor.pi else 1)
+    return factor.num / factor.den * (math.pi if factor.pi else 1)
 
 
 def _escaped(text: str) -> str:
-    """A text in a cell: outside of code asterisks and angle brackets stand for themselves."""
+    """A text in a cell: outside of code asterisks and what looks like a tag stand for themselves."""
     parts = re.split(r"(`[^`]*`)", text.replace("|", r"\|"))
-    return "".join(part if part.startswith("`") else re.sub(r"([*<])", r"\\\1", part) for part in parts)
+    return "".join(part if part.startswith("`") else re.sub(r"(\*|<(?=\w))", r"\\\1", part) for part in parts)
 
 
 if __name__ == "__main__":

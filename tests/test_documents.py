@@ -62,6 +62,16 @@ def test_a_table_that_is_stale_is_made_afresh(maker: Any) -> None:
     assert maker.page(fresh) == fresh
 
 
+def test_a_table_that_is_not_closed_takes_no_prose_with_it(maker: Any) -> None:
+    text = "<!-- keys: mechanism -->\nprose\n<!-- keys: mechanism (gravity) -->\n<!-- end -->\n"
+    assert maker.page(text).startswith("<!-- keys: mechanism -->\nprose\n")
+
+
+def test_a_table_that_no_spec_has_is_told(maker: Any) -> None:
+    with pytest.raises(LookupError, match=r"keys: mechanism\.gird "):
+        maker.page("<!-- keys: mechanism.gird -->\n<!-- end -->\n")
+
+
 @pytest.mark.parametrize(
     ("asked", "row"),
     [

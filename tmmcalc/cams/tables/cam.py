@@ -71,7 +71,7 @@ class CamTable(Table):
     high_dwell: Dwell = Field(default=0.0, description="Angle of the cam while the follower rests at the top.")
     return_angle: PhaseAngle = Field(description="Angle of the cam during the return; the low dwell fills the turn.")
     law: Law | None = Field(
-        default=None, description="Law of motion of rise and return, a name or a table of one's own."
+        default=None, description="Law of motion of rise and return: a name, or a table of one's own."
     )
     rise_law: Law | None = Field(default=None, description="Law of the rise (default: `law`).")
     return_law: Law | None = Field(default=None, description="Law of the return (default: `law`).")

@@ -55,21 +55,20 @@ class LawTable(Table):
     points: list[_PointOfMotion] | None = Field(
         default=None,
         min_length=2,
-        description="Points [k, s] of the displacement, such as `[[0, 0], [0.5, 0.4], [1, 1]]`, from 0 to the end of "
-        "the phase: a smooth curve through them, at rest and without acceleration at both ends.",
+        description="Points `[k, s]` of the displacement, from 0 to the end of the phase: "
+        "a smooth curve through them, at rest and without acceleration at both ends.",
     )
     acceleration: list[_PointOfMotion] | None = Field(
         default=None,
         min_length=2,
-        description="Points [k, a] of the acceleration, such as `[[0, 1], [0.5, 1], [0.5, -1], [1, -1]]`: "
-        "straight lines between; a k that stands twice is a jump; the areas above and below zero are "
-        "equal.",
+        description="Points `[k, a]` of the acceleration, straight lines between; a k that stands twice is a jump; "
+        "the areas above and below zero are equal.",
     )
     polynomial: list[_Coefficient] | None = Field(
         default=None,
         min_length=3,
         max_length=30,
-        description="Coefficients of s = c0 + c1 k + c2 k^2 + ..., such as `[0, 0, 3, -2]`.",
+        description="Coefficients `[c0, c1, c2, ...]` of s = c0 + c1 k + c2 k^2 + ...",
     )
     file: str | None = Field(
         default=None,

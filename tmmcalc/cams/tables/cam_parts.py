@@ -80,9 +80,7 @@ class ForceTable(Table):
     force: list[Load] | None = Field(
         default=None, min_length=2, description="Force at each angle, straight lines between, repeated every turn."
     )
-    moment: list[Load] | None = Field(
-        default=None, min_length=2, description="Moment at each angle, of a rocker, likewise."
-    )
+    moment: list[Load] | None = Field(default=None, min_length=2, description="Moment at each angle, of a rocker.")
     file: str | None = Field(
         default=None,
         description='CSV file in place of the values, `{ file = "q.csv" }`: two columns under a header such as '
@@ -103,7 +101,9 @@ class CamLoadsTable(Table):
         "positive along the lift, negative presses on the cam.",
     )
     force_return: Load = Field(
-        default=0.0, description="Technological force (of a rocker moment) during return and low dwell, likewise."
+        default=0.0,
+        description="Technological force (of a rocker moment) during return and low dwell; "
+        "positive along the lift, negative presses on the cam.",
     )
     force_table: ForceTable | None = Field(
         default=None,
@@ -169,7 +169,7 @@ class CamGuideTable(Table):
     length: Size | None = Field(default=None, description="Or l: distance of the two edges.")
     gap: Distance = Field(default=0.0, description="Between the roller at its highest and the lower edge.")
     stem_radius: Size | None = Field(default=None, description="r_T: radius of a round stem.")
-    land: Size | None = Field(default=None, description="l_H: length of each of its two ground lands.")
+    land: Size | None = Field(default=None, description="l_H: length of each of the two ground lands of the stem.")
 
 
 class CamRequirementsTable(Table):
@@ -181,8 +181,12 @@ class CamRequirementsTable(Table):
     rolling_arm: Distance | None = Field(
         default=None, description="k: arm of the rolling resistance of the roller that shall not slip."
     )
-    roller_friction: Coefficient | None = Field(default=None, description="f: friction of this roller on the cam.")
-    pin_friction: Friction | None = Field(default=None, description="f0: friction of this roller on its pin.")
+    roller_friction: Coefficient | None = Field(
+        default=None, description="f: friction on the cam of the roller that shall not slip."
+    )
+    pin_friction: Friction | None = Field(
+        default=None, description="f0: friction on its pin of the roller that shall not slip."
+    )
     pin: Size | None = Field(default=None, description="r0: radius of the pin (default: by the pressure).")
     pin_pressure: Stress | None = Field(default=None, description="Allowed pressure on the pin.")
     pin_ratio: Factor = Field(

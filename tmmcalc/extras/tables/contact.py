@@ -47,7 +47,7 @@ class ContactTable(Table):
     gap: str | None = Field(
         default=None, description='Or a formula of the gap in `x` and `y`, all in metres: `"x**2/0.04 + y**4/1e-4"`.'
     )
-    table: GapTableTable | None = Field(default=None, description="Or a table of the gap.")
+    table: GapTableTable | None = Field(default=None, description="Or a table of the gap on a rectangle.")
     cells: Cells = Field(
         default=24,
         description="N, 6 to 40: steps of the grid from its middle to a corner; it has 3 N (N + 1) + 1 nodes.",

@@ -69,6 +69,10 @@ class ConstraintTable(Table):
         '`"first"`, `"last"`.',
     )
     at_least: Limit | None = Field(
-        default=None, description="Lower limit: a number in the unit of the quantity, or one with a unit."
+        default=None,
+        description="Lower limit: a number in the unit of the quantity, or one with a unit; "
+        "one of the two limits, or both.",
     )
-    at_most: Limit | None = Field(default=None, description="Upper limit, likewise; one of the two or both.")
+    at_most: Limit | None = Field(
+        default=None, description="Upper limit: a number in the unit of the quantity, or one with a unit."
+    )

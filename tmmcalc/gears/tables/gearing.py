@@ -103,9 +103,9 @@ class MeshTable(Table):
     """Two wheels in mesh, each on its member."""
 
     first: Wheel = Field(description='Member of the one wheel; a ring fixed in the housing is on `"frame"`.')
-    first_teeth: Teeth = Field(description="Its number of teeth.")
-    second: Wheel = Field(description="Member of the other wheel, likewise.")
-    second_teeth: Teeth = Field(description="Its number of teeth.")
+    first_teeth: Teeth = Field(description="Number of teeth of the one wheel.")
+    second: Wheel = Field(description='Member of the other wheel; a ring fixed in the housing is on `"frame"`.')
+    second_teeth: Teeth = Field(description="Number of teeth of the other wheel.")
     internal: bool = Field(default=False, description="Whether one of them is a ring.")
     opposite: bool = Field(
         default=False,
@@ -168,7 +168,5 @@ class GearingTable(Table):
         default={}, description='Known powers by member, put in or (negative) taken out: `{ sun = "4 kW" }`.'
     )
     locked: list[Pair] = Field(default=[], description='Pairs of members locked to one another, `[["sun", "H"]]`.')
-    members: list[MemberTable] = Field(
-        default=[], description="Only members that are not simply one shaft in the frame."
-    )
+    members: list[MemberTable] = Field(default=[], description="Planets, and members of which there are several.")
     meshes: list[MeshTable] = Field(default=[], description="All pairs of wheels in mesh.")

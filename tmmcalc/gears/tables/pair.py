@@ -124,7 +124,7 @@ class PairKeys(Table):
     )
     strategy: Strategy | None = Field(
         default=None,
-        description='How the shifts are chosen, see below (default: `"given"` with `x1` and `x2`, `"given_aw"` with '
+        description='How the shifts are chosen (default: `"given"` with `x1` and `x2`, `"given_aw"` with '
         '`centre_distance` and in a train, else `"balanced"`, of a ring and of a rack `"zero"`).',
     )
     x1: Shift | None = Field(default=None, description="Shift of the pinion in modules.")
@@ -145,18 +145,17 @@ class PairKeys(Table):
         default=None, description='Contact ratio of the strategy `"equal_sliding"` (default: 1.2).'
     )
     contact_ratio_min: ContactRatio | None = Field(
-        default=None, description="Transverse contact ratio below which a pair fails (default: 1)."
+        default=None, description="Least transverse contact ratio, below which a pair fails (default: 1)."
     )
     contact_ratio_wanted: ContactRatio | None = Field(
-        default=None, description="Transverse contact ratio below which it is warned of (default: 1.2)."
+        default=None, description="Transverse contact ratio below which a pair is warned of (default: 1.2)."
     )
     tip_thickness_min: Thickness | None = Field(
-        default=None, description="Thickness of the tips in modules below which a pair fails (default: 0)."
+        default=None, description="Least thickness of the tips, in modules (default: 0)."
     )
     tip_thickness_wanted: Thickness | None = Field(
         default=None,
-        description="Thickness of the tips in modules below which it is warned of (default: 0.25); "
-        "0.4 of hardened teeth.",
+        description="Thickness of the tips below which is warned, in modules (default: 0.25); 0.4 of hardened teeth.",
     )
     sliding_max: Sliding | None = Field(
         default=None, description="Specific sliding above which is warned (default: 3)."
@@ -228,7 +227,7 @@ class PairTable(PairKeys):
     )
     points: Points = Field(default=POINTS, description="Points of each curve of a profile.")
     meshes: list[PairMeshTable] = Field(
-        default=[], description="Several pairs, or the meshes of the train of which something holds alone."
+        default=[], description="Several pairs, or the meshes of the train that differ from the others."
     )
 
     @property

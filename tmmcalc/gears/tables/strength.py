@@ -125,7 +125,9 @@ class MaterialTable(Table):
         default=None,
         description='Hardness of the tooth surface: `"300 HB"`, `"52 HRC"`, or `{ value = 750, scale = "HV" }`.',
     )
-    core: HardnessText | None = Field(default=None, description="Hardness of the core of nitrided teeth, likewise.")
+    core: HardnessText | None = Field(
+        default=None, description='Hardness of the core of nitrided teeth in HRC, such as `"30 HRC"`.'
+    )
     protected: bool = Field(
         default=False, description="Whether measures are taken against decarburisation of the surface."
     )
@@ -175,16 +177,19 @@ class StrengthTable(Table):
     pinion: MaterialTable | None = Field(default=None, description="Material of the pinions.")
     wheel: MaterialTable | None = Field(default=None, description="Material of the other wheels (default: as pinions).")
     permissible_contact: Stresses | None = Field(
-        default=None, description="sigma_HP, permissible contact stress (default: of the materials)."
+        default=None, description="sigma_HP: permissible contact stress of each stage (default: of the materials)."
     )
     permissible_bending: Stresses | None = Field(
-        default=None, description="sigma_FP, permissible bending stress (default: of the materials)."
+        default=None, description="sigma_FP: permissible bending stress of each stage (default: of the materials)."
     )
     face_width: WidthCoefficients | None = Field(
-        default=None, description="psi_bd, face width over pinion diameter (default: middle of Table D.4.2)."
+        default=None,
+        description="psi_bd: face width over pinion diameter of each stage (default: middle of Table D.4.2).",
     )
-    arrangement: Rows | None = Field(default=None, description="Row of Table D.4.1, 1 to 7 (default: by the layout).")
-    module: Sizes | None = Field(default=None, description="Given modules, which are checked.")
+    arrangement: Rows | None = Field(
+        default=None, description="Row of Table D.4.1, 1 to 7, of each stage (default: by the layout)."
+    )
+    module: Sizes | None = Field(default=None, description="Given modules of the stages, which are checked.")
     width: Sizes | None = Field(default=None, description="Face widths of the given modules.")
     modules_row: Literal[1, 2] | None = Field(
         default=None, description="Standard modules of both rows, 2, or 1: of the preferred row (default: 2)."

@@ -16,7 +16,7 @@ class DriveTable(Table):
         default="coupling",
         description='`"coupling"`: a moment; or `"gear"`: a force in the mesh of a gear that the crank carries.',
     )
-    radius: Size | None = Field(default=None, description="Operating pitch radius of that gear.")
+    radius: Size | None = Field(default=None, description="Operating pitch radius of the gear on the crank.")
     mesh_angle: Angle = Field(default=math.pi / 9, description="Operating pressure angle of the mesh.")
     pinion: Angle | None = Field(
         default=None, description="Direction from the crank's pivot to the centre of the pinion, from the x axis."

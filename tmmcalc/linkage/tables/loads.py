@@ -24,8 +24,12 @@ Quadratic = Annotated[float, Quantity("quadratic damping", "torsional quadratic 
 class PolynomialTable(Table):
     """A polynomial of the angle from the beginning of the load's window: c0, c1, ... in SI per rad^k."""
 
-    force: list[Coefficient] | None = Field(default=None, min_length=1, description="Coefficients of a force.")
-    moment: list[Coefficient] | None = Field(default=None, min_length=1, description="Coefficients of a moment.")
+    force: list[Coefficient] | None = Field(
+        default=None, min_length=1, description="Coefficients c0, c1, c2, ... of a force, in N/rad^k."
+    )
+    moment: list[Coefficient] | None = Field(
+        default=None, min_length=1, description="Coefficients c0, c1, c2, ... of a moment, in N*m/rad^k."
+    )
 
 
 class LoadCurveTable(Table):
@@ -121,14 +125,16 @@ class LoadTable(Table):
     )
     quadratic: Quadratic | None = Field(
         default=None,
-        description='Resistance -c v abs(v), likewise: `"3.5 N*s^2/m^2"`, or `"0.02 N*m*s^2/rad^2"`.',
+        description='Resistance -c v abs(v) of the point along the direction, `"3.5 N*s^2/m^2"`; '
+        'or of the link, `"0.02 N*m*s^2/rad^2"`. A bare number is a force if there is a `point`, else a '
+        "moment.",
     )
-    table: LoadCurveTable | None = Field(default=None, description="Values at given abscissae.")
+    table: LoadCurveTable | None = Field(default=None, description="Values at given abscissae, of a force or a moment.")
     indicator: IndicatorTable | None = Field(default=None, description="Indicator diagram of a cylinder.")
     stroke: Literal["working", "idle"] | None = Field(
-        default=None, description='`"working"` or `"idle"`: it acts on that stroke of an output.'
+        default=None, description='`"working"` or `"idle"`: the load acts on that stroke of an output.'
     )
-    output: str | None = Field(default=None, description="Output whose stroke that is (default: the first).")
+    output: str | None = Field(default=None, description="Output whose stroke it is (default: the first).")
     between: list[InputDistance] | None = Field(
         default=None,
         min_length=2,

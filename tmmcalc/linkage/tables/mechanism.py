@@ -26,7 +26,9 @@ class MechanismTable(Table):
     gravity_direction: Angle = Field(default=-math.pi / 2, description="Direction of the weights, from the x axis.")
     grid: GridTable = Field(default_factory=GridTable, description="Positions of the input.")
     input: InputTable = Field(description="The input link, by its joint, and its motion.")
-    outputs: list[OutputTable] = Field(default=[], description="What the project asks for.")
+    outputs: list[OutputTable] = Field(
+        default=[], description="What the project asks for: coordinates of points, links or sliders."
+    )
     fixed: dict[PointName, Point] = Field(
         default={}, description='Points of the frame, link 0, under `[mechanism.fixed]`: `O = [0, "620 mm"]`.'
     )

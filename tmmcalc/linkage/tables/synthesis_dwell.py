@@ -72,7 +72,9 @@ class DwellWeightsTable(Table):
         default=1.0,
         description="Weight of max R35^2 + max R45^2 of the bars over the working stroke, for a unit resistance.",
     )
-    f5: Weight = Field(default=0.1, description="Weight of the same over the idle stroke.")
+    f5: Weight = Field(
+        default=0.1, description="Weight of max R35^2 + max R45^2 of the bars over the idle stroke, likewise."
+    )
 
 
 class RangesTable(Table):
@@ -95,7 +97,7 @@ class DwellOptimumTable(Table):
         default_factory=DwellWeightsTable, description="Weights of the criteria f1 to f5."
     )
     ranges: RangesTable = Field(
-        default_factory=RangesTable, description="Ranges of the parameters, in place of the usual ones."
+        default_factory=RangesTable, description="Ranges of the parameters that are sought, in place of the usual ones."
     )
     population: Population = Field(default=96, description="Linkages of a generation of differential evolution.")
     generations: Generations = Field(default=60, description="Generations at most.")
@@ -108,7 +110,7 @@ class DwellTable(Table):
     """A six-bar of class IV with a dwell."""
 
     dwell: Dwelling = Field(description="phi_B: turn of the crank while the output stands, from position 1 to 3.")
-    output: Kind = Field(default="slider", description='`"slider"` or `"rocker"`.')
+    output: Kind = Field(default="slider", description='The output: a `"slider"` or a `"rocker"`.')
     n: Fraction | None = Field(
         default=None,
         description="Part of the dwell after which the output moves along the crank: "
@@ -158,6 +160,12 @@ class DwellTable(Table):
         description="Steps of the arc of the relative trajectory, a cross-check of the motion by a periodic cubic "
         "spline.",
     )
-    positions: PositionsTable = Field(default_factory=PositionsTable, description="Parameters that are given.")
-    lengths: DwellLengthsTable | None = Field(default=None, description="Lengths, in place of the positions.")
-    optimum: DwellOptimumTable | None = Field(default=None, description="Seeks the parameters that are not given.")
+    positions: PositionsTable = Field(
+        default_factory=PositionsTable, description="Parameters of the three positions that are given."
+    )
+    lengths: DwellLengthsTable | None = Field(
+        default=None, description="Lengths of the linkage, in place of the positions."
+    )
+    optimum: DwellOptimumTable | None = Field(
+        default=None, description="The search for the parameters that are not given."
+    )

@@ -28,7 +28,7 @@ class FunctionTable(Table):
         default="four_bar",
         description='`"four_bar"`: the output is the rocker\'s angle; `"slider_crank"`: the slider\'s place.',
     )
-    expression: str | None = Field(default=None, description='y(x), such as `"log(x)"`.')
+    expression: str | None = Field(default=None, description='Formula y(x), such as `"log(x)"`.')
     range: Annotated[list[Abscissa], Field(min_length=2, max_length=2)] | None = Field(
         default=None, description="Interval of x over which the expression is taken, such as `[1, 2]`."
     )
@@ -41,15 +41,16 @@ class FunctionTable(Table):
         default=None, description="In place of an expression: pairs `[[x, y], ...]`, x ascending."
     )
     input_range: Turn | None = Field(
-        default=None, description="Turn of the crank over the range; negative the other way."
+        default=None, description="Turn of the crank while x runs over its range; negative the other way."
     )
     output_range: Output | None = Field(
-        default=None, description="Turn of the rocker, or travel of the slider, over the range; negative the other way."
+        default=None,
+        description="Turn of the rocker, or travel of the slider, while x runs over its range; negative the other way.",
     )
     inputs: list[Angle] | None = Field(
-        default=None, description="In place of all these: angles of the crank, from the first."
+        default=None, description="In place of a formula or table and its ranges: angles of the crank, from the first."
     )
-    outputs: list[Output] | None = Field(default=None, description="Outputs at `inputs`, from the first.")
+    outputs: list[Output] | None = Field(default=None, description="With `inputs`: the outputs there, from the first.")
     input_start: Angle | None = Field(default=None, description="Angle of the crank where x begins (default: free).")
     output_start: Output | None = Field(
         default=None, description="Angle of the rocker, or place of the slider, where x begins (default: free)."
@@ -64,9 +65,7 @@ class PathTable(Table):
     points: list[Point] = Field(
         min_length=2, max_length=500, description="Points `[[x, y], ...]` in the order of the motion."
     )
-    timing: list[Angle] | None = Field(
-        default=None, description="Angles of the crank at the points of a path, from the first."
-    )
+    timing: list[Angle] | None = Field(default=None, description="Angles of the crank at the points, from the first.")
     region: Annotated[list[Point], Field(min_length=2, max_length=2)] | None = Field(
         default=None, description="Two corners of a rectangle in which the fixed pivots stand."
     )

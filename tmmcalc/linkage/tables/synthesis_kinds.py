@@ -33,7 +33,9 @@ class SliderCrankTable(Table):
     pressure_working: Pressure | None = Field(
         default=None, description="nu_p: pressure angle on the working stroke where the crank stands across the guide."
     )
-    pressure_idle: Pressure | None = Field(default=None, description="nu_x: the same on the idle stroke.")
+    pressure_idle: Pressure | None = Field(
+        default=None, description="nu_x: pressure angle on the idle stroke where the crank stands across the guide."
+    )
     time_ratio: TimeRatio | None = Field(default=None, description="K: working to idle time.")
     crank_ratio: Part | None = Field(default=None, description="lambda = r/l: crank over rod.")
     offset_ratio: Signed | None = Field(default=None, description="eps = e/r: offset over crank.")

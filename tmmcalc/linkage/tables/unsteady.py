@@ -45,7 +45,7 @@ class UnsteadyTable(Table):
     output: OutputName | None = Field(
         default=None,
         description="Output of the mechanism, by its name, whose values `from` and `to` are: "
-        "an outreach, an angle (default: they are values of the input coordinate).",
+        "an outreach, an angle (default: the input coordinate).",
     )
     sense: Sense | None = Field(
         default=None,

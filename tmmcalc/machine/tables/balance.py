@@ -37,7 +37,7 @@ class RotatingWeightTable(Table):
         default=0.0,
         description="Direction of the weight where the crank points along x (of order 1: against the crank).",
     )
-    axis: Point | None = Field(default=None, description="Place of its shaft [x, y] (default: the crank's pivot).")
+    axis: Point | None = Field(default=None, description="Place of its shaft, `[x, y]` (default: the crank's pivot).")
 
 
 class BalanceTable(Table):

@@ -14,7 +14,7 @@ class MotionTable(Table):
     drive: Literal["motor", "positional", "none"] | None = Field(
         default=None,
         description='`"motor"`; or `"positional"`: a constant moment that holds the mean speed; or `"none"`: '
-        'nothing but the loads (default: `"motor"` if there is `[motor]`).',
+        'nothing but the loads (default: `"motor"` if there is `[motor]`, else `"positional"`).',
     )
     inertia: Inertia = Field(
         default=0.0,

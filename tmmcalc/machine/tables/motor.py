@@ -73,7 +73,7 @@ class MotorTable(Table):
     characteristic: Literal["parabolic", "linear", "kloss", "shunt", "series", "table", "constant"] | None = Field(
         default=None,
         description='Moment against speed: `"parabolic"`, `"linear"`, `"kloss"`, `"shunt"`, `"series"`, `"table"` or '
-        '`"constant"` (default: by the kind, see below).',
+        '`"constant"` (default: by the kind).',
     )
     table: CurveTable | None = Field(
         default=None,

@@ -65,7 +65,7 @@ class TorqueCurveTable(Table):
 class TorqueTable(Table):
     """The moment on the input shaft over one cycle, by exactly one law; a positive moment drives."""
 
-    name: DiagramName = Field(default="torque", description="What it is called.")
+    name: DiagramName = Field(default="torque", description="What the diagram is called.")
     speed: AngularSpeed = Field(description="Mean speed of the shaft.")
     period: Period = Field(default=2 * math.pi, description='Angle of the cycle; `"720 deg"` for a four-stroke engine.')
     formula: str | None = Field(

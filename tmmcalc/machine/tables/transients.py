@@ -25,27 +25,25 @@ class LoadStepTable(Table):
     """A load factor and when it comes; the steps come one after the other."""
 
     factor: Factor = Field(description="Load factor from then on.")
-    time: Time | None = Field(default=None, description="It waits for this time.")
+    time: Time | None = Field(default=None, description="The step waits for this time.")
     speed: Speed | None = Field(default=None, description="Or until the crank first exceeds this speed.")
     quiet: bool = Field(
         default=False,
-        description="Whether it waits besides for a part of the cycle without load (a warning if there is none).",
+        description="Whether the step waits besides for a part of the cycle without load (a warning if there is none).",
     )
 
 
 class BrakeTable(Table):
     """A braking moment on one mass of the drive: a constant part against the motion, and a viscous part."""
 
-    moment: BrakeMoment = Field(
-        default=0.0, description="Constant part, on the shaft of the mass; it may stand with the viscous one."
-    )
-    viscous: BrakeViscous = Field(default=0.0, description="Viscous part in N*m*s/rad.")
+    moment: BrakeMoment = Field(default=0.0, description="Constant part against the motion, on the shaft of the mass.")
+    viscous: BrakeViscous = Field(default=0.0, description="Part in proportion to the speed, N*m*s/rad.")
     start: Time = Field(default=0.0, alias="from", description="Time from which it acts; 0: from the beginning.")
     end: Time | None = Field(default=None, alias="to", description="Time until which it acts (default: the end).")
     mass: int | None = Field(
         default=None,
         ge=0,
-        description="Number of the mass that it acts on: 0 the rotor, 1 the mass behind the first shaft, ... "
+        description="Number of the mass that it acts on: 0 the rotor, 1 the mass behind the first shaft, and so on "
         "(default: the crank).",
     )
 
@@ -63,7 +61,9 @@ class TransientTable(Table):
     )
     start_speed: Speed = Field(default=0.0, description="Speed of the crank at the beginning.")
     begin: Literal["steady"] | None = Field(
-        default=None, alias="from", description='`"steady"`: or begin in the steady motion, at position 0.'
+        default=None,
+        alias="from",
+        description='`"steady"`: begin in the steady motion, at position 0, in place of a speed and an angle.',
     )
     start_angle: Advance = Field(default=0.0, description="Crank angle at the beginning, along the motion.")
     motor: Literal["on", "off"] | None = Field(
@@ -72,7 +72,8 @@ class TransientTable(Table):
     motor_on: list[Interval] | None = Field(
         default=None,
         min_length=1,
-        description='Or the times between which it is on: `[["0 s", "2 s"], ["5 s", "9 s"]]`.',
+        description="Times `[on, off]` between which the motor is on, in place of `motor`: "
+        '`[["0 s", "2 s"], ["5 s", "9 s"]]`.',
     )
     load: Factor = Field(default=1.0, description="Load factor at the beginning.")
     load_steps: list[LoadStepTable] = Field(

@@ -41,7 +41,7 @@ class PathTable(Table):
     start: Place | None = Field(
         default=None, description='Start, `["1.2 m", "0.3 m"]`, or three coordinates, of which the last is upwards.'
     )
-    end: Place | None = Field(default=None, description="End, likewise.")
+    end: Place | None = Field(default=None, description="End, with as many coordinates.")
     radius: Size | None = Field(
         default=None, description="Radius of an arc, at least half the distance of its ends; the shorter arc is taken."
     )
@@ -135,8 +135,12 @@ class ObstacleTable(Table):
     box: Annotated[list[Corner], Field(min_length=2, max_length=2)] | None = Field(
         default=None, description="Or two opposite corners of a rectangle."
     )
-    low: Length | None = Field(default=None, description="Lowest height of a prism over it, with a turning base.")
-    high: Length | None = Field(default=None, description="Highest height of a prism over it, with a turning base.")
+    low: Length | None = Field(
+        default=None, description="Lowest height of a prism over the polygon, with a turning base."
+    )
+    high: Length | None = Field(
+        default=None, description="Highest height of a prism over the polygon, with a turning base."
+    )
 
 
 class ManipulatorTable(Table):

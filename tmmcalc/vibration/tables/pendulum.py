@@ -46,7 +46,7 @@ Speeds = Annotated[list[float], Listed(Quantity("speed"), '["0 m/s", "0.5 m/s", 
 class PendulumRodTable(Table):
     """The rod: its sizes and material, or mass and stiffness."""
 
-    length: Length = Field(description="l: length.")
+    length: Length = Field(description="l: length of the rod.")
     mass: Mass | None = Field(default=None, description="Mass of the whole rod (default: by section and `density`).")
     diameter: Size | None = Field(default=None, description="Diameter of a round section; or `width` and `thickness`.")
     bore: Distance = Field(default=0.0, description="Inner diameter of a tube.")
@@ -71,7 +71,7 @@ class PendulumRodTable(Table):
 class DiscTable(Table):
     """The disc on the lower end."""
 
-    mass: DiscMass = Field(description="m: mass.")
+    mass: DiscMass = Field(description="m: mass of the disc.")
     gyration: Radii | None = Field(
         default=None,
         description="Radius r of gyration of a thin disc: m r^2 about a diameter, 2 m r^2 about the axis; "
@@ -85,8 +85,8 @@ class DiscTable(Table):
     )
     eccentricity: Distance = Field(
         default=0.0,
-        description="e: of its centre of mass: the rod whirls with the spin, in motion too, the heavy side towards x "
-        "at its beginning.",
+        description="e: distance of its centre of mass from the axis. The rod whirls with the spin, in motion too, "
+        "the heavy side towards x at its beginning.",
     )
 
 

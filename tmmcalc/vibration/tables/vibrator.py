@@ -39,34 +39,41 @@ Place = Annotated[list[float], Listed(Quantity("length"), '["20 mm", 0, "-80 mm"
 class RingTable(Table):
     """The ring on its four rods."""
 
-    mass: Mass = Field(description="m1: mass.")
-    inertia: Inertia = Field(description="J_z1: moment of inertia about the vertical axis.")
+    mass: Mass = Field(description="m1: mass of the ring.")
+    inertia: Inertia = Field(description="J_z1: its moment of inertia about the vertical axis.")
 
 
 class GripperTable(Table):
     """The gripper with its part, hung in the ring."""
 
-    mass: Mass = Field(description="m2: mass with the part.")
-    drop: Drop = Field(description="l: centre of mass below the plane of the flat springs; negative: above.")
-    inertia_x: Inertia = Field(description="J_xi: moment of inertia about the axis along x through its centre of mass.")
-    inertia_y: Inertia = Field(description="J_eta: the same along y.")
-    inertia_z: Inertia = Field(description="J_zeta: the same about the vertical.")
+    mass: Mass = Field(description="m2: mass of the gripper with the part.")
+    drop: Drop = Field(description="l: its centre of mass below the plane of the flat springs; negative: above.")
+    inertia_x: Inertia = Field(
+        description="J_xi: its moment of inertia about the axis along x through its centre of mass."
+    )
+    inertia_y: Inertia = Field(
+        description="J_eta: its moment of inertia about the axis along y through its centre of mass."
+    )
+    inertia_z: Inertia = Field(
+        description="J_zeta: its moment of inertia about the vertical through its centre of mass."
+    )
 
 
 class ExciterTable(Table):
     """Motor, tachometer and unbalance on their elastic plate, which turn about a hinge."""
 
-    mass: Mass = Field(description="m3: mass.")
+    mass: Mass = Field(description="m3: mass of the exciter.")
     radius: Distance = Field(description="R0: distance of its centre of mass from the vertical axis.")
     arm: Distance = Field(description="R*: from the hinge to its centre of mass.")
-    arm_angle: ArmAngle = Field(description="beta: how that arm climbs above the horizontal.")
+    arm_angle: ArmAngle = Field(description="beta: angle at which that arm climbs above the horizontal.")
     inertia_hinge: Inertia = Field(description="J_x': moment of inertia about the line along the hinge.")
     inertia_vertical: Inertia | None = Field(
         default=None, description="J_z3: moment of inertia about the vertical; or `inertia_axis` and `inertia_cross`."
     )
     inertia_axis: Inertia | None = Field(default=None, description="J_z': moment of inertia about the motor's axis.")
     inertia_cross: Inertia | None = Field(
-        default=None, description="J_y': moment of inertia about the line across the motor's axis and the hinge."
+        default=None,
+        description="J_y': moment of inertia about the line across the motor's axis and the hinge.",
     )
     stiffness: Turning = Field(description="c2: stiffness of the plate against a turn about the hinge.")
 
@@ -74,8 +81,10 @@ class ExciterTable(Table):
 class RodsTable(Table):
     """The four rods that carry the ring, clamped at both ends."""
 
-    radius: Size = Field(description="R2: ends of the rods from the vertical axis.")
-    stiffness: Across | None = Field(default=None, description="c: stiffness of one rod across itself; or its sizes.")
+    radius: Size = Field(description="R2: distance of the rods' ends from the vertical axis.")
+    stiffness: Across | None = Field(
+        default=None, description="c: stiffness of one rod across itself; or `diameter` and `length`."
+    )
     diameter: Size | None = Field(default=None, description="d_c: diameter of a rod.")
     length: Size | None = Field(default=None, description="l_c: length of a rod.")
     young: Modulus = Field(default=206e9, description="E: modulus of elasticity.")
@@ -85,14 +94,14 @@ class FlatsTable(Table):
     """The four flat springs between ring and gripper, crossed along x and y."""
 
     vertical: Across | None = Field(
-        default=None, description="c1: stiffness of one spring; or the sizes of the springs."
+        default=None, description="c1: stiffness of one spring; with `tilt` in place of the sizes."
     )
     tilt: Turning | None = Field(
-        default=None, description="c_t: stiffness of all against a tilt, with the part of the weight."
+        default=None, description="c_t: stiffness of all four against a tilt, with the part of the weight."
     )
-    width: Size | None = Field(default=None, description="b: width.")
-    thickness: Size | None = Field(default=None, description="h: thickness.")
-    length: Size | None = Field(default=None, description="l1: free length.")
+    width: Size | None = Field(default=None, description="b: width of a spring.")
+    thickness: Size | None = Field(default=None, description="h: thickness of a spring.")
+    length: Size | None = Field(default=None, description="l1: free length of a spring.")
     offset: Distance = Field(default=0.0, description="l2: from the axis to the inner end of a spring.")
     young: Modulus = Field(default=206e9, description="E: modulus of elasticity.")
     shear_modulus: Modulus = Field(default=79e9, description="G: shear modulus.")
@@ -122,7 +131,7 @@ class VibratorUnbalanceTable(Table):
     """The unbalance on the motor's shaft."""
 
     moment: StaticMoment | None = Field(default=None, description="Static moment m r; or `mass` and `radius`.")
-    mass: Mass | None = Field(default=None, description="Its mass.")
+    mass: Mass | None = Field(default=None, description="m: mass of the unbalance.")
     radius: Size | None = Field(default=None, description="r: distance of its centre from the motor's axis.")
     distance: Distance | None = Field(
         default=None, description="R: middle of its path from the vertical axis (default: `radius` of the exciter)."
@@ -131,7 +140,8 @@ class VibratorUnbalanceTable(Table):
         default=None, description="From the hinge to the middle of its path (default: that of the exciter)."
     )
     arm_angle: ArmAngle | None = Field(
-        default=None, description="delta: how that arm climbs above the horizontal (default: that of the exciter)."
+        default=None,
+        description="delta: angle at which that arm climbs above the horizontal (default: that of the exciter).",
     )
     rotor_inertia: RotorInertia | None = Field(
         default=None,
@@ -151,9 +161,7 @@ class VibratorCurveTable(Table):
 class VibratorStartTable(Table):
     """Start with a given angle: the rotor speeds up evenly to the speed and keeps it."""
 
-    acceleration: Acceleration = Field(
-        description="Angular acceleration with which the rotor speeds up evenly to `speed`, which it keeps."
-    )
+    acceleration: Acceleration = Field(description="Angular acceleration of the rotor.")
     duration: Duration = Field(description="Time that is shown.")
     rows: Rows = Field(default=1000, description="Rows of the table, at equal times.")
     tangential: bool = Field(
@@ -184,12 +192,18 @@ class VibratorTable(Table):
     exciter: ExciterTable = Field(description="Motor and unbalance on their plate.")
     rods: RodsTable = Field(description="The rods of the ring.")
     flats: FlatsTable = Field(description="The flat springs of the gripper.")
-    damping: VibratorDampingTable = Field(default_factory=VibratorDampingTable, description="Damping.")
+    damping: VibratorDampingTable = Field(
+        default_factory=VibratorDampingTable, description="Damping, of all modes alike or coordinate by coordinate."
+    )
     unbalance: VibratorUnbalanceTable | None = Field(default=None, description="The unbalance that excites it.")
     curve: VibratorCurveTable | None = Field(default=None, description="The resonance curve.")
-    start: VibratorStartTable | None = Field(default=None, description="A start with a given angle of the rotor.")
-    drive: VibratorDriveTable | None = Field(default=None, description="A start of the rotor by its motor.")
+    start: VibratorStartTable | None = Field(
+        default=None, description="A start with a given angle: the rotor speeds up evenly to `speed` and keeps it."
+    )
+    drive: VibratorDriveTable | None = Field(
+        default=None, description="A start of the rotor by its motor, as a degree of freedom of its own."
+    )
     points: dict[PointName, Place] = Field(
         default={},
-        description='Points of the part whose paths are found, by name: `A = ["20 mm", 0, "-80 mm"]` at rest.',
+        description='Points of the part whose paths are found, by name, at rest: `{ A = ["20 mm", 0, "-80 mm"] }`.',
     )
