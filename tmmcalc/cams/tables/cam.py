@@ -56,7 +56,7 @@ class CamTable(Table):
         description='`"force"`: a spring or weight keeps the follower on the cam; `"groove"`: '
         "two walls guide the roller.",
     )
-    stroke: Stroke = Field(description='Stroke of the follower, `"30 mm"`; of a rocker its swing, `"20 deg"`.')
+    stroke: Stroke = Field(description='Stroke of the follower, `"30 mm"`; of a rocker its swing angle, `"20 deg"`.')
     speed: Speed | None = Field(
         default=None,
         description="Speed of the cam, which loads need (default: of the crank, or of the shaft of `[torque]`). "
@@ -105,8 +105,10 @@ class CamTable(Table):
     rocker_turn: RockerTurn = Field(
         default="with", description='`"with"`: on the rise the rocker turns as the cam does; or `"against"`.'
     )
-    steps: Steps | None = Field(default=None, description="Or equal steps of each moving phase, in place of `step`.")
-    step: Step = Field(default=math.pi / 180, description="Step of the angle of the cam between rows of the tables.")
+    steps: Steps | None = Field(
+        default=None, description="Rows of the tables: equal steps of each moving phase, in place of `step`."
+    )
+    step: Step = Field(default=math.pi / 180, description="Rows of the tables: step of the angle of the cam.")
     tool_radius: Size | None = Field(
         default=None, description="Radius of the cutter or grinding wheel whose path is asked for."
     )

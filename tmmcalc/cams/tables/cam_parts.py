@@ -130,26 +130,29 @@ class CamSpringTable(Table):
 
     method: Annotated[str, Known("way to size the spring", tuple(SPRING_KEYS))] | None = Field(
         default=None,
-        description='How the spring is found: `"safety"`, `"preload"`, `"given"` or `"none"` (default: '
+        description='How the spring is found. `"safety"`: by the safety of the contact; `"preload"`: '
+        'by the deflection of the preload and the least contact force; `"given"`; `"none"` (default: '
         'by the other keys, else `"safety"`).',
     )
     safety: Safety = Field(
         default=1.25,
-        description='Of `"safety"`: K1, force over the inertia force that lifts the follower off, by the '
-        "textbook's rule.",
+        description='Of `"safety"`: K1, the spring\'s force over the inertia force that lifts the follower off, by '
+        "the textbook's rule.",
     )
     exact: bool = Field(
         default=False,
         description='Of `"safety"`: whether it is kept over the whole turn, in place of the textbook\'s rule.',
     )
     stiffness: Stiffness | None = Field(
-        default=None, description='Of `"given"`: stiffness, `"8 N/mm"`; of a rocker `"6 N*m/rad"`.'
+        default=None, description='Of `"given"`: stiffness of the spring, `"8 N/mm"`; of a rocker `"6 N*m/rad"`.'
     )
     preload: PressingLoad = Field(
-        default=0.0, description='Of `"given"`: force at the lowest position, `"60 N"`; of a rocker `"0.8 N*m"`.'
+        default=0.0,
+        description='Of `"given"`: its force at the lowest position, `"60 N"`; of a rocker its moment, `"0.8 N*m"`.',
     )
     deflection: Deflection | None = Field(
-        default=None, description='Of `"preload"`: deflection at the lowest position (default: 0.4 of the stroke).'
+        default=None,
+        description='Of `"preload"`: deflection of the spring at the lowest position (default: 0.4 of the stroke).',
     )
     least_contact: PressingLoad = Field(
         default=5.0, description='Of `"preload"`: least force (of a rocker moment) on the cam with this deflection.'
@@ -182,7 +185,7 @@ class CamRequirementsTable(Table):
         default=None, description="k: arm of the rolling resistance of the roller that shall not slip."
     )
     roller_friction: Coefficient | None = Field(
-        default=None, description="f: friction on the cam of the roller that shall not slip."
+        default=None, description="f: sliding friction on the cam of the roller that shall not slip."
     )
     pin_friction: Friction | None = Field(
         default=None, description="f0: friction on its pin of the roller that shall not slip."
@@ -194,8 +197,8 @@ class CamRequirementsTable(Table):
     )
     roller_ratio: Factor = Field(
         default=2.5,
-        description="alpha0: least radius of the roller over that of the pin: needles 1.1 to 1.2, plain 2 to 2.5, "
-        "rolling bearing 2.5 to 3.5.",
+        description="alpha0: least radius of the roller over that of the pin, by the kind of its bearing: "
+        "needles 1.1 to 1.2, plain 2 to 2.5, rolling bearing 2.5 to 3.5.",
     )
     roller_density: Density = Field(default=7820.0, description="Density of the roller.")
     roller_inertia: Inertia | None = Field(
@@ -206,7 +209,9 @@ class CamRequirementsTable(Table):
     deflection: Size | None = Field(default=None, description="Allowed deflection of the camshaft.")
     young: Stress = Field(default=2e11, description="Modulus of elasticity of the camshaft.")
     torsion: Factor = Field(default=0.75, description="alpha_e: weight of the torque in the reduced moment.")
-    guide_pressure: Stress | None = Field(default=None, description="Allowed pressure of the stem's lands.")
+    guide_pressure: Stress | None = Field(
+        default=None, description="Allowed pressure of the stem's lands in its guide."
+    )
 
 
 class CamOptimumTable(Table):
@@ -220,23 +225,24 @@ class CamOptimumTable(Table):
         "from the least possible).",
     )
     phases: Annotated[str, Known("part of the turn", ("turn", "rise"))] = Field(
-        default="turn", description='What is examined: `"turn"`, or `"rise"` alone as in the textbook.'
+        default="turn",
+        description='What is examined: the whole turn, `"turn"`, or the `"rise"` alone as in the textbook.',
     )
     laws: LawNames | None = Field(
-        default=None, description='Laws of rise and return to try in place of the cam\'s, `["sine", "shun"]`.'
+        default=None, description='Laws of rise and return that are tried in place of the cam\'s, `["sine", "shun"]`.'
     )
     safeties: Safeties | None = Field(
-        default=None, description="Safeties K1 by which the spring is sized instead, `[1.2, 1.5]`."
+        default=None, description="Safeties K1 by which the spring is sized instead, which are tried, `[1.2, 1.5]`."
     )
     contacts: Contacts | None = Field(
         default=None,
-        description='Allowed contact stresses of other materials: `["400 MPa", "600 MPa"]`, or by name `{ "steel 45" '
-        '= "600 MPa" }`.',
+        description="Allowed contact stresses that are tried, of other materials: "
+        '`["400 MPa", "600 MPa"]`, or by name `{ "steel 45" = "600 MPa" }`.',
     )
     roller_ratios: RollerRatios | None = Field(
         default=None,
-        description='Kinds of roller: `"needle"` (1.15), `"plain"` (2.2), `"rolling"` (3), or numbers; '
-        "a table gives them names.",
+        description='Kinds of roller that are tried: `"needle"` (1.15), `"plain"` (2.2), `"rolling"` (3), or numbers '
+        "alpha0; a table gives them names.",
     )
     combine: bool = Field(
         default=False,

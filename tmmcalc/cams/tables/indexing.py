@@ -29,18 +29,18 @@ class IndexingTable(Table):
         description="phi_p: angle of the cams during one step, below 180 deg; each dwell takes 180 deg - phi_p."
     )
     law: StepLaw = Field(
-        description='Law of motion of a step, symmetric about its middle: a name as in `[cam]`, a code `"0000"` to '
-        '`"0050"`, or a table.'
+        description='Law of motion of a step, symmetric about its middle: a name as in `[cam]`, a code `"00ee"` for '
+        "an acceleration that is constant over ee percent of the time at each end, or a table."
     )
     wheel_radius: Size = Field(description="l_k: radius on which the rollers stand.")
     centre_distance: Size | None = Field(
-        default=None, description="a: distance of the shafts of cams and wheel (default: chosen); or `ratio`."
+        default=None,
+        description="a: distance of the shafts of cams and wheel (default: chosen within its limits); or `ratio`.",
     )
-    ratio: Lambda | None = Field(
-        default=None, description="lambda = a/l_k, in place of the centre distance (default: chosen)."
-    )
+    ratio: Lambda | None = Field(default=None, description="lambda = a/l_k, in place of the centre distance.")
     roller_radius: Size | None = Field(
-        default=None, description="r_r: radius of the rollers (default: chosen, 0.7 of the least of its limits)."
+        default=None,
+        description="r_r: radius of the rollers (default: 0.7 of the least of its limits by curvature and pitch).",
     )
     pressure_angle: Pressure = Field(
         default=math.radians(50),

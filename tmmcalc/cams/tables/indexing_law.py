@@ -26,7 +26,8 @@ class StepLawTable(LawTable):
         "line between: `law = { constant_ends = 0.125 }`.",
     )
     peak_velocity: Peak | None = Field(
-        default=None, description="B = s'(1/2) alone, of a law that is not known: limits and sizes without profiles."
+        default=None,
+        description="B = s'(1/2) alone, the largest s', of a law that is not known: limits and sizes without profiles.",
     )
 
 

@@ -33,19 +33,23 @@ class ContactTable(Table):
 
     load: Load = Field(description="P: force that presses the bodies together.")
     modulus: Modulus | None = Field(
-        default=None, description="E*: composite modulus, 1/E* = sum of (1 - nu^2)/E (default: by the bodies)."
+        default=None,
+        description="E*: composite modulus, 1/E* = sum of (1 - nu^2)/E, in place of those of the bodies (default: "
+        "by the bodies).",
     )
     young: Moduli = Field(
         default=[206e9, 206e9],
-        description='Moduli of elasticity of the two bodies: `young = ["206000 MPa", "115000 MPa"]`.',
+        description='E of the two bodies: `young = ["206000 MPa", "115000 MPa"]`.',
     )
     poisson: Poissons = Field(default=[0.3, 0.3], description="Poisson's ratios of the two bodies.")
     radii: Radii | None = Field(
         default=None,
-        description="The gap of the unloaded bodies: radii of a paraboloid in the planes xz and yz (one for both).",
+        description="The gap of the unloaded bodies: radii of the relative paraboloid in the planes xz and yz (one "
+        "for both).",
     )
     gap: str | None = Field(
-        default=None, description='Or a formula of the gap in `x` and `y`, all in metres: `"x**2/0.04 + y**4/1e-4"`.'
+        default=None,
+        description='Or a formula of the gap in `x` and `y`, all in metres, such as `"x**2/0.04 + y**4/1e-4"`.',
     )
     table: GapTableTable | None = Field(default=None, description="Or a table of the gap on a rectangle.")
     cells: Cells = Field(

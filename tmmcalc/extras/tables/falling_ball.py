@@ -33,7 +33,8 @@ class FallingBallTable(Table):
     )
     relative_speed: Relative = Field(
         default=0.0,
-        description='V of the separated mass against the ball; `"own"`: V = v, that mass has no speed of its own.',
+        description='V of the separated mass against the ball; `"own"`: V = v, that of the ball itself: '
+        "the mass has no speed of its own.",
     )
     initial_speed: Speed = Field(default=0.0, description="v0: downwards.")
     times: Times = Field(default=[], description="Times at which speed and way are told.")

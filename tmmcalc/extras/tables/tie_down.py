@@ -37,9 +37,9 @@ class SupportTable(Table):
     weight: OwnWeight = Field(default=0.0, description="G_o: its own weight.")
     friction: Friction = Field(description="mu_s: coefficient of friction of the support.")
     base: Base = Field(description="L: from the cradle to the support.")
-    cradle_arm: Arm = Field(description="a: the cradle carries G2 a/L.")
-    arm: Arm = Field(description="b: the support carries G2 b/L.")
-    diameter: Arm = Field(default=0.0, description="D: the inertia force acts D/2 above.")
+    cradle_arm: Arm = Field(description="a: the cradle carries G2 a/L of the load.")
+    arm: Arm = Field(description="b: the support carries G2 b/L of the load.")
+    diameter: Arm = Field(default=0.0, description="D: the inertia force acts D/2 above the supports.")
 
 
 class TieDownTable(Table):
@@ -51,7 +51,8 @@ class TieDownTable(Table):
     plan_angle: Elevation = Field(default=0.0, description="beta: angle of the ties in plan from the way.")
     friction: Friction = Field(description="mu: coefficient of friction of the load on its cradle.")
     preload: OwnWeight | None = Field(
-        default=None, description="P0: preload of every tie (default: 0); or `[tie_down.thread]`."
+        default=None,
+        description="P0: preload to which each of the four ties is tightened (default: 0); or `[tie_down.thread]`.",
     )
     thread: ThreadTable | None = Field(default=None, description="The thread that gives the preload.")
     support: SupportTable | None = Field(default=None, description="A sliding support that carries a part of the load.")

@@ -54,10 +54,10 @@ class ConstraintTable(Table):
     """A named inequality on a result."""
 
     name: ConstraintName = Field(description="Its name in the rule and in messages: letters, digits, `_`.")
-    stage: str = Field(description='Whose result it is on: `"kinematics"`, `"forces"`, `"cam_optimum"`, ...')
+    stage: str = Field(description='Stage whose result it is on: `"kinematics"`, `"forces"`, `"cam_optimum"`, ...')
     value: str | None = Field(
         default=None,
-        description='A fact of the stage by its name in `--format json`, without the unit: `"stroke_D"`; '
+        description='A fact of the stage\'s summary by its name in `--format json`, without the unit: `"stroke_D"`; '
         "a nested one with a dot.",
     )
     column: str | None = Field(

@@ -20,6 +20,8 @@ class FeasibilityTable(Table):
         "(default: all must hold).",
     )
     form: FormName = Field(
-        default="minmax", description='Function of the rule, f >= 0 where it holds: `"minmax"`, `"R0"` or `"Rm"`.'
+        default="minmax",
+        description='Function of the rule for searches, f >= 0 where it holds: `"minmax"`, or a smooth one, `"R0"` '
+        'or `"Rm"`.',
     )
-    smoothness: Smoothness = Field(default=1, description='m of `"Rm"`.')
+    smoothness: Smoothness = Field(default=1, description='Order m of `"Rm"`.')

@@ -49,14 +49,16 @@ class CriteriaWeightsTable(Table):
     inertia: Weight = Field(
         default=0.0, description="Moment of inertia of the moving wheels, reduced to the output shaft."
     )
-    size: Weight = Field(default=0.0, description="D of the textbook: around the planets, or the length of the row.")
+    size: Weight = Field(
+        default=0.0, description="D of the textbook: diameter around the planets, or length of the row."
+    )
     envelope: Weight = Field(default=0.0, description="Diameter or length around all wheels and rings.")
     efficiency: Weight = Field(
         default=0.0, description="Efficiency of the train, bearings without losses; the more the better."
     )
     error: Weight = Field(default=0.0, description="Relative deviation of the ratio, of the kind asked for.")
     width_deviation: Weight = Field(
-        default=0.0, description="How far b/m lies outside 6 to 40, relative to that limit."
+        default=0.0, description="How far b/m, face width over module, lies outside 6 to 40, relative to that limit."
     )
 
 
@@ -75,8 +77,8 @@ class CriteriaTable(Table):
     )
     choose: Annotated[str | int, Choose()] = Field(
         default="inertia",
-        description='The best train: of one criterion, `"weighted"`, or the number `i` of a row of `criteria.csv`, '
-        "from 1.",
+        description='The best train: of one criterion, by the weights, `"weighted"`, or the number `i` of a row of '
+        "`criteria.csv`, from 1.",
     )
     external_efficiency: Efficiency | None = Field(
         default=None, description="Efficiency of one external mesh (default: 0.975)."
@@ -86,6 +88,6 @@ class CriteriaTable(Table):
     )
     series: bool = Field(
         default=False,
-        description="Whether two trains AIbar in series, each of the ratio sqrt(i_1H), are compared with the best "
-        "single one.",
+        description="Whether two trains AIbar (single planets) in series, each of the ratio sqrt(i_1H), are compared "
+        "with the best single one.",
     )

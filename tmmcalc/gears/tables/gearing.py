@@ -106,7 +106,7 @@ class MeshTable(Table):
     first_teeth: Teeth = Field(description="Number of teeth of the one wheel.")
     second: Wheel = Field(description='Member of the other wheel; a ring fixed in the housing is on `"frame"`.')
     second_teeth: Teeth = Field(description="Number of teeth of the other wheel.")
-    internal: bool = Field(default=False, description="Whether one of them is a ring.")
+    internal: bool = Field(default=False, description="Whether one of the wheels is a ring about the other.")
     opposite: bool = Field(
         default=False,
         description="Mesh with a tilted member: whether it is on its far side. The two side wheels of a differential "
@@ -142,7 +142,7 @@ class GearingTable(Table):
     friction: Friction | None = Field(
         default=None,
         description="Or the coefficient of friction of teeth, 0.05 to 0.1 in oil: "
-        "efficiencies are 1 - 2.3 f (1/z1 +- 1/z2), - for an internal mesh.",
+        "efficiencies are 1 - 2.3 f (1/z1 +- 1/z2) by the numbers of teeth, - for an internal mesh.",
     )
     input: Member | None = Field(
         default=None, description="Member that drives (default: the member of known speed, not 0)."
@@ -162,10 +162,10 @@ class GearingTable(Table):
         description='Known torques from outside by member, positive along positive speed: `{ sun = "20 N*m" }`.',
     )
     load: dict[Key, Resistance] = Field(
-        default={}, description='Known resistances by member, against its motion: `{ H = "150 N*m" }`.'
+        default={}, description='Known resistances by member, torques against its motion: `{ H = "150 N*m" }`.'
     )
     powers: dict[Key, Power] = Field(
-        default={}, description='Known powers by member, put in or (negative) taken out: `{ sun = "4 kW" }`.'
+        default={}, description='Known powers by member, put in (positive) or taken out (negative): `{ sun = "4 kW" }`.'
     )
     locked: list[Pair] = Field(default=[], description='Pairs of members locked to one another, `[["sun", "H"]]`.')
     members: list[MemberTable] = Field(default=[], description="Planets, and members of which there are several.")

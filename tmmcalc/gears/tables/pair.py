@@ -93,7 +93,8 @@ class PairKeys(Table):
     )
     kind: Kind | None = Field(
         default=None,
-        description='`"external"`; or `"internal"`: the mate is a ring; or `"rack"` (default: `"external"`).',
+        description='`"external"` wheels; or `"internal"`: the mate is a ring; or `"rack"`: it is a rack (default: '
+        '`"external"`).',
     )
     teeth: Teeth | None = Field(
         default=None, description="Numbers of teeth of pinion and mate, `[14, 27]`; of a pinion on a rack `[14]`."
@@ -101,21 +102,24 @@ class PairKeys(Table):
     module: Module | None = Field(default=None, description="Module in the normal section.")
     helix_angle: Helix | None = Field(
         default=None,
-        description="Helix angle on the reference cylinder, below 60 deg; the hand does not matter (default: 0, spur).",
+        description="Helix angle on the reference cylinder, below 60 deg; the hand, its sign, does not matter "
+        "(default: 0, spur).",
     )
     rack: RackName | None = Field(
         default=None,
-        description='Basic rack: `"GOST 13755"`, or `"ISO 53 A"`, `"ISO 53 B"`, `"ISO 53 C"`, `"ISO 53 D"`, `"AGMA '
-        '14.5"`, `"stub 20"` (default: `"GOST 13755"`, of a train that of `[train]`).',
+        description='Basic rack that cuts the wheels: `"GOST 13755"`, or `"ISO 53 A"`, `"ISO 53 B"`, `"ISO 53 C"`, '
+        '`"ISO 53 D"`, `"AGMA 14.5"`, `"stub 20"` (default: `"GOST 13755"`, of a train that of '
+        "`[train]`).",
     )
     pressure_angle: RackAngle | None = Field(
-        default=None, description="Pressure angle in the normal section (default: of the rack)."
+        default=None, description="Pressure angle of the rack in the normal section (default: of the rack)."
     )
     addendum: Addendum | None = Field(
-        default=None, description="Addendum in the normal section, in modules (default: of the rack)."
+        default=None, description="Addendum of the rack in the normal section, in modules (default: of the rack)."
     )
     clearance: Clearance | None = Field(
-        default=None, description="Radial clearance in the normal section, in modules (default: of the rack)."
+        default=None,
+        description="Radial clearance of the rack in the normal section, in modules (default: of the rack).",
     )
     tip_radius: TipRadius | None = Field(
         default=None,
@@ -197,13 +201,14 @@ class PairKeys(Table):
     )
     ball_diameters: Diameters | None = Field(
         default=None,
-        description='Diameters of the balls or pins, `["8.5 mm", "8.5 mm"]` (default: near the middle of the flank).',
+        description='Diameters of the balls or pins, `["8.5 mm", "8.5 mm"]` (default: '
+        "they touch near the middle of the flank).",
     )
     measure_over: Body | None = Field(default=None, description='`"balls"` or `"pins"` (default: `"balls"`).')
     face_width_rule: WidthRule | None = Field(
         default=None,
-        description='Face width in z_w,max of helical wheels: `"book"`, W <= b/sin(beta), or `"exact"`, W <= '
-        'b/sin(beta_b) (default: `"book"`).',
+        description="Face width that a span needs, in z_w,max of helical wheels: "
+        '`"book"`, W <= b/sin(beta), or `"exact"`, W <= b/sin(beta_b) (default: `"book"`).',
     )
 
 
@@ -212,8 +217,8 @@ class PairMeshTable(PairKeys):
 
     mesh: str | None = Field(
         default=None,
-        description='Which mesh of the train it is: `"1-2"`, `"2\'-3"`. Without a train there is no such key: '
-        "each entry is a pair.",
+        description='Which mesh of the train it is, by its wheels: `"1-2"`, `"2\'-3"`. '
+        "Without a train there is no such key: each entry is a pair.",
     )
 
 
@@ -225,7 +230,7 @@ class PairTable(PairKeys):
         description="Whether a pair that cannot work is an error, with its margin and the nearest admissible shifts; "
         "`false`: it is told and shown.",
     )
-    points: Points = Field(default=POINTS, description="Points of each curve of a profile.")
+    points: Points = Field(default=POINTS, description="Points of each curve of a tooth profile.")
     meshes: list[PairMeshTable] = Field(
         default=[], description="Several pairs, or the meshes of the train that differ from the others."
     )

@@ -159,7 +159,9 @@ class MaterialTable(Table):
 class StrengthTable(Table):
     """Modules and face widths of a train by the endurance of its teeth, or the stresses at given ones."""
 
-    torque: Torque | None = Field(default=None, description="T1 on wheel 1, of all planets or layshafts together.")
+    torque: Torque | None = Field(
+        default=None, description="T1: torque on wheel 1, of all planets or layshafts together."
+    )
     moment: LargestMoment | None = Field(
         default=None,
         description="Or the largest reduced moment that the train has to overcome; "
@@ -167,15 +169,17 @@ class StrengthTable(Table):
     )
     moment_ratio: Ratio | None = Field(
         default=None,
-        description="Speed of wheel 1 over that of the shaft of the moment, the crank; "
+        description="Speed of wheel 1 over that of the shaft to which the moment is reduced, the crank; "
         "another one says that a gear stands between the train's output shaft and the crank (default: "
         "that of the train).",
     )
     material: MaterialTable | None = Field(
         default=None, description="Material of all wheels; or `pinion` and `wheel` apart."
     )
-    pinion: MaterialTable | None = Field(default=None, description="Material of the pinions.")
-    wheel: MaterialTable | None = Field(default=None, description="Material of the other wheels (default: as pinions).")
+    pinion: MaterialTable | None = Field(default=None, description="Material of the pinions, in place of `material`.")
+    wheel: MaterialTable | None = Field(
+        default=None, description="Material of the other wheels, in place of `material` (default: as pinions)."
+    )
     permissible_contact: Stresses | None = Field(
         default=None, description="sigma_HP: permissible contact stress of each stage (default: of the materials)."
     )
@@ -192,7 +196,7 @@ class StrengthTable(Table):
     module: Sizes | None = Field(default=None, description="Given modules of the stages, which are checked.")
     width: Sizes | None = Field(default=None, description="Face widths of the given modules.")
     modules_row: Literal[1, 2] | None = Field(
-        default=None, description="Standard modules of both rows, 2, or 1: of the preferred row (default: 2)."
+        default=None, description="Standard modules: of both rows, 2, or 1: of the preferred row only (default: 2)."
     )
     underrun: Underrun | None = Field(
         default=None, description="Part by which a standard module may be too small (default: 0)."

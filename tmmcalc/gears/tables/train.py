@@ -64,31 +64,33 @@ class ConstraintsTable(Table):
 
     mesh_angle_max: MeshAngle | None = Field(
         default=None,
-        description="Stages whose centre distances differ are closed by raising pressure angles up to this one "
-        "(default: off, 2A-AA 26 deg).",
+        description="Stages whose centre distances differ are closed by raising operating pressure angles up to this "
+        "one (default: off, 2A-AA 26 deg).",
     )
     assembly: bool = Field(default=True, description="Whether equally spaced planets have to fit in.")
     adjacency_gap: Gap = Field(
         default=Fraction(1), description="Least gap between the tips of neighbouring planets, in modules."
     )
     ring_difference: Difference = Field(
-        default=7, description="Teeth that a ring has more than the wheel within, at least."
+        default=7, description="Least number of teeth that a ring has more than the wheel within."
     )
     undercut: bool | None = Field(
         default=None,
-        description="Whether external wheels have 2 h_a/sin^2(alpha) teeth or more (default: "
+        description="Whether external wheels are free of undercut: 2 h_a/sin^2(alpha) teeth or more (default: "
         "`true`, `false` where a lower `z_min` is given, with a warning).",
     )
     stage_ratio_max: StageRatio | None = Field(
-        default=None, description="Largest ratio of one stage (default: unfolded 6)."
+        default=None, description="Largest ratio of one stage (default: 6 of an unfolded train)."
     )
     diameter_band: Band | None = Field(
         default=None,
         description="Largest relative difference of the wheels' diameters; of unfolded trains with m2/m1 = cbrt(U1) "
-        "(default: unfolded 0.05).",
+        "(default: 0.05 of an unfolded train).",
     )
-    equal_pinions: bool = Field(default=False, description="Whether all pinions of an unfolded train are alike.")
-    coprime: bool = Field(default=False, description="Whether there is no common factor in any mesh.")
+    equal_pinions: bool = Field(
+        default=False, description="Whether all pinions of an unfolded train have the same number of teeth."
+    )
+    coprime: bool = Field(default=False, description="Whether the wheels of every mesh are without common factor.")
     centre_distance: Distances = Field(
         default=False,
         description='Least and largest centre distance of wheels 1 and 2, `["80 mm", "120 mm"]`; needs a module.',
@@ -99,13 +101,15 @@ class ConstraintsTable(Table):
 class TrainTable(Table):
     """A gear train: its layout, its ratio, and within what limits tooth numbers are sought."""
 
-    layout: Layouts = Field(description='One layout, or a list that is compared: `["AI", "AIbar"]`.')
+    layout: Layouts = Field(
+        description='Layout of the train, or a list of several that are compared: `["AI", "AIbar"]`.'
+    )
     ratio: Ratio | None = Field(
         default=None, description='Ratio of the train, `"8.15"`, `8.15` or `"163/20"`, exact as written.'
     )
     ratio_kind: Literal["u", "i_1H", "i_H1", "i_14"] | None = Field(
         default=None,
-        description='`"u"`: of teeth, U = Z2 Z3/(Z1 Z2\') (fixed axes); `"i_1H"`: '
+        description='Which ratio that is. `"u"`: of teeth, U = Z2 Z3/(Z1 Z2\') (fixed axes); `"i_1H"`: '
         'wheel 1 over the carrier (planetary; below 1 for AA and II); `"i_H1"`: the carrier drives; '
         '`"i_14"`: wheel 1 over ring 4 (AII) (default: by the layout).',
     )
@@ -121,13 +125,16 @@ class TrainTable(Table):
         "1 %, of unfolded3 2 %).",
     )
     tolerance_kind: Literal["relative", "absolute"] = Field(
-        default="relative", description='`"relative"` or `"absolute"`: of the ratio as given by its kind.'
+        default="relative",
+        description='Whether the tolerance is `"relative"`, a part of the ratio, or `"absolute"`; '
+        "of the ratio as given by its kind.",
     )
     planets: Planets | None = Field(
-        default=None, description="Planets or layshafts; or a list: `[2, 3, 4]` (default: 3, coaxial 1)."
+        default=None, description="Number of planets or layshafts, or a list: `[2, 3, 4]` (default: 3, coaxial 1)."
     )
     module_ratios: ModuleRatios | None = Field(
-        default=None, description="Proportions m1 : m2 of the modules, `[[2, 3], [4, 7]]` (coaxial, AI, AA, II, AII)."
+        default=None,
+        description="Proportions m1 : m2 of the modules of the stages, `[[2, 3], [4, 7]]` (coaxial, AI, AA, II, AII).",
     )
     modules: list[Size] | None = Field(
         default=None, min_length=2, max_length=2, description='Or the modules themselves, `["2 mm", "3.5 mm"]`.'
@@ -143,7 +150,9 @@ class TrainTable(Table):
     )
     ring_min: RingTeeth | None = Field(default=None, description="Least number of teeth of a ring (default: 40).")
     ring_max: RingTeeth | None = Field(default=None, description="Largest number of teeth of a ring (default: 350).")
-    sum_max: int | None = Field(default=None, ge=12, le=3000, description="Largest Z1 + Z2.")
+    sum_max: int | None = Field(
+        default=None, ge=12, le=3000, description="Largest Z1 + Z2, the sum of teeth of wheels 1 and 2."
+    )
     method: Literal["complete", "textbook"] = Field(
         default="complete",
         description='`"complete"`: every tooth set; or `"textbook"`: the sets that the textbook\'s programs find '
@@ -153,7 +162,7 @@ class TrainTable(Table):
         default=100_000,
         ge=1,
         le=5_000_000,
-        description="Sets that are held, those with the least Z1 + Z2; the count is exact whatever it is.",
+        description="Most tooth sets that are held, those with the least Z1 + Z2; the count is exact whatever it is.",
     )
     pressure_angle: Angle = Field(default=math.pi / 9, description="Pressure angle of the rack.")
     addendum: Addendum = Field(default=Fraction(1), description="Addendum of the rack, in modules.")

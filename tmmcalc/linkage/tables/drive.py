@@ -14,7 +14,8 @@ class DriveTable(Table):
 
     kind: Literal["coupling", "gear"] = Field(
         default="coupling",
-        description='`"coupling"`: a moment; or `"gear"`: a force in the mesh of a gear that the crank carries.',
+        description='Kind of the drive, `"coupling"`: a moment; or `"gear"`: a force in the mesh of a gear that the '
+        "crank carries.",
     )
     radius: Size | None = Field(default=None, description="Operating pitch radius of the gear on the crank.")
     mesh_angle: Angle = Field(default=math.pi / 9, description="Operating pressure angle of the mesh.")

@@ -20,10 +20,12 @@ class GridTable(Table):
         default=None,
         ge=2,
         le=4_000_000,
-        description="Steps of the working stroke; with `idle` in place of `positions`, so that both dead centres are "
-        "positions.",
+        description="Equal steps of the working stroke; with `idle` in place of `positions`, so that both dead "
+        "centres are positions.",
     )
-    idle: int | None = Field(default=None, ge=2, le=4_000_000, description="Steps of the idle stroke; needs `working`.")
+    idle: int | None = Field(
+        default=None, ge=2, le=4_000_000, description="Equal steps of the idle stroke; needs `working`."
+    )
     span: InputSpan | None = Field(
         default=None,
         description="Travel of the input that is analysed, from position 0 along the motion, at most a turn "

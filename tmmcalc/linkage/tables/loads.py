@@ -107,7 +107,8 @@ class LoadTable(Table):
     )
     against: int = Field(default=0, ge=0, description="Link that takes the opposite load, in the same line.")
     role: Literal["resistance", "drive"] = Field(
-        default="resistance", description='`"resistance"` or `"drive"`: what the load is for in the balance of work.'
+        default="resistance",
+        description='Whether the load is a useful `"resistance"` or a `"drive"` in the balance of work.',
     )
     factor: Factor = Field(default=1.0, description="Load factor.")
     force: Force | None = Field(default=None, description='Constant force, `"1500 N"`.')
@@ -146,5 +147,6 @@ class LoadTable(Table):
         default=None,
         min_length=2,
         max_length=2,
-        description='From one position of the grid to another, `[2, 12]`; `"6\'"` is an added one.',
+        description="From one position of the grid to another, by numbers or labels, `[2, 12]`; "
+        '`"6\'"` is an added one.',
     )

@@ -30,10 +30,10 @@ class MechanismTable(Table):
         default=[], description="What the project asks for: coordinates of points, links or sliders."
     )
     fixed: dict[PointName, Point] = Field(
-        default={}, description='Points of the frame, link 0, under `[mechanism.fixed]`: `O = [0, "620 mm"]`.'
+        default={}, description='Points `[x, y]` of the frame, link 0, under `[mechanism.fixed]`: `O = [0, "620 mm"]`.'
     )
     links: list[LinkTable] = Field(min_length=1, description="The moving links.")
     joints: list[JointTable] = Field(min_length=1, description="The joints between the links.")
     assembly: AssemblyTable = Field(
-        default_factory=AssemblyTable, description="Which of the two ways a dyad goes together."
+        default_factory=AssemblyTable, description="Which of the assembly variants is meant."
     )

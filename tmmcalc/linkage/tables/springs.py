@@ -19,7 +19,7 @@ class SpringTable(Table):
 
     name: SpringName | None = Field(default=None, description="Unique name (default: `spring 1` ...).")
     kind: Literal["linear", "torsion"] = Field(
-        default="linear", description='`"linear"`, or `"torsion"`: a moment between two links.'
+        default="linear", description='Kind of the spring, `"linear"`, or `"torsion"`: a moment between two links.'
     )
     links: LinkPair = Field(description="The two links; 0 is the frame.")
     points: list[Place] | None = Field(

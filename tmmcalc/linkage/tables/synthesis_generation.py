@@ -45,7 +45,8 @@ class FunctionTable(Table):
     )
     output_range: Output | None = Field(
         default=None,
-        description="Turn of the rocker, or travel of the slider, while x runs over its range; negative the other way.",
+        description="Turn of the rocker, or travel of the slider, from the first y to the last; "
+        "negative the other way.",
     )
     inputs: list[Angle] | None = Field(
         default=None, description="In place of a formula or table and its ranges: angles of the crank, from the first."

@@ -40,7 +40,7 @@ class UnsteadyTable(Table):
     travel: Coordinate | None = Field(default=None, description="Travel of the input with its sign, in place of `to`.")
     duration: Duration | None = Field(
         default=None,
-        description="T: alone it settles the travel, with `to` or `travel` the largest speed.",
+        description="T: duration of the motion; alone it settles the travel, with `to` or `travel` the largest speed.",
     )
     output: OutputName | None = Field(
         default=None,

@@ -34,7 +34,7 @@ class MotorTable(Table):
 
     name: str | None = Field(
         default=None,
-        description='Motor of the catalogue; `"choose"` takes the least that does, among those of '
+        description='Name of a motor of the catalogue; `"choose"` takes the least that does, among those of '
         "`synchronous_speed` if it is given.",
     )
     catalogue: str | None = Field(
@@ -43,7 +43,7 @@ class MotorTable(Table):
     )
     kind: Literal["induction", "shunt", "series"] | None = Field(
         default=None,
-        description='`"induction"`, or of direct current `"shunt"` or `"series"` (default: '
+        description='Kind of the motor, `"induction"`, or of direct current `"shunt"` or `"series"` (default: '
         '`"induction"`, or that of the catalogue).',
     )
     power: Power | None = Field(default=None, description="Rated power.")
@@ -64,7 +64,9 @@ class MotorTable(Table):
         "that of an induction motor by its critical slip, 1/(2 pi f s_K) at f = 50 Hz, for which it "
         "needs `synchronous_speed` and `overload`.",
     )
-    efficiency: Efficiency | None = Field(default=None, description="Rated efficiency of a series motor.")
+    efficiency: Efficiency | None = Field(
+        default=None, description="Rated efficiency of a series motor, which needs it."
+    )
     voltage: Voltage | None = Field(default=None, description="Voltage of a direct-current motor, V.")
     resistance: Resistance | None = Field(
         default=None, description="Resistance of the armature circuit of a direct-current motor, ohm."

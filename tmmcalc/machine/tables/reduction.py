@@ -12,6 +12,6 @@ class ReductionTable(Table):
 
     rods: Literal["exact", "lumped"] = Field(
         default="exact",
-        description='`"exact"`, or `"lumped"`: the masses of connecting rods put into their pins, which keeps the '
-        "centre of mass but not the moment of inertia.",
+        description='`"exact"`, connecting rods as they are, or `"lumped"`: their masses put into their pins, which '
+        "keeps the centre of mass but not the moment of inertia.",
     )

@@ -34,10 +34,10 @@ class RotorTable(Table):
     speed: AngularSpeed = Field(description="Highest service speed.")
     planes: Planes = Field(description="Places of the two correction planes along the axis.")
     static_plane: Length | None = Field(
-        default=None, description="Place of the one plane of static balancing (default: the centre of mass)."
+        default=None, description="Place of the one correction plane of static balancing (default: the centre of mass)."
     )
     radius: Size | None = Field(
         default=None, description="Radius of the correction masses; without it static moments are given alone."
     )
-    grade: Grade | None = Field(default=None, description='Balance quality to be kept: `"G6.3"` or `6.3`.')
+    grade: Grade | None = Field(default=None, description='Balance quality grade to be kept: `"G6.3"` or `6.3`.')
     unbalances: list[UnbalanceTable] = Field(min_length=1, description="Masses off the axis.")

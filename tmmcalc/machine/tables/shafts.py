@@ -28,6 +28,6 @@ class ShaftTable(Table):
     )
     inertia: Inertia | None = Field(
         default=None,
-        description="Moment of inertia of the mass behind; the last one is the crank (0 unless it is given), which "
-        "has gears, flywheel, further inertia and linkage besides.",
+        description="Moment of inertia of the mass behind the shaft; the last one is the crank (0 unless it is "
+        "given), which has gears, flywheel, further inertia and linkage besides.",
     )

@@ -65,7 +65,7 @@ class TorqueCurveTable(Table):
 class TorqueTable(Table):
     """The moment on the input shaft over one cycle, by exactly one law; a positive moment drives."""
 
-    name: DiagramName = Field(default="torque", description="What the diagram is called.")
+    name: DiagramName = Field(default="torque", description="What the diagram is called in tables.")
     speed: AngularSpeed = Field(description="Mean speed of the shaft.")
     period: Period = Field(default=2 * math.pi, description='Angle of the cycle; `"720 deg"` for a four-stroke engine.')
     formula: str | None = Field(
@@ -82,9 +82,9 @@ class TorqueTable(Table):
     pieces: list[Piece] | None = Field(
         default=None,
         min_length=2,
-        description='Straight pieces through points: `[["0 deg", "100 N*m"], ["90 deg", "100 N*m"], ["90 deg", "-50 '
-        'N*m"]]`; two points at one angle are a jump. The last point is joined to the first of the next '
-        "cycle.",
+        description='Straight pieces through points `[theta, moment]`: `[["0 deg", "100 N*m"], ["90 deg", "100 '
+        'N*m"], ["90 deg", "-50 N*m"]]`; two points at one angle are a jump. '
+        "The last point is joined to the first of the next cycle.",
     )
     table: TorqueCurveTable | None = Field(
         default=None, description='Values at angles: `{ theta = ["0 deg", "90 deg", "270 deg"], moment = [...] }`.'
@@ -95,7 +95,7 @@ class TorqueTable(Table):
         description='Several equal diagrams on one shaft: the delay of each, `["0 deg", "180 deg"]`.',
     )
     count: int | None = Field(
-        default=None, ge=1, le=1000, description="Or only how many diagrams, with even delays over the period."
+        default=None, ge=1, le=1000, description="Or only how many equal diagrams, with even delays over the period."
     )
     inertia: Inertia = Field(default=0.0, description="Constant moment of inertia of the shaft and what turns with it.")
     balanced: bool = Field(

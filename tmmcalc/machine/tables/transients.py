@@ -98,8 +98,8 @@ class TransientTable(Table):
     )
     method: Literal["auto", "merson", "rk4", "collocation", "RK45", "DOP853", "LSODA", "Radau", "BDF"] = Field(
         default="auto",
-        description='`"merson"`, `"rk4"`, `"collocation"` (Radau IIA of order 13), `"RK45"`, `"DOP853"`, `"LSODA"`, '
-        '`"Radau"`, `"BDF"`; `"auto"` picks by stiffness.',
+        description='Method of integration: `"merson"`, `"rk4"`, `"collocation"` (Radau IIA of order 13), `"RK45"`, '
+        '`"DOP853"`, `"LSODA"`, `"Radau"`, `"BDF"`; `"auto"` picks by stiffness.',
     )
     step: Duration | None = Field(default=None, description='Fixed step of `"rk4"`, or of `"merson"`.')
     tolerance: Tolerance | None = Field(

@@ -37,9 +37,11 @@ ObstacleName = Annotated[str, Words("obstacle")]
 class PathTable(Table):
     """The path of the gripper: points have two coordinates, or three with a turning base."""
 
-    kind: PathName = Field(description='`"arc"`, `"line"` or `"polyline"`.')
+    kind: PathName = Field(
+        description='`"arc"`, by radius and side or through a point; `"line"`; `"polyline"`, through points.'
+    )
     start: Place | None = Field(
-        default=None, description='Start, `["1.2 m", "0.3 m"]`, or three coordinates, of which the last is upwards.'
+        default=None, description='Start `[x, y]`, y upwards, or `[x, y, z]`, z upwards: `["1.2 m", "0.3 m"]`.'
     )
     end: Place | None = Field(default=None, description="End, with as many coordinates.")
     radius: Size | None = Field(
@@ -51,7 +53,9 @@ class PathTable(Table):
         "start to end.",
     )
     via: Place | None = Field(
-        default=None, description="Or a point that the arc goes through; then it may be longer than a half circle."
+        default=None,
+        description="Or a point that the arc goes through, in place of radius and side; "
+        "then it may be longer than a half circle.",
     )
     normal: Normal | None = Field(
         default=None,
@@ -159,7 +163,7 @@ class ManipulatorTable(Table):
         '`"down"`, to the right of it; left is up where the gripper is in front (default: `"up"`).',
     )
     height: Length = Field(default=0.0, description="Height of the shoulder over the origin.")
-    speed: Speed | None = Field(default=None, description="Along a path: largest speed.")
+    speed: Speed | None = Field(default=None, description="Along a path: largest speed of the gripper.")
     acceleration: Acceleration | None = Field(
         default=None, description="Along a path: largest tangential acceleration."
     )
@@ -170,8 +174,8 @@ class ManipulatorTable(Table):
     )
     total_acceleration: Acceleration | None = Field(
         default=None,
-        description="Largest acceleration in all, a limit that the largest speed keeps on the sharpest arc between "
-        "two stops.",
+        description="Largest acceleration of the gripper in all, a limit that the largest speed keeps on the "
+        "sharpest arc between two stops.",
     )
     duration: Duration | None = Field(
         default=None,

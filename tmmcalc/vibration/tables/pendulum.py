@@ -48,13 +48,15 @@ class PendulumRodTable(Table):
 
     length: Length = Field(description="l: length of the rod.")
     mass: Mass | None = Field(default=None, description="Mass of the whole rod (default: by section and `density`).")
-    diameter: Size | None = Field(default=None, description="Diameter of a round section; or `width` and `thickness`.")
+    diameter: Size | None = Field(
+        default=None, description="Outer diameter of a round section; or `width` and `thickness` of a rectangle."
+    )
     bore: Distance = Field(default=0.0, description="Inner diameter of a tube.")
     width: Size | None = Field(default=None, description="Side of a rectangular section along x.")
     thickness: Size | None = Field(default=None, description="Side of a rectangular section along y.")
     bending_stiffness: Bending | None = Field(
         default=None,
-        description="Or E I as a number in N*m^2; two values: in the planes xz and yz.",
+        description="E I as a number in N*m^2, in place of a section; two values: in the planes xz and yz.",
     )
     torsion_stiffness: TorsionStiffness | None = Field(
         default=None,
@@ -74,11 +76,12 @@ class DiscTable(Table):
     mass: DiscMass = Field(description="m: mass of the disc.")
     gyration: Radii | None = Field(
         default=None,
-        description="Radius r of gyration of a thin disc: m r^2 about a diameter, 2 m r^2 about the axis; "
+        description="r: radius of gyration of a thin disc, m r^2 about a diameter, 2 m r^2 about the axis; "
         "two values: along x, along y.",
     )
     diametral_inertia: Inertias | None = Field(
-        default=None, description="Or the moment of inertia about a diameter; two values: in xz, in yz."
+        default=None,
+        description="Moment of inertia about a diameter, in place of `gyration`; two values: in xz, in yz.",
     )
     polar_inertia: Inertia | None = Field(
         default=None, description="Moment of inertia about the axis (default: twice the diametral one)."
@@ -113,7 +116,9 @@ class SwingTable(Table):
     duration: Duration = Field(description="Time that is shown.")
     rows: Rows = Field(default=1000, description="Rows of the table, at equal times.")
     tilt: Tilt = Field(default=0.0, description="At the beginning: straight, turned about the joint towards x.")
-    deflection: Deflection = Field(default=0.0, description="At the beginning: lower end pulled along x and let go.")
+    deflection: Deflection = Field(
+        default=0.0, description="At the beginning: lower end pulled along x by a force and let go."
+    )
     push: Speed = Field(default=0.0, description="At the beginning: speed of the lower end along y, in that shape.")
     carrier: CarrierTable | None = Field(
         default=None,
@@ -127,10 +132,10 @@ class PendulumTable(Table):
 
     gravity: Gravity = Field(default=9.81, description="Acceleration of free fall.")
     stiffness: JointStiffness = Field(
-        default=0.0, description='k: stiffness of the joint against a tilt; `"clamped"`: it does not tilt.'
+        default=0.0, description='k: stiffness of the spherical joint against a tilt; `"clamped"`: it does not tilt.'
     )
-    spin: Spin = Field(default=0.0, description="Speed about the rod, positive from x to y.")
-    modes: Modes = Field(default=4, description="Natural frequencies that are told.")
+    spin: Spin = Field(default=0.0, description="Speed of spin about the rod, positive from x to y.")
+    modes: Modes = Field(default=4, description="Number of natural frequencies that are told.")
     elements: Elements | None = Field(
         default=None, description="Number of equal elements (default: as the accuracy asks)."
     )

@@ -70,7 +70,11 @@ class ExciterTable(Table):
     inertia_vertical: Inertia | None = Field(
         default=None, description="J_z3: moment of inertia about the vertical; or `inertia_axis` and `inertia_cross`."
     )
-    inertia_axis: Inertia | None = Field(default=None, description="J_z': moment of inertia about the motor's axis.")
+    inertia_axis: Inertia | None = Field(
+        default=None,
+        description="J_z': moment of inertia about the motor's axis; with `inertia_cross` in place of "
+        "`inertia_vertical`.",
+    )
     inertia_cross: Inertia | None = Field(
         default=None,
         description="J_y': moment of inertia about the line across the motor's axis and the hinge.",
@@ -107,8 +111,8 @@ class FlatsTable(Table):
     shear_modulus: Modulus = Field(default=79e9, description="G: shear modulus.")
     torsion: Torsion | None = Field(
         default=None,
-        description="alpha_t: torsion coefficient in J_t = alpha_t b h^3; 0.333 of thin strips (default: "
-        "of the rectangle).",
+        description="alpha_t: torsion coefficient of the section in J_t = alpha_t b h^3; "
+        "0.333 of thin strips (default: of the rectangle).",
     )
 
 
@@ -130,18 +134,18 @@ class VibratorDampingTable(Table):
 class VibratorUnbalanceTable(Table):
     """The unbalance on the motor's shaft."""
 
-    moment: StaticMoment | None = Field(default=None, description="Static moment m r; or `mass` and `radius`.")
+    moment: StaticMoment | None = Field(default=None, description="m r: static moment, in place of mass and radius.")
     mass: Mass | None = Field(default=None, description="m: mass of the unbalance.")
     radius: Size | None = Field(default=None, description="r: distance of its centre from the motor's axis.")
     distance: Distance | None = Field(
         default=None, description="R: middle of its path from the vertical axis (default: `radius` of the exciter)."
     )
     arm: Distance | None = Field(
-        default=None, description="From the hinge to the middle of its path (default: that of the exciter)."
+        default=None, description="From the hinge to the middle of its path (default: `arm` of the exciter)."
     )
     arm_angle: ArmAngle | None = Field(
         default=None,
-        description="delta: angle at which that arm climbs above the horizontal (default: that of the exciter).",
+        description="delta: angle at which that arm climbs above the horizontal (default: `arm_angle` of the exciter).",
     )
     rotor_inertia: RotorInertia | None = Field(
         default=None,
@@ -205,5 +209,6 @@ class VibratorTable(Table):
     )
     points: dict[PointName, Place] = Field(
         default={},
-        description='Points of the part whose paths are found, by name, at rest: `{ A = ["20 mm", 0, "-80 mm"] }`.',
+        description="Points `[x, y, z]` of the part whose paths are found, by name, at rest: "
+        '`{ A = ["20 mm", 0, "-80 mm"] }`.',
     )
