@@ -45,54 +45,85 @@ class CamTable(Table):
     """A disk cam: its motion, the sizes that are given (the others are found), limits, loads, requirements."""
 
     follower: FollowerName = Field(
-        description="translating: a roller on a stem; oscillating: a roller on a rocker; flat: a face across the stem."
+        description='`"translating"`: a roller on a stem; `"oscillating"`: a roller on a rocker; `"flat"`: '
+        "a face across a stem."
     )
-    rotation: Rotation = Field(default="clockwise", description="Sense in which the cam turns.")
-    closure: Closing = Field(default="force", description="force: a spring or weight; groove: two walls.")
-    stroke: Stroke = Field(description="Stroke of the follower; of a rocker its swing angle.")
+    rotation: Rotation = Field(
+        default="clockwise", description='Sense in which the cam turns: `"clockwise"` or `"counter-clockwise"`.'
+    )
+    closure: Closing = Field(
+        default="force",
+        description='`"force"`: a spring or weight keeps the follower on the cam; `"groove"`: '
+        "two walls guide the roller.",
+    )
+    stroke: Stroke = Field(description='Stroke of the follower, `"30 mm"`; of a rocker its swing angle, `"20 deg"`.')
     speed: Speed | None = Field(
-        default=None, description="Speed of the cam (default: mean speed of the crank or shaft in the spec)."
+        default=None,
+        description="Speed of the cam, which loads need (default: of the crank, or of the shaft of `[torque]`). "
+        "Without one the cam turns with the crank, and where the spec has a motor its forces take the "
+        "speed that the stage `motion` finds.",
     )
     crank_angle: CrankAngle = Field(
         default=0.0,
-        description="Angle of the crank from position 0 where the rise begins, if the cam turns with it.",
+        description="Angle of the crank from position 0 at which the rise begins, where the cam turns with it.",
     )
     rise: PhaseAngle = Field(description="Angle of the cam during the rise.")
-    high_dwell: Dwell = Field(default=0.0, description="Angle during which the follower rests at the top.")
-    return_angle: PhaseAngle = Field(description="Angle of the cam during the return; the rest of the turn is dwell.")
-    law: Law | None = Field(default=None, description="Law of motion of rise and return: a name, or a table.")
-    rise_law: Law | None = Field(default=None, description="Law of the rise.")
-    return_law: Law | None = Field(default=None, description="Law of the return.")
+    high_dwell: Dwell = Field(default=0.0, description="Angle of the cam while the follower rests at the top.")
+    return_angle: PhaseAngle = Field(description="Angle of the cam during the return; the low dwell fills the turn.")
+    law: Law | None = Field(
+        default=None, description="Law of motion of rise and return: a name, or a table of one's own."
+    )
+    rise_law: Law | None = Field(default=None, description="Law of the rise (default: `law`).")
+    return_law: Law | None = Field(default=None, description="Law of the return (default: `law`).")
     start_distance: Size | None = Field(
-        default=None, description="S0: distance of roller centre (or face) and cam axis along the lift at the lowest."
+        default=None,
+        description="S0: from the cam's axis to the roller centre (to a flat face) along the lift, at the lowest "
+        "position (default: found).",
     )
     start_angle: SwingAngle | None = Field(
-        default=None, description="psi0: angle of the rocker from the line of centres at the lowest."
+        default=None,
+        description="psi0: angle of the rocker from the line of centres, at the lowest position (default: found).",
     )
-    base_radius: Size | None = Field(default=None, description="R0: radius of the pitch curve's base circle.")
+    base_radius: Size | None = Field(
+        default=None, description="R0: radius of the base circle of the pitch curve, under a flat face of the profile."
+    )
     offset: Offset | None = Field(
         default=None,
-        description="e: the stem's axis to the right of the cam's (default: 0; found if the start is).",
+        description="e: how far the stem of a roller stands to the right of the cam's axis; negative: "
+        "to the left (default: 0, found if the start is).",
     )
-    roller_radius: Distance | None = Field(default=None, description="r2: radius of the roller; 0: knife edge.")
-    centre_distance: Size | None = Field(default=None, description="l0: distance of the axes of cam and rocker.")
-    rocker_length: Size | None = Field(default=None, description="l2: from the rocker's pivot to the roller centre.")
+    roller_radius: Distance | None = Field(
+        default=None,
+        description='r2: radius of the roller (default: found); `0` without quotes or `"0 mm"`: knife edge.',
+    )
+    centre_distance: Size | None = Field(
+        default=None, description="l0: distance of the axes of cam and rocker (default: found)."
+    )
+    rocker_length: Size | None = Field(
+        default=None, description="l2: from the rocker's pivot to the roller centre (default: found)."
+    )
     rocker_turn: RockerTurn = Field(
-        default="with", description="Whether the rocker turns with the cam on the rise, or against it."
+        default="with", description='`"with"`: on the rise the rocker turns as the cam does; or `"against"`.'
     )
     steps: Steps | None = Field(
-        default=None, description="Rows of tables: equal steps of each moving phase, in place of step."
+        default=None, description="Rows of the tables: equal steps of each moving phase, in place of `step`."
     )
-    step: Step = Field(default=math.pi / 180, description="Rows of tables: step of the angle of the cam.")
-    tool_radius: Size | None = Field(default=None, description="Radius of the cutter or grinding wheel.")
+    step: Step = Field(default=math.pi / 180, description="Rows of the tables: step of the angle of the cam.")
+    tool_radius: Size | None = Field(
+        default=None, description="Radius of the cutter or grinding wheel whose path is asked for."
+    )
     tolerance: Size = Field(default=1e-6, description="Chord error of exported curves.")
-    face_margin: Distance = Field(default=0.0, description="By which a flat face is longer than the contact needs.")
+    face_margin: Distance = Field(
+        default=0.0, description="Length by which a flat face is longer than the contact needs, on both sides."
+    )
     refuse: bool = Field(
         default=True,
-        description="Whether a profile that is undercut or crosses itself is an error; false: it is told and shown.",
+        description="Whether a profile that is undercut or crosses itself is an error; `false`: it is told and shown.",
     )
     limits: CamLimitsTable = Field(default_factory=CamLimitsTable, description="Pressure angles and radii.")
-    loads: CamLoadsTable | None = Field(default=None, description="Masses, forces and friction of the follower.")
+    loads: CamLoadsTable | None = Field(
+        default=None, description="Masses, forces and friction of the follower; forces are positive along the lift."
+    )
     spring: CamSpringTable | None = Field(default=None, description="The spring that keeps it on the cam.")
     guide: CamGuideTable = Field(default_factory=CamGuideTable, description="The guide of a stem.")
     requirements: CamRequirementsTable | None = Field(default=None, description="Data of strength and slip.")

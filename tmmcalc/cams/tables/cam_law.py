@@ -55,20 +55,25 @@ class LawTable(Table):
     points: list[_PointOfMotion] | None = Field(
         default=None,
         min_length=2,
-        description="Points [k, s] of the displacement, from 0 to the end of the phase: a smooth curve through them.",
+        description="Points `[k, s]` of the displacement, from 0 to the end of the phase: "
+        "a smooth curve through them, at rest and without acceleration at both ends.",
     )
     acceleration: list[_PointOfMotion] | None = Field(
         default=None,
         min_length=2,
-        description="Points [k, a] of the acceleration, straight lines between them; a k that stands twice is a jump.",
+        description="Points `[k, a]` of the acceleration, straight lines between; a k that stands twice is a jump; "
+        "the areas above and below zero are equal.",
     )
     polynomial: list[_Coefficient] | None = Field(
-        default=None, min_length=3, max_length=30, description="Coefficients c0, c1, c2, ... of s = c0 + c1 k + ..."
+        default=None,
+        min_length=3,
+        max_length=30,
+        description="Coefficients `[c0, c1, c2, ...]` of s = c0 + c1 k + c2 k^2 + ...",
     )
     file: str | None = Field(
         default=None,
-        description="CSV file of points: two columns by their names, such as k,s or phi[deg],s[mm], or k,a of "
-        "accelerations; its path counts from the spec.",
+        description="CSV file of points in two columns that go by their names, such as `k,s` or `phi[deg],s[mm]`, or "
+        "accelerations `k,a`; without a header `k,s`. Its path counts from the folder of the spec.",
     )
 
 

@@ -22,28 +22,34 @@ Rows = Annotated[int, Whole("a number of steps", 2, 100_000)]
 class IndexingTable(Table):
     """A cam-lantern indexing mechanism: rollers and step, sizes that are given (the others are chosen), friction."""
 
-    rollers: Rollers = Field(description="z2: rollers of the wheel, even; half of them stand in each of the two rows.")
+    rollers: Rollers = Field(
+        description="z2: rollers of the wheel, even, half of them in each of its two rows; usual are 6 to 14."
+    )
     step_angle: StepAngle = Field(
-        description="phi_p: angle of the cams during one step; the dwell takes the rest of half a turn."
+        description="phi_p: angle of the cams during one step, below 180 deg; each dwell takes 180 deg - phi_p."
     )
     law: StepLaw = Field(
-        description="Law of motion of a step, symmetric about its middle: a name, a code 00ee for an acceleration that "
-        "is constant over ee percent of the time at each end, or a table."
+        description='Law of motion of a step, symmetric about its middle: a name as in `[cam]`, a code `"00ee"` for '
+        "an acceleration that is constant over ee percent of the time at each end, or a table."
     )
     wheel_radius: Size = Field(description="l_k: radius on which the rollers stand.")
     centre_distance: Size | None = Field(
-        default=None, description="a: distance of the shafts of cams and wheel (default: chosen within its limits)."
+        default=None,
+        description="a: distance of the shafts of cams and wheel (default: chosen within its limits); or `ratio`.",
     )
     ratio: Lambda | None = Field(default=None, description="lambda = a/l_k, in place of the centre distance.")
     roller_radius: Size | None = Field(
-        default=None, description="r_r: radius of the rollers (default: chosen by the curvature and the pitch)."
+        default=None,
+        description="r_r: radius of the rollers (default: 0.7 of the least of its limits by curvature and pitch).",
     )
     pressure_angle: Pressure = Field(
-        default=math.radians(50), description="theta_d: largest pressure angle; usual are 45 to 50 deg."
+        default=math.radians(50),
+        description="theta_d: largest pressure angle, which decides lambda_max; usual are 45 to 50 deg.",
     )
     friction: Friction = Field(default=0.18, description="f1: coefficient of friction of the rollers on the cams.")
     pin_friction: Friction | None = Field(
-        default=None, description="f2: coefficient of friction of the rollers on their pins (default: 1.27 f1)."
+        default=None,
+        description="f2: coefficient of friction of the rollers on their pins (default: 1.27 of `friction`).",
     )
     shaft_radius: Distance = Field(default=0.0, description="Radius of the camshaft that the groove has to clear.")
     steps: Rows = Field(default=20, description="Rows of tables: equal parts of the step.")

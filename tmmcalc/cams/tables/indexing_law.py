@@ -22,10 +22,12 @@ class StepLawTable(LawTable):
 
     constant_ends: Part | None = Field(
         default=None,
-        description="Part e of the time at each end over which the acceleration is constant, a straight line between.",
+        description="Part e of the time, 0 to 0.5, at each end over which the acceleration is constant, a straight "
+        "line between: `law = { constant_ends = 0.125 }`.",
     )
     peak_velocity: Peak | None = Field(
-        default=None, description="B alone, the largest s' of a law that is not known: limits and sizes, no profile."
+        default=None,
+        description="B = s'(1/2) alone, the largest s', of a law that is not known: limits and sizes without profiles.",
     )
 
 

@@ -32,17 +32,32 @@ class ContactTable(Table):
     """Load, elasticity, the gap of the unloaded bodies, the grid."""
 
     load: Load = Field(description="P: force that presses the bodies together.")
-    modulus: Modulus | None = Field(default=None, description="E*: composite modulus, in place of those of the bodies.")
-    young: Moduli = Field(default=[206e9, 206e9], description="E of the two bodies.")
+    modulus: Modulus | None = Field(
+        default=None,
+        description="E*: composite modulus, 1/E* = sum of (1 - nu^2)/E, in place of those of the bodies (default: "
+        "by the bodies).",
+    )
+    young: Moduli = Field(
+        default=[206e9, 206e9],
+        description='E of the two bodies: `young = ["206000 MPa", "115000 MPa"]`.',
+    )
     poisson: Poissons = Field(default=[0.3, 0.3], description="Poisson's ratios of the two bodies.")
     radii: Radii | None = Field(
-        default=None, description="Radii of the relative paraboloid in the planes xz and yz; one for both."
+        default=None,
+        description="The gap of the unloaded bodies: radii of the relative paraboloid in the planes xz and yz (one "
+        "for both).",
     )
-    gap: str | None = Field(default=None, description='Formula h(x, y) in metres, such as "x**2/0.04 + y**4/1e-4".')
-    table: GapTableTable | None = Field(default=None, description="The gap on a rectangle, in place of a formula.")
+    gap: str | None = Field(
+        default=None,
+        description='Or a formula of the gap in `x` and `y`, all in metres, such as `"x**2/0.04 + y**4/1e-4"`.',
+    )
+    table: GapTableTable | None = Field(default=None, description="Or a table of the gap on a rectangle.")
     cells: Cells = Field(
-        default=24, description="N: steps of the grid from its middle to a corner; 3 N (N + 1) + 1 nodes."
+        default=24,
+        description="N, 6 to 40: steps of the grid from its middle to a corner; it has 3 N (N + 1) + 1 nodes.",
     )
     size: Size | None = Field(
-        default=None, description="From the middle of the grid to its corners on x (default: 1.5 of Hertz's half-axis)."
+        default=None,
+        description="From the middle of the grid to its corners on the axis of x (default: "
+        "1.5 of Hertz's larger half-axis); of a table as far as it reaches.",
     )

@@ -28,13 +28,18 @@ class FallingBallTable(Table):
     drag: Drag = Field(description="alpha: the drag decelerates by alpha v^2/r.")
     decay: Decay = Field(description="lambda in 1/s: the radius is r0 e^(-lambda t).")
     gravity: Gravity = Field(default=9.81, description="Acceleration of free fall.")
-    reaction: Sense = Field(default="braking", description='"accelerating" or "braking": the sense of the reaction.')
+    reaction: Sense = Field(
+        default="braking", description='Sense of the reaction: `"braking"` or `"accelerating"`, s = -1 or 1.'
+    )
     relative_speed: Relative = Field(
-        default=0.0, description='Speed of the separated mass against the ball; "own": that of the ball itself.'
+        default=0.0,
+        description='V of the separated mass against the ball; `"own"`: V = v, that of the ball itself: '
+        "the mass has no speed of its own.",
     )
     initial_speed: Speed = Field(default=0.0, description="v0: downwards.")
     times: Times = Field(default=[], description="Times at which speed and way are told.")
     duration: Duration | None = Field(
-        default=None, description="Time of the table (default: to the stop, or 5/lambda)."
+        default=None,
+        description="Time of the table (default: to the stop or 5/lambda); behind its stop the ball moves upwards.",
     )
     rows: Rows = Field(default=200, description="Equal steps of the table.")

@@ -23,14 +23,22 @@ Rows = Annotated[int, Whole("a number of rows", 2, 100_000)]
 class ReliabilityTable(Table):
     """Loads, shocks, strength or a test; times and loads are numbers in any unit, the same throughout."""
 
-    load: Loads | None = Field(default=None, description="a and b: the load of a shock is uniform between them.")
-    readings: Readings | None = Field(default=None, description="Loads that were measured, in place of load.")
+    load: Loads | None = Field(
+        default=None, description="a and b: the load of a shock is uniform between them; or `readings`."
+    )
+    readings: Readings | None = Field(
+        default=None, description="Loads that were measured, in place of `load`: both are estimated from them."
+    )
     rate: Rate = Field(description="h: shocks in a unit of time.")
     strength: Strength | None = Field(default=None, description="r: strength at the beginning.")
     decay: Decay | None = Field(default=None, description="beta: strength falls as r e^(-beta t).")
-    items: Items | None = Field(default=None, description="m: items of a test, in place of strength and decay.")
+    items: Items | None = Field(
+        default=None, description="m: number of items of a test, in place of `strength` and `decay`."
+    )
     least_life: Time | None = Field(default=None, description="t_(1): the shortest life of the test.")
-    mean_life: Time | None = Field(default=None, description="The mean life of the test.")
+    mean_life: Time | None = Field(default=None, description="Mean life of the test.")
     times: Times = Field(default=[], description="Times at which the reliability is told.")
-    until: Time | None = Field(default=None, description="End of the table (default: where the reliability is 0.001).")
+    until: Time | None = Field(
+        default=None, description="End of the table (default: where the reliability R is 0.001)."
+    )
     rows: Rows = Field(default=100, description="Equal steps of the table.")

@@ -25,8 +25,8 @@ Sharp = Annotated[float, Within(*_ANGLE, 0, 44)]
 class ThreadTable(Table):
     """The thread that tightens a tie."""
 
-    moment: Moment = Field(description="M: by which it is tightened.")
-    diameter: Base = Field(description="d2: mean diameter.")
+    moment: Moment = Field(description="M: moment by which it is tightened.")
+    diameter: Base = Field(description="d2: mean diameter of the thread.")
     lead_angle: Sharp = Field(description="lambda: lead angle.")
     friction_angle: Sharp = Field(description="rho': reduced angle of friction.")
 
@@ -35,10 +35,10 @@ class SupportTable(Table):
     """The sliding support of the load."""
 
     weight: OwnWeight = Field(default=0.0, description="G_o: its own weight.")
-    friction: Friction = Field(description="mu_s: of the support.")
+    friction: Friction = Field(description="mu_s: coefficient of friction of the support.")
     base: Base = Field(description="L: from the cradle to the support.")
-    cradle_arm: Arm = Field(description="a: the load presses on the cradle by G2 a/L.")
-    arm: Arm = Field(description="b: the load presses on the support by G2 b/L.")
+    cradle_arm: Arm = Field(description="a: the cradle carries G2 a/L of the load.")
+    arm: Arm = Field(description="b: the support carries G2 b/L of the load.")
     diameter: Arm = Field(default=0.0, description="D: the inertia force acts D/2 above the supports.")
 
 
@@ -46,12 +46,13 @@ class TieDownTable(Table):
     """The load, its ties, what they are tightened by."""
 
     weight: Weight = Field(description="G2: weight of the load.")
-    factor: Factor = Field(description="k: inertia force along the way over the weight.")
-    elevation: Elevation = Field(description="alpha: of the ties above the floor.")
-    plan_angle: Elevation = Field(default=0.0, description="beta: of the ties in plan, from the way.")
-    friction: Friction = Field(description="mu: of the load on its cradle.")
+    factor: Factor = Field(description="k: the inertia force along the way over the weight.")
+    elevation: Elevation = Field(description="alpha: angle of the ties above the floor.")
+    plan_angle: Elevation = Field(default=0.0, description="beta: angle of the ties in plan from the way.")
+    friction: Friction = Field(description="mu: coefficient of friction of the load on its cradle.")
     preload: OwnWeight | None = Field(
-        default=None, description="P0: to which the four ties are tightened (default: 0)."
+        default=None,
+        description="P0: preload to which each of the four ties is tightened (default: 0); or `[tie_down.thread]`.",
     )
     thread: ThreadTable | None = Field(default=None, description="The thread that gives the preload.")
     support: SupportTable | None = Field(default=None, description="A sliding support that carries a part of the load.")

@@ -53,17 +53,26 @@ Limit = Annotated[float | str, Bound("a limit", '350, or "350 mm"')]
 class ConstraintTable(Table):
     """A named inequality on a result."""
 
-    name: ConstraintName = Field(description="Its name in the rule and in messages.")
-    stage: str = Field(description='The stage of the result, such as "kinematics".')
+    name: ConstraintName = Field(description="Its name in the rule and in messages: letters, digits, `_`.")
+    stage: str = Field(description='Stage whose result it is on: `"kinematics"`, `"forces"`, `"cam_optimum"`, ...')
     value: str | None = Field(
         default=None,
-        description="A fact of the stage's summary by its name in --format json, without its unit, such as stroke_D.",
+        description='A fact of the stage\'s summary by its name in `--format json`, without the unit: `"stroke_D"`; '
+        "a nested one with a dot.",
     )
     column: str | None = Field(
-        default=None, description="A column of the stage's table, without its unit, such as R_A, in place of value."
+        default=None, description='Or a column of the stage\'s table, without the unit: `"R_A"` (docs/files.md).'
     )
-    of: What = Field(default="max", description="What of the column; size is the largest magnitude.")
+    of: What = Field(
+        default="max",
+        description='What of the column: `"max"`, `"min"`, `"range"`, `"mean"`, `"size"` (largest magnitude), '
+        '`"first"`, `"last"`.',
+    )
     at_least: Limit | None = Field(
-        default=None, description="Lower limit: a number in the unit of the quantity, or a text with a unit."
+        default=None,
+        description="Lower limit: a number in the unit of the quantity, or one with a unit; "
+        "one of the two limits, or both.",
     )
-    at_most: Limit | None = Field(default=None, description="Upper limit, alike.")
+    at_most: Limit | None = Field(
+        default=None, description="Upper limit: a number in the unit of the quantity, or one with a unit."
+    )

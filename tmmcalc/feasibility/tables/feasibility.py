@@ -16,9 +16,12 @@ class FeasibilityTable(Table):
 
     rule: str = Field(
         default="",
-        description='Constraints with and, or, not, brackets: "stroke and (light or not fast)" (default: all).',
+        description='Names of constraints with `and`, `or`, `not` and brackets: `"stroke and (light or not swift)"` '
+        "(default: all must hold).",
     )
     form: FormName = Field(
-        default="minmax", description="Function of the rule for searches: minmax (exact), R0 or Rm (smooth)."
+        default="minmax",
+        description='Function of the rule for searches, f >= 0 where it holds: `"minmax"`, or a smooth one, `"R0"` '
+        'or `"Rm"`.',
     )
-    smoothness: Smoothness = Field(default=1, description="Order m of Rm.")
+    smoothness: Smoothness = Field(default=1, description='Order m of `"Rm"`.')

@@ -46,32 +46,48 @@ class CriteriaWeightsTable(Table):
     """How much each criterion counts in the ranking; each is scaled from its best to its worst value."""
 
     mass: Weight = Field(default=0.0, description="Mass of the moving wheels.")
-    inertia: Weight = Field(default=0.0, description="Reduced moment of inertia.")
-    size: Weight = Field(default=0.0, description="Diameter or length, as the textbook has it.")
+    inertia: Weight = Field(
+        default=0.0, description="Moment of inertia of the moving wheels, reduced to the output shaft."
+    )
+    size: Weight = Field(
+        default=0.0, description="D of the textbook: diameter around the planets, or length of the row."
+    )
     envelope: Weight = Field(default=0.0, description="Diameter or length around all wheels and rings.")
-    efficiency: Weight = Field(default=0.0, description="Efficiency, the more the better.")
-    error: Weight = Field(default=0.0, description="Deviation of the ratio.")
-    width_deviation: Weight = Field(default=0.0, description="How far width over module is outside the usual.")
+    efficiency: Weight = Field(
+        default=0.0, description="Efficiency of the train, bearings without losses; the more the better."
+    )
+    error: Weight = Field(default=0.0, description="Relative deviation of the ratio, of the kind asked for.")
+    width_deviation: Weight = Field(
+        default=0.0, description="How far b/m, face width over module, lies outside 6 to 40, relative to that limit."
+    )
 
 
 class CriteriaTable(Table):
     """By what the trains that are strong enough are compared, and the best of them is chosen."""
 
     objectives: Objectives | None = Field(
-        default=None, description="Criteria of the Pareto front (default: mass, inertia, size)."
+        default=None,
+        description="Criteria of the Pareto front and the comparisons, of those of `weights` (default: "
+        '`["mass", "inertia", "size"]`).',
     )
     weights: CriteriaWeightsTable | None = Field(
-        default=None, description="Weights of criteria in the ranking (default: all objectives alike)."
+        default=None,
+        description="Weights of criteria in the ranking, `{ mass = 1, inertia = 2 }`; "
+        "each criterion is scaled from its best to its worst value (default: all objectives alike).",
     )
     choose: Annotated[str | int, Choose()] = Field(
-        default="inertia", description="The best train: by one criterion, by the weights, or a row of criteria.csv."
+        default="inertia",
+        description='The best train: of one criterion, by the weights, `"weighted"`, or the number `i` of a row of '
+        "`criteria.csv`, from 1.",
     )
     external_efficiency: Efficiency | None = Field(
-        default=None, description="Efficiency of an external mesh (default: 0.975)."
+        default=None, description="Efficiency of one external mesh (default: 0.975)."
     )
     internal_efficiency: Efficiency | None = Field(
-        default=None, description="Efficiency of an internal mesh (default: 0.985)."
+        default=None, description="Efficiency of one internal mesh (default: 0.985)."
     )
     series: bool = Field(
-        default=False, description="Whether two trains with single planets in series are compared as well."
+        default=False,
+        description="Whether two trains AIbar (single planets) in series, each of the ratio sqrt(i_1H), are compared "
+        "with the best single one.",
     )

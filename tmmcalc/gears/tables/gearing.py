@@ -91,53 +91,82 @@ class MemberTable(Table):
     name: Member = Field(description="Name of the member, as the meshes have it.")
     carrier: Wheel = Field(default="frame", description="The member that bears its axis.")
     count: Count = Field(default=1, description="How many of them there are side by side.")
-    tilted: bool = Field(default=False, description="A bevel wheel whose axis is not parallel to the others.")
+    tilted: bool = Field(
+        default=False,
+        description="Whether it is a bevel wheel whose axis is not parallel to the others; "
+        "its speed is counted on its own axis, against its carrier.",
+    )
     sharing: Sharing = Field(default=1.0, description="Torque of the most loaded of them over the mean.")
 
 
 class MeshTable(Table):
     """Two wheels in mesh, each on its member."""
 
-    first: Wheel = Field(description="Member of the one wheel.")
-    first_teeth: Teeth = Field(description="Its number of teeth.")
-    second: Wheel = Field(description="Member of the other wheel.")
-    second_teeth: Teeth = Field(description="Its number of teeth.")
-    internal: bool = Field(default=False, description="Whether one wheel is a ring about the other.")
-    opposite: bool = Field(default=False, description="With a tilted member: this mesh is on its far side.")
-    efficiency: Efficiency | None = Field(default=None, description="Efficiency of this mesh.")
+    first: Wheel = Field(description='Member of the one wheel; a ring fixed in the housing is on `"frame"`.')
+    first_teeth: Teeth = Field(description="Number of teeth of the one wheel.")
+    second: Wheel = Field(description='Member of the other wheel; a ring fixed in the housing is on `"frame"`.')
+    second_teeth: Teeth = Field(description="Number of teeth of the other wheel.")
+    internal: bool = Field(default=False, description="Whether one of the wheels is a ring about the other.")
+    opposite: bool = Field(
+        default=False,
+        description="Mesh with a tilted member: whether it is on its far side. The two side wheels of a differential "
+        "differ in it.",
+    )
+    efficiency: Efficiency | None = Field(
+        default=None, description="Efficiency of this mesh, carrier held (default: that of `[gearing]`)."
+    )
 
 
 class GearingTable(Table):
     """A train of gears: what meshes with what, which speeds and torques are known."""
 
     layout: Annotated[str | None, Known("layout", tuple(LAYOUTS))] = Field(
-        default=None, description="A known layout in place of meshes."
+        default=None, description='A layout of `[train]` in place of the meshes, such as `"AI"`.'
     )
     teeth: list[Teeth] | None = Field(
-        default=None, min_length=1, description="Layout: numbers of teeth in the order of its wheels, 1, 2, 2', 3 ..."
+        default=None,
+        min_length=1,
+        description="Numbers of teeth of a layout in the order of its wheels 1, 2, 2', 3 ...: `[22, 118, 17, 97]`.",
     )
-    planets: Count | None = Field(default=None, description="Layout: number of planets or layshafts (default: 1).")
+    planets: Count | None = Field(
+        default=None, description="With a layout: number of planets or layshafts (default: 1)."
+    )
     sharing: Sharing | None = Field(
-        default=None, description="Layout: torque of the most loaded planet over the mean (default: 1)."
+        default=None, description="With a layout: torque of the most loaded planet over the mean (default: 1)."
     )
     efficiency: Efficiencies | None = Field(
-        default=None, description="Efficiency of meshes that have none of their own; of a layout also mesh by mesh."
+        default=None,
+        description="Efficiency of meshes that have none of their own; of a layout it may be a list, mesh by mesh "
+        "(default: 0.975, internal 0.985).",
     )
     friction: Friction | None = Field(
-        default=None, description="Or the friction of teeth, from which efficiencies follow by the numbers of teeth."
+        default=None,
+        description="Or the coefficient of friction of teeth, 0.05 to 0.1 in oil: "
+        "efficiencies are 1 - 2.3 f (1/z1 +- 1/z2) by the numbers of teeth, - for an internal mesh.",
     )
-    input: Member | None = Field(default=None, description="Member that drives (default: the one of known speed).")
-    output: Members | None = Field(default=None, description="Member that is driven, or several.")
-    speeds: dict[Key, Speed] = Field(default={}, description="Known speeds by member; 0 holds it.")
+    input: Member | None = Field(
+        default=None, description="Member that drives (default: the member of known speed, not 0)."
+    )
+    output: Members | None = Field(
+        default=None,
+        description='Member that is driven, or several: `["left", "right"]` (default: '
+        "the loaded one, or the only shaft of unknown speed).",
+    )
+    speeds: dict[Key, Speed] = Field(
+        default={},
+        description='Known speeds by member, `{ sun = "1500 rpm", ring = 0 }`; 0 holds it. '
+        "As many as the train has degrees of freedom.",
+    )
     torques: dict[Key, Torque] = Field(
-        default={}, description="Known torques from outside by member, positive along positive speed."
+        default={},
+        description='Known torques from outside by member, positive along positive speed: `{ sun = "20 N*m" }`.',
     )
     load: dict[Key, Resistance] = Field(
-        default={}, description="Known resistances by member: torques against its motion."
+        default={}, description='Known resistances by member, torques against its motion: `{ H = "150 N*m" }`.'
     )
     powers: dict[Key, Power] = Field(
-        default={}, description="Known powers by member: put in if positive, taken out if negative."
+        default={}, description='Known powers by member, put in (positive) or taken out (negative): `{ sun = "4 kW" }`.'
     )
-    locked: list[Pair] = Field(default=[], description="Pairs of members that are locked to one another.")
+    locked: list[Pair] = Field(default=[], description='Pairs of members locked to one another, `[["sun", "H"]]`.')
     members: list[MemberTable] = Field(default=[], description="Planets, and members of which there are several.")
     meshes: list[MeshTable] = Field(default=[], description="All pairs of wheels in mesh.")

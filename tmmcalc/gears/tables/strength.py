@@ -102,7 +102,7 @@ Rows = Annotated[list[int], PerStage(RowForm())]
 class MaterialTable(Table):
     """The steel of a wheel, its treatment and its service."""
 
-    steel: str | None = Field(default=None, description='Designation, in Cyrillic or Latin letters, such as "40Kh".')
+    steel: str | None = Field(default=None, description='Designation, such as `"40Kh"`, in Latin or Cyrillic letters.')
     treatment: (
         Literal[
             "annealed",
@@ -116,72 +116,105 @@ class MaterialTable(Table):
             "nitrided",
         ]
         | None
-    ) = Field(default=None, description="Heat treatment of the teeth.")
-    hardness: HardnessText | None = Field(default=None, description='Hardness of the tooth surface, such as "300 HB".')
-    core: HardnessText | None = Field(default=None, description="Hardness of the core of nitrided teeth in HRC.")
-    protected: bool = Field(default=False, description="Measures are taken against decarburisation of the surface.")
-    structure: Literal["homogeneous", "surface-strengthened"] | None = Field(
-        default=None, description="Structure of the tooth (default: that of the treatment)."
+    ) = Field(
+        default=None,
+        description='Heat treatment of the teeth: `"annealed"`, `"normalised"`, `"improved"`, `"through-hardened"`, '
+        '`"surface-hardened"`, `"fillet-hardened"`, `"carburised"`, `"nitrocarburised"`, `"nitrided"`.',
     )
-    failure: Literal["ordinary", "severe"] = Field(default="ordinary", description="Consequences of a failure.")
-    blank: Literal["forging", "rolled", "casting"] = Field(default="forging", description="Blank of the wheel.")
-    wear: Literal["none", "abrasive"] = Field(default="none", description="Wear of the teeth.")
+    hardness: HardnessText | None = Field(
+        default=None,
+        description='Hardness of the tooth surface: `"300 HB"`, `"52 HRC"`, or `{ value = 750, scale = "HV" }`.',
+    )
+    core: HardnessText | None = Field(
+        default=None, description='Hardness of the core of nitrided teeth in HRC, such as `"30 HRC"`.'
+    )
+    protected: bool = Field(
+        default=False, description="Whether measures are taken against decarburisation of the surface."
+    )
+    structure: Literal["homogeneous", "surface-strengthened"] | None = Field(
+        default=None,
+        description='Structure of the tooth: `"homogeneous"` or `"surface-strengthened"` (default: by the treatment).',
+    )
+    failure: Literal["ordinary", "severe"] = Field(
+        default="ordinary", description='Consequences of a failure: `"ordinary"` or `"severe"`.'
+    )
+    blank: Literal["forging", "rolled", "casting"] = Field(
+        default="forging", description='Blank of the wheel: `"forging"`, `"rolled"` or `"casting"`.'
+    )
+    wear: Literal["none", "abrasive"] = Field(
+        default="none", description='Wear of the teeth: `"none"` or `"abrasive"`.'
+    )
     load: Literal["one-sided", "two-sided"] | None = Field(
         default=None,
-        description="Sides of the teeth that bear load (default: both of planets of a planetary train, else one).",
+        description='Sides of the teeth that bear load, `"one-sided"` or `"two-sided"` (default: '
+        'planets of a planetary train `"two-sided"`, else `"one-sided"`).',
     )
     row: str | None = Field(
-        default=None, description='Row of Table D.4.3 for a steel similar to those that it names, such as "h2".'
+        default=None, description='Row of Table D.4.3, such as `"h2"`, for a steel similar to those that it names.'
     )
-    contact_limit: Stress | None = Field(default=None, description="Contact endurance limit in place of the table's.")
-    bending_limit: Stress | None = Field(default=None, description="Bending endurance limit in place of the table's.")
+    contact_limit: Stress | None = Field(default=None, description="Contact endurance limit (default: of the tables).")
+    bending_limit: Stress | None = Field(default=None, description="Bending endurance limit (default: of the tables).")
 
 
 class StrengthTable(Table):
     """Modules and face widths of a train by the endurance of its teeth, or the stresses at given ones."""
 
-    torque: Torque | None = Field(default=None, description="Torque on wheel 1, total of all branches.")
+    torque: Torque | None = Field(
+        default=None, description="T1: torque on wheel 1, of all planets or layshafts together."
+    )
     moment: LargestMoment | None = Field(
-        default=None, description="Largest reduced moment, in place of torque (default: that of the reduction)."
+        default=None,
+        description="Or the largest reduced moment that the train has to overcome; "
+        "T1 = `moment` / `moment_ratio` (default: that of `reduction`).",
     )
     moment_ratio: Ratio | None = Field(
         default=None,
-        description="Speed of wheel 1 over that of the shaft to which the moment is reduced (default: that of the "
-        "train, whose output is this shaft).",
+        description="Speed of wheel 1 over that of the shaft to which the moment is reduced, the crank; "
+        "another one says that a gear stands between the train's output shaft and the crank (default: "
+        "that of the train).",
     )
-    material: MaterialTable | None = Field(default=None, description="Material of all wheels.")
-    pinion: MaterialTable | None = Field(default=None, description="Material of the pinions, in place of material.")
-    wheel: MaterialTable | None = Field(default=None, description="Material of the other wheels (default: as pinions).")
+    material: MaterialTable | None = Field(
+        default=None, description="Material of all wheels; or `pinion` and `wheel` apart."
+    )
+    pinion: MaterialTable | None = Field(default=None, description="Material of the pinions, in place of `material`.")
+    wheel: MaterialTable | None = Field(
+        default=None, description="Material of the other wheels, in place of `material` (default: as pinions)."
+    )
     permissible_contact: Stresses | None = Field(
-        default=None, description="Permissible contact stress sigma_HP of each stage, in place of the materials'."
+        default=None, description="sigma_HP: permissible contact stress of each stage (default: of the materials)."
     )
     permissible_bending: Stresses | None = Field(
-        default=None, description="Permissible bending stress sigma_FP of each stage, in place of the materials'."
+        default=None, description="sigma_FP: permissible bending stress of each stage (default: of the materials)."
     )
     face_width: WidthCoefficients | None = Field(
-        default=None, description="Face width over pinion diameter psi_bd of each stage (default: Table D.4.2)."
+        default=None,
+        description="psi_bd: face width over pinion diameter of each stage (default: middle of Table D.4.2).",
     )
     arrangement: Rows | None = Field(
-        default=None, description="Row of Table D.4.1 of each stage (default: that of the layout)."
+        default=None, description="Row of Table D.4.1, 1 to 7, of each stage (default: by the layout)."
     )
-    module: Sizes | None = Field(default=None, description="Modules of the stages, to be checked.")
+    module: Sizes | None = Field(default=None, description="Given modules of the stages, which are checked.")
     width: Sizes | None = Field(default=None, description="Face widths of the given modules.")
     modules_row: Literal[1, 2] | None = Field(
-        default=None, description="Standard modules: 1 the preferred row only, 2 (default) both rows."
+        default=None, description="Standard modules: of both rows, 2, or 1: of the preferred row only (default: 2)."
     )
     underrun: Underrun | None = Field(
-        default=None, description="Relative amount by which a standard module may be too small (default: 0)."
+        default=None, description="Part by which a standard module may be too small (default: 0)."
     )
     face_width_rule: Literal["consistent", "book1992"] | None = Field(
-        default=None, description="Width that keeps the strength (default: consistent), or as the textbook printed it."
+        default=None,
+        description='`"consistent"`: the width that keeps the strength; `"book1992"`: '
+        'as the textbook\'s program has it (default: `"consistent"`).',
     )
     rounding: Literal["ceil", "floor1"] | None = Field(
-        default=None, description="Rounding of widths to whole millimetres (default: ceil)."
+        default=None, description='Rounding of widths to whole millimetres: `"ceil"` or `"floor1"` (default: `"ceil"`).'
     )
     on_overload: Literal["reject", "scale"] | None = Field(
         default=None,
-        description="Modules tied by coaxiality: larger ones for all stages (default: scale), or no such train.",
+        description='`"scale"`: modules tied by a common axis grow together; `"reject"`: '
+        'a set whose second stage is too weak is left out (default: `"scale"`).',
     )
     iterate: bool | None = Field(
-        default=None, description="Take K_beta at the face width that results (default: at face_width)."
+        default=None,
+        description="Whether K_beta is taken at the width that results (default: `false`, at `face_width`).",
     )

@@ -42,14 +42,20 @@ AssemblyNumber = Annotated[int, Field(ge=1, le=RING_TEETH[1])]
 class RadialTable(Table):
     """The train 2A-AA before its teeth are rounded: what its equations leave free."""
 
-    y: RadialRatio = Field(default=1.0, description="Teeth of planet 3 over those of planet 2.")
-    t1: RadialRatio = Field(default=1.0, description="cos a_w12/cos a_w23 of the operating pressure angles.")
-    t2: RadialRatio = Field(default=1.0, description="cos a_w12/cos a_w34 of the operating pressure angles.")
+    y: RadialRatio = Field(default=1.0, description="Z3/Z2: teeth of planet 3 over those of planet 2.")
+    t1: RadialRatio = Field(
+        default=1.0, description="cos a_w12/cos a_w23 of the operating pressure angles; 0.8 to 1.2 is usual."
+    )
+    t2: RadialRatio = Field(
+        default=1.0, description="cos a_w12/cos a_w34 of the operating pressure angles; 0.8 to 1.2 is usual."
+    )
     mesh_angles: RadialAngles | None = Field(
-        default=None, description="Or the operating pressure angles of the meshes 1-2, 2-3, 3-4 themselves."
+        default=None,
+        description='Or the operating pressure angles of the meshes 1-2, 2-3, 3-4: `["22 deg", "21 deg", "20 deg"]`.',
     )
     assembly_number: AssemblyNumber | None = Field(
-        default=None, description="N = (Z1 + Z4)/k (default: the least with z_min teeth of sun 1 or more)."
+        default=None,
+        description="N = (Z1 + Z4)/k, k pairs of planets (default: the least with `z_min` teeth of sun 1 or more).",
     )
 
 
@@ -58,8 +64,8 @@ class ConstraintsTable(Table):
 
     mesh_angle_max: MeshAngle | None = Field(
         default=None,
-        description="Largest operating pressure angle of meshes that are raised to a common centre distance "
-        "(default: none is raised; 2A-AA: 26 deg).",
+        description="Stages whose centre distances differ are closed by raising operating pressure angles up to this "
+        "one (default: off, 2A-AA 26 deg).",
     )
     assembly: bool = Field(default=True, description="Whether equally spaced planets have to fit in.")
     adjacency_gap: Gap = Field(
@@ -70,19 +76,24 @@ class ConstraintsTable(Table):
     )
     undercut: bool | None = Field(
         default=None,
-        description="Whether external wheels are free of undercut (default: yes, unless a lower z_min is given).",
+        description="Whether external wheels are free of undercut: 2 h_a/sin^2(alpha) teeth or more (default: "
+        "`true`, `false` where a lower `z_min` is given, with a warning).",
     )
     stage_ratio_max: StageRatio | None = Field(
-        default=None, description="Largest ratio of one stage (default: 6 in an unfolded train)."
+        default=None, description="Largest ratio of one stage (default: 6 of an unfolded train)."
     )
     diameter_band: Band | None = Field(
         default=None,
-        description="Largest relative difference of the wheels' diameters (default: 0.05 in an unfolded train).",
+        description="Largest relative difference of the wheels' diameters; of unfolded trains with m2/m1 = cbrt(U1) "
+        "(default: 0.05 of an unfolded train).",
     )
-    equal_pinions: bool = Field(default=False, description="Whether all pinions have the same number of teeth.")
+    equal_pinions: bool = Field(
+        default=False, description="Whether all pinions of an unfolded train have the same number of teeth."
+    )
     coprime: bool = Field(default=False, description="Whether the wheels of every mesh are without common factor.")
     centre_distance: Distances = Field(
-        default=False, description="Least and largest centre distance of the wheels 1 and 2; needs a module."
+        default=False,
+        description='Least and largest centre distance of wheels 1 and 2, `["80 mm", "120 mm"]`; needs a module.',
     )
     envelope: Envelope = Field(default=False, description="Largest diameter around the train; needs a module.")
 
@@ -90,33 +101,47 @@ class ConstraintsTable(Table):
 class TrainTable(Table):
     """A gear train: its layout, its ratio, and within what limits tooth numbers are sought."""
 
-    layout: Layouts = Field(description="Layout of the train, or several that are compared.")
-    ratio: Ratio | None = Field(default=None, description="Ratio of the train, an exact decimal or quotient.")
+    layout: Layouts = Field(
+        description='Layout of the train, or a list of several that are compared: `["AI", "AIbar"]`.'
+    )
+    ratio: Ratio | None = Field(
+        default=None, description='Ratio of the train, `"8.15"`, `8.15` or `"163/20"`, exact as written.'
+    )
     ratio_kind: Literal["u", "i_1H", "i_H1", "i_14"] | None = Field(
         default=None,
-        description="Which ratio that is: of teeth, of wheel 1 to the carrier or back, of wheel 1 to ring 4.",
+        description='Which ratio that is. `"u"`: of teeth, U = Z2 Z3/(Z1 Z2\') (fixed axes); `"i_1H"`: '
+        'wheel 1 over the carrier (planetary; below 1 for AA and II); `"i_H1"`: the carrier drives; '
+        '`"i_14"`: wheel 1 over ring 4 (AII) (default: by the layout).',
     )
-    input_speed: ShaftSpeed | None = Field(default=None, description="Or the speed of the input shaft ...")
+    input_speed: ShaftSpeed | None = Field(
+        default=None, description="Speed of the input shaft; with `output_speed` in place of `ratio`."
+    )
     output_speed: ShaftSpeed | None = Field(
-        default=None, description="... and of the output; negative: it turns the other way."
+        default=None, description="Speed of the output shaft; a negative one turns the other way."
     )
     tolerance: Tolerance | None = Field(
-        default=None, description="Admitted deviation of the ratio (default: 1 %; unfolded3: 2 %)."
+        default=None,
+        description='Admitted deviation of the ratio: `0.01`, `"1 %"`, `"1e-9"`; limits included, exactly (default: '
+        "1 %, of unfolded3 2 %).",
     )
     tolerance_kind: Literal["relative", "absolute"] = Field(
-        default="relative", description="Whether the tolerance is a part of the ratio."
+        default="relative",
+        description='Whether the tolerance is `"relative"`, a part of the ratio, or `"absolute"`; '
+        "of the ratio as given by its kind.",
     )
     planets: Planets | None = Field(
-        default=None, description="Number of planets or layshafts, or several (default: 3; coaxial: 1)."
+        default=None, description="Number of planets or layshafts, or a list: `[2, 3, 4]` (default: 3, coaxial 1)."
     )
     module_ratios: ModuleRatios | None = Field(
-        default=None, description="Proportions m1 : m2 of the modules of the stages, a list of pairs."
+        default=None,
+        description="Proportions m1 : m2 of the modules of the stages, `[[2, 3], [4, 7]]` (coaxial, AI, AA, II, AII).",
     )
     modules: list[Size] | None = Field(
-        default=None, min_length=2, max_length=2, description="Or the modules themselves."
+        default=None, min_length=2, max_length=2, description='Or the modules themselves, `["2 mm", "3.5 mm"]`.'
     )
     module_ratio_range: ModuleRange | None = Field(
-        default=None, description="Or all ratios m2/m1 of standard modules from .. to (default: [1.0, 2.5])."
+        default=None,
+        description="Or all ratios m2/m1 that standard modules have between these (default: `[1.0, 2.5]`).",
     )
     z_min: Teeth | None = Field(default=None, description="Least number of teeth of external wheels (default: 17).")
     z_max: Teeth = Field(default=150, description="Largest number of teeth of external wheels.")
@@ -125,18 +150,25 @@ class TrainTable(Table):
     )
     ring_min: RingTeeth | None = Field(default=None, description="Least number of teeth of a ring (default: 40).")
     ring_max: RingTeeth | None = Field(default=None, description="Largest number of teeth of a ring (default: 350).")
-    sum_max: int | None = Field(default=None, ge=12, le=3000, description="Largest sum of teeth of wheels 1 and 2.")
+    sum_max: int | None = Field(
+        default=None, ge=12, le=3000, description="Largest Z1 + Z2, the sum of teeth of wheels 1 and 2."
+    )
     method: Literal["complete", "textbook"] = Field(
-        default="complete", description="All tooth sets, or those that the textbook's programs find."
+        default="complete",
+        description='`"complete"`: every tooth set; or `"textbook"`: the sets that the textbook\'s programs find '
+        "by stepping.",
     )
     keep: int = Field(
-        default=100_000, ge=1, le=5_000_000, description="Most tooth sets that are held; the count stays exact."
+        default=100_000,
+        ge=1,
+        le=5_000_000,
+        description="Most tooth sets that are held, those with the least Z1 + Z2; the count is exact whatever it is.",
     )
     pressure_angle: Angle = Field(default=math.pi / 9, description="Pressure angle of the rack.")
     addendum: Addendum = Field(default=Fraction(1), description="Addendum of the rack, in modules.")
-    module: Size | None = Field(default=None, description="Module of stage 1, for distances and sizes.")
+    module: Size | None = Field(default=None, description="Module of stage 1, for centre distances and sizes.")
     radial: RadialTable | None = Field(
-        default=None, description="Parameters of the equations of 2A-AA, for its real-valued teeth and limits."
+        default=None, description='What the equations of `"2A-AA"` leave free, for its real-valued teeth and limits.'
     )
     constraints: ConstraintsTable = Field(
         default_factory=ConstraintsTable, description="What else the tooth numbers have to keep."

@@ -18,15 +18,17 @@ class AssemblyTable(Table):
 
     sketch: dict[PointName, Point] = Field(
         default={},
-        description="Approximate positions [x, y] of moving points in the fixed axes, as read off a sketch.",
+        description="Approximate places of some moving points in the fixed axes, read off a drawing: "
+        '`{ C = ["330 mm", "965 mm"] }`.',
     )
     variants: dict[LinkIds, Variant] = Field(
         default={},
-        description='Variant by group: of a dyad its sign, "2-3" = 1 or -1, the order of the links defines it; '
-        'of a higher group the number of its assembly, "2-3-4-5" = 2.',
+        description='Sign by dyad, `{ "2-3" = -1 }`, the order of the links defines it; '
+        'of a group of class III or higher the number of its assembly, `{ "2-3-4-5" = 3 }`, as `tmmcalc '
+        "structure --assemblies` lists them.",
     )
     at: InputCoordinate | None = Field(
         default=None,
-        description="Input coordinate at which the sketch was read, and at which assemblies are numbered "
-        "(default: position 0).",
+        description="Input coordinate at which the sketch was read, and at which assemblies are numbered (default: "
+        "position 0).",
     )

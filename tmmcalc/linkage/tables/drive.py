@@ -12,7 +12,11 @@ from tmmcalc.spec.table import Table
 class DriveTable(Table):
     """A moment through a coupling, or the force of a pinion on a gear that the crank carries."""
 
-    kind: Literal["coupling", "gear"] = Field(default="coupling", description="Kind of the drive.")
+    kind: Literal["coupling", "gear"] = Field(
+        default="coupling",
+        description='Kind of the drive, `"coupling"`: a moment; or `"gear"`: a force in the mesh of a gear that the '
+        "crank carries.",
+    )
     radius: Size | None = Field(default=None, description="Operating pitch radius of the gear on the crank.")
     mesh_angle: Angle = Field(default=math.pi / 9, description="Operating pressure angle of the mesh.")
     pinion: Angle | None = Field(

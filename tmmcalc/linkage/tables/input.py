@@ -11,15 +11,18 @@ class InputTable(Table):
     """The input link and its motion."""
 
     joint: JointName = Field(
-        description="Name of the joint of the input link with the frame, or of a driven length between moving links."
+        description="Name of the joint between the frame and the input link, revolute for a crank, prismatic for a "
+        "driven slider; or of a driven length between moving links."
     )
     speed: InputSpeed = Field(
-        description="Mean speed of the input, not zero; counter-clockwise is positive.",
+        description="Mean speed, not zero; its sign is the sense of the motion, counter-clockwise positive.",
     )
     acceleration: InputAcceleration = Field(
-        default=0.0, description="Acceleration of the input, constant over the grid."
+        default=0.0,
+        description="Acceleration of the input, angular (crank) or linear (slider), constant over the grid.",
     )
     start: InputStart = Field(
         default="extreme",
-        description='Coordinate of position 0, or "extreme": the dead centre before the working stroke.',
+        description="Input coordinate of position 0: an angle (of the input link's own x axis), a length for a "
+        'driven slider, or `"extreme"`, the dead centre of the first output before its working stroke.',
     )

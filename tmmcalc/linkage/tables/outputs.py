@@ -15,10 +15,11 @@ class OutputTable(Table):
     name: JointName | None = Field(
         default=None, description="Name in columns and messages (default: the point, the link number or the joint)."
     )
-    point: PointName | None = Field(default=None, description="Point whose displacement along direction is the output.")
+    point: PointName | None = Field(default=None, description="Point whose coordinate along `direction` is the output.")
     direction: Angle = Field(default=0.0, description="Direction along which the point is followed, from the x axis.")
-    link: int | None = Field(default=None, ge=1, description="Link whose angle is the output.")
-    joint: JointName | None = Field(default=None, description="Prismatic joint whose coordinate is the output.")
+    link: int | None = Field(default=None, ge=1, description="Or the link whose angle is the output, by its number.")
+    joint: JointName | None = Field(default=None, description="Or the prismatic joint whose coordinate is the output.")
     resistance: Literal["positive", "negative"] | None = Field(
-        default=None, description="Sense of the useful resistance along the output coordinate."
+        default=None,
+        description='`"positive"` or `"negative"`: sense of the useful resistance along the output coordinate.',
     )

@@ -41,11 +41,15 @@ Transmission = Annotated[float, Within("angle", "deg", math.pi / 180, 0, 89.9)]
 class LinkSynthesisTable(Table):
     """The synthesis of a planar linkage: what all kinds share, and one sub-table, the kind."""
 
-    crank_speed: AngularSpeed | None = Field(default=None, description="Speed of the crank in the ready spec.")
-    solutions: Solutions = Field(default=5, description="Number of solutions that are listed, the best first.")
+    crank_speed: AngularSpeed | None = Field(
+        default=None, description="Speed of the crank in the ready spec (default: 1 rad/s, or by `working_speed`)."
+    )
+    solutions: Solutions = Field(default=5, description="Solutions that are listed, the best first.")
     seed: Seed = Field(default=1, description="Seed of the random starts: equal seeds give equal results.")
     transmission: Transmission | None = Field(
-        default=None, description="Least transmission angle; below it a solution has a defect (default: 20 deg)."
+        default=None,
+        description="Least transmission angle of path, function and motion; below it a solution has a defect "
+        "(default: 20 deg).",
     )
     positions: Positions = Field(default=24, description="Positions of the crank in the ready spec.")
     slider_crank: SliderCrankTable | None = Field(

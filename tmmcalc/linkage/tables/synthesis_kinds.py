@@ -26,16 +26,20 @@ class SliderCrankTable(Table):
 
     stroke: Size | None = Field(default=None, description="S: stroke of the slider.")
     working_speed: WorkingSpeed | None = Field(
-        default=None, description="v_p: mean speed of the slider on the working stroke, with its unit: m/s or m/min."
+        default=None,
+        description='v_p: mean speed of the slider on the working stroke, `"3.28 m/s"` or `"72 m/min"`; '
+        "it gives the speed of the crank.",
     )
     pressure_working: Pressure | None = Field(
-        default=None, description="nu_p: pressure angle on the working stroke, the crank across the guide."
+        default=None, description="nu_p: pressure angle on the working stroke where the crank stands across the guide."
     )
-    pressure_idle: Pressure | None = Field(default=None, description="nu_x: the same on the idle stroke.")
+    pressure_idle: Pressure | None = Field(
+        default=None, description="nu_x: pressure angle on the idle stroke where the crank stands across the guide."
+    )
     time_ratio: TimeRatio | None = Field(default=None, description="K: working to idle time.")
-    crank_ratio: Part | None = Field(default=None, description="lambda = r/l.")
-    offset_ratio: Signed | None = Field(default=None, description="eps = e/r.")
-    offset_part: Signed | None = Field(default=None, description="e/S.")
+    crank_ratio: Part | None = Field(default=None, description="lambda = r/l: crank over rod.")
+    offset_ratio: Signed | None = Field(default=None, description="eps = e/r: offset over crank.")
+    offset_part: Signed | None = Field(default=None, description="e/S: offset over stroke.")
     crank: Size | None = Field(default=None, description="r: length of the crank.")
     rod: Size | None = Field(default=None, description="l: length of the connecting rod.")
     offset: Length | None = Field(
@@ -47,28 +51,46 @@ class SlottedLinkTable(Table):
     """An oscillating slotted link: stroke and time ratio, the pressure angle or the rod, one size of the layout."""
 
     stroke: Size = Field(description="S: stroke of the slider.")
-    working_speed: WorkingSpeed | None = Field(default=None, description="v_p: mean speed on the working stroke.")
+    working_speed: WorkingSpeed | None = Field(
+        default=None,
+        description="v_p: mean speed of the slider on the working stroke; it gives the speed of the crank.",
+    )
     time_ratio: TimeRatio = Field(description="K: working to idle time, above 1.")
-    pressure_angle: Pressure | None = Field(default=None, description="nu_max: largest pressure angle of the rod.")
+    pressure_angle: Pressure | None = Field(
+        default=None, description="nu_max: largest pressure angle of the rod; or `rod`."
+    )
     rod: Size | None = Field(default=None, description="l: length of the rod, in place of the pressure angle.")
-    guide: Size | None = Field(default=None, description="e: distance of the guide from the slotted link's pivot.")
+    guide: Size | None = Field(
+        default=None, description="e: distance of the guide from the slotted link's pivot (default: L + k r)."
+    )
     clearance: Clearance = Field(
         default=1.5, description="k of the layout e = L + k r, which finds what is not given of guide and crank."
     )
-    crank: Size | None = Field(default=None, description="r: length of the crank.")
-    centres: Size | None = Field(default=None, description="L: distance of the pivots of crank and slotted link.")
+    crank: Size | None = Field(
+        default=None, description="r: length of the crank; or `centres`, and both are found of `guide` too."
+    )
+    centres: Size | None = Field(
+        default=None, description="L: distance of the pivots of crank and slotted link, in place of the crank."
+    )
 
 
 class RotatingSlottedLinkTable(Table):
     """A rotating slotted link: stroke and time ratio, the pressure angle or the rod, the crank or the centres."""
 
     stroke: Size = Field(description="S: stroke of the slider.")
-    working_speed: WorkingSpeed | None = Field(default=None, description="v_p: mean speed on the working stroke.")
+    working_speed: WorkingSpeed | None = Field(
+        default=None,
+        description="v_p: mean speed of the slider on the working stroke; it gives the speed of the crank.",
+    )
     time_ratio: TimeRatio = Field(description="K: working to idle time, above 1.")
-    pressure_angle: Pressure | None = Field(default=None, description="nu_max: largest pressure angle of the rod.")
+    pressure_angle: Pressure | None = Field(
+        default=None, description="nu_max: largest pressure angle of the rod; or `rod`."
+    )
     rod: Size | None = Field(default=None, description="l: length of the rod, in place of the pressure angle.")
-    crank: Size | None = Field(default=None, description="r: length of the crank.")
-    centres: Size | None = Field(default=None, description="L: distance of the pivots, in place of the crank.")
+    crank: Size | None = Field(default=None, description="r: length of the crank; or `centres`.")
+    centres: Size | None = Field(
+        default=None, description="L: distance of the pivots of crank and slotted link, in place of the crank."
+    )
     guide: Length = Field(default=0.0, description="e': distance of the guide from the slotted link's pivot, signed.")
 
 
@@ -82,8 +104,9 @@ class CrankRockerTable(Table):
     rocker: Size | None = Field(default=None, description="R: length of the rocker.")
     frame: Size | None = Field(default=None, description="L: distance of the pivots.")
     transmission_angle: Pressure | None = Field(
-        default=None, description="Least transmission angle, as the second size."
+        default=None, description="Least transmission angle, as the second size; without one the best is found."
     )
     largest_ratio: LinkRatio = Field(
-        default=6.0, description="Of the longest link to the crank, where the best transmission is sought."
+        default=6.0,
+        description="Largest ratio of the longest link to the crank, where the best transmission is sought.",
     )

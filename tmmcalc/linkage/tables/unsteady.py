@@ -25,26 +25,33 @@ class UnsteadyTable(Table):
 
     speed: Limit | None = Field(
         default=None,
-        description="Largest speed of the input; may be absent if both the duration and the end are given.",
+        description="v_m: largest speed of the input; it may be absent where both the duration and the end are "
+        "given, which settle it.",
     )
-    acceleration: RampLimit = Field(description="Largest acceleration of the input.")
+    acceleration: RampLimit = Field(description="a_m: largest acceleration of the input.")
     start: Coordinate | None = Field(
         default=None,
         alias="from",
-        description="Where the motion begins: the input coordinate, or the value of output (default: position 0).",
+        description="Where the motion begins: the input coordinate, or the value of `output` (default: position 0).",
     )
     end: Coordinate | None = Field(
-        default=None, alias="to", description="Where it ends: the input coordinate, or the value of output."
+        default=None, alias="to", description="Where it ends: the input coordinate, or the value of `output`."
     )
-    travel: Coordinate | None = Field(default=None, description="Travel of the input with its sign, in place of to.")
+    travel: Coordinate | None = Field(default=None, description="Travel of the input with its sign, in place of `to`.")
     duration: Duration | None = Field(
         default=None,
-        description="Duration of the motion: it settles the travel, or with to or travel the largest speed.",
+        description="T: duration of the motion; alone it settles the travel, with `to` or `travel` the largest speed.",
     )
     output: OutputName | None = Field(
-        default=None, description="Output of the mechanism whose values from and to are (default: the input)."
+        default=None,
+        description="Output of the mechanism, by its name, whose values `from` and `to` are: "
+        "an outreach, an angle (default: the input coordinate).",
     )
     sense: Sense | None = Field(
-        default=None, description="To which side the input moves (default: positive, or to the nearer end)."
+        default=None,
+        description='`"positive"` or `"negative"`: to which side the input moves (default: '
+        "positive, or to the nearer end).",
     )
-    steps: Steps = Field(default=24, description="Rows of the table: equal steps of the time.")
+    steps: Steps = Field(
+        default=24, description="Rows of the table: equal steps of the time; the instants of the jumps are added."
+    )

@@ -18,7 +18,7 @@ class CounterweightTable(Table):
     mass: Weight | None = Field(default=None, description="Its mass.")
     radius: Size | None = Field(
         default=None,
-        description="Or the distance of its centre from the link's pin on the frame, or else from its outer pin.",
+        description="Or the distance of its centre from the link's pin on the frame or else its outer pin.",
     )
 
 
@@ -26,32 +26,48 @@ class RotatingWeightTable(Table):
     """A weight of the user's own on a shaft geared to the crank."""
 
     order: int = Field(
-        ge=-1000, le=1000, description="Speed of its shaft over that of the crank; 1: on the crank, -1: against it."
+        ge=-1000,
+        le=1000,
+        description="Speed of its shaft over that of the crank: 1 on the crank itself, -1 against it at its speed, 2 "
+        "and -2 twice as fast.",
     )
     mass: Weight = Field(description="Its mass.")
     radius: Size = Field(description="Distance of its centre from the axis.")
     angle: Angle = Field(
         default=0.0,
-        description="Direction of its centre where the crank points along x; of order 1 against the crank.",
+        description="Direction of the weight where the crank points along x (of order 1: against the crank).",
     )
-    axis: Point | None = Field(default=None, description="Place of its shaft [x, y] (default: the crank's pivot).")
+    axis: Point | None = Field(default=None, description="Place of its shaft, `[x, y]` (default: the crank's pivot).")
 
 
 class BalanceTable(Table):
     """Which schemes are tried against the shaking force, and what weights they are made of."""
 
-    mass: Weight | None = Field(default=None, description="Mass of each rotating weight.")
+    mass: Weight | None = Field(
+        default=None, description="Mass of each rotating weight; or `radius`, the other follows."
+    )
     radius: Size | None = Field(
-        default=None, description="Or the distance of its centre from the axis (default: the length of the crank)."
+        default=None,
+        description="Distance of the centre of each rotating weight from the axis, in place of `mass` (default: "
+        "the length of the crank).",
     )
     point: Place | None = Field(
         default=None,
-        description="Point about which moments are taken: of the frame, or [x, y] (default: the crank's pivot).",
+        description="Moments are about it: a point of the frame by its name, or `[x, y]` (default: the crank's pivot).",
     )
     schemes: list[Literal["least squares", "minimax", "lanchester", "lanchester 2"]] = Field(
         default=["least squares", "minimax", "lanchester", "lanchester 2"],
-        description="A counterweight on the crank of least mean square or least maximum; counter-rotating pairs of "
-        "the first order, or of the first and second.",
+        description='`"least squares"`, `"minimax"`: one counterweight on the crank, for the least mean square or '
+        'the least maximum of the force; `"lanchester"`, `"lanchester 2"`: '
+        "counter-rotating pairs of the first order, or of the first and second (default: all).",
     )
-    counterweights: list[CounterweightTable] = Field(default=[], description="Counterweights on links.")
-    add: list[RotatingWeightTable] = Field(default=[], description="Rotating weights of the user's own.")
+    counterweights: list[CounterweightTable] = Field(
+        default=[],
+        description='Static balancing by counterweights on links: `[{ link = 1, radius = "60 mm" }, { link = 3, mass '
+        "= 4.5 }]`, each with a mass or a radius.",
+    )
+    add: list[RotatingWeightTable] = Field(
+        default=[],
+        description='Rotating weights of one\'s own: `[{ order = -1, mass = "2 kg", radius = "60 mm", angle = '
+        '"180 deg", axis = [0, "-200 mm"] }]`.',
+    )

@@ -19,11 +19,20 @@ class CylinderTable(Table):
     axis_angle: Angle = Field(default=math.pi / 2, description="Direction from the shaft to the cylinder.")
     crank_angle: Angle = Field(description="Direction of its crank where the shaft's angle is 0.")
     position: Length = Field(description="Its place along the shaft.")
-    crank_radius: Size | None = Field(default=None, description="Length of the crank.")
-    rod_length: Size | None = Field(default=None, description="Length of the connecting rod.")
-    reciprocating_mass: Mass | None = Field(default=None, description="Mass of the piston and its part of the rod.")
-    rotating_mass: Mass | None = Field(default=None, description="Unbalanced mass at the crank pin.")
-    offset: Length | None = Field(default=None, description="Distance at which its axis passes the shaft on the left.")
+    crank_radius: Size | None = Field(default=None, description="Its own length of the crank (default: of `[engine]`).")
+    rod_length: Size | None = Field(
+        default=None, description="Its own length of the connecting rod (default: of `[engine]`)."
+    )
+    reciprocating_mass: Mass | None = Field(
+        default=None, description="Its own mass of the piston and its part of the rod (default: of `[engine]`)."
+    )
+    rotating_mass: Mass | None = Field(
+        default=None, description="Its own unbalanced mass at the crank pin (default: of `[engine]`)."
+    )
+    offset: Length | None = Field(
+        default=None,
+        description="Distance at which its own axis passes the shaft on the left (default: of `[engine]`).",
+    )
 
 
 def _form(value: object) -> str:
@@ -42,28 +51,33 @@ class EngineTable(Table):
 
     speed: AngularSpeed = Field(description="Speed of the shaft.")
     arrangement: Literal["in-line", "vee"] | None = Field(
-        default=None, description="A ready arrangement: upright in line, or two banks."
+        default=None,
+        description='`"in-line"`: upright, or `"vee"`: two banks symmetric to the vertical, two cylinders on every '
+        "throw, the left one first.",
     )
     cylinders: Cylinders = Field(
-        description="Number of the cylinders of an arrangement; or each for itself, [[engine.cylinders]]."
+        description="How many cylinders an arrangement has; or each for itself, `[[engine.cylinders]]`."
     )
     angle: Angle | None = Field(default=None, description="Vee: angle between the banks.")
     spacing: Size | None = Field(default=None, description="Distance of neighbouring throws along the shaft.")
-    crank_radius: Size | None = Field(default=None, description="Length of the cranks.")
-    rod_length: Size | None = Field(default=None, description="Length of the connecting rods.")
+    crank_radius: Size | None = Field(default=None, description="Length of the crank of every cylinder.")
+    rod_length: Size | None = Field(default=None, description="Length of the connecting rod of every cylinder.")
     reciprocating_mass: Mass | None = Field(
         default=None, description="Mass of the piston and its part of the rod, of one cylinder."
     )
     rotating_mass: Mass = Field(default=0.0, description="Unbalanced mass at the crank pin, of one cylinder.")
-    offset: Length = Field(default=0.0, description="Distance at which the axes pass the shaft on the left.")
-    strokes: Literal[2, 4] = Field(default=4, description="Strokes of the cycle.")
+    offset: Length = Field(default=0.0, description="Distance at which the cylinders' axes pass the shaft on the left.")
+    strokes: Literal[2, 4] = Field(default=4, description="Strokes of the cycle: 4 or 2.")
     firing_order: list[CylinderNumber] | None = Field(
-        default=None, min_length=1, description="Cylinders in the order in which they fire."
+        default=None,
+        min_length=1,
+        description="Cylinders in the order in which they fire: `[1, 3, 4, 2]` (default: in line the customary one).",
     )
     throws: list[Angle] | None = Field(
         default=None,
         min_length=1,
-        description="Angles of the cranks against the first (default: by the firing order; of a vee the customary).",
+        description="Angles of the cranks against the first (default: by the firing order; "
+        "of a vee the customary ones).",
     )
     split: Angle = Field(default=0.0, description="Vee: angle by which the right cylinder's pin leads the left one's.")
     stagger: Length = Field(default=0.0, description="Vee: distance of the two cylinders of a throw along the shaft.")

@@ -13,8 +13,8 @@ class MotionTable(Table):
 
     drive: Literal["motor", "positional", "none"] | None = Field(
         default=None,
-        description="The motor, a constant moment that holds the mean speed, or none: the loads set the speed "
-        "themselves (default: the motor, if there is one).",
+        description='`"motor"`; or `"positional"`: a constant moment that holds the mean speed; or `"none"`: '
+        'nothing but the loads (default: `"motor"` if there is `[motor]`, else `"positional"`).',
     )
     inertia: Inertia = Field(
         default=0.0,
@@ -22,5 +22,5 @@ class MotionTable(Table):
     )
     speed: AngularSpeed | None = Field(
         default=None,
-        description="Mean speed of the crank without a motor (default: that of the input or torque diagram).",
+        description="Mean speed of the crank without a motor (default: that of the input, or of the torque diagram).",
     )

@@ -25,20 +25,26 @@ class CurveTable(Table):
     speed: list[CurveSpeed] = Field(min_length=2, description="Speeds of the motor, ascending.")
     moment: list[Moment] = Field(min_length=2, description="Moment of the motor at each speed.")
     interpolation: Literal["linear", "pchip"] = Field(
-        default="pchip", description="Straight lines, or a smooth monotone curve."
+        default="pchip", description='`"pchip"`: a smooth monotone curve, or `"linear"`, straight lines.'
     )
 
 
 class MotorTable(Table):
     """A motor; data beside a name stand in place of those of the catalogue."""
 
-    name: str | None = Field(default=None, description='Name in the catalogue, or "choose" for the least that does.')
+    name: str | None = Field(
+        default=None,
+        description='Name of a motor of the catalogue; `"choose"` takes the least that does, among those of '
+        "`synchronous_speed` if it is given.",
+    )
     catalogue: str | None = Field(
         default=None,
-        description="CSV file of motors in place of the built-in catalogue; its path counts from the spec.",
+        description="CSV file of motors (default: built in); its path counts from the folder of the spec.",
     )
     kind: Literal["induction", "shunt", "series"] | None = Field(
-        default=None, description="Kind of the motor (default: induction, or that of the catalogue)."
+        default=None,
+        description='Kind of the motor, `"induction"`, or of direct current `"shunt"` or `"series"` (default: '
+        '`"induction"`, or that of the catalogue).',
     )
     power: Power | None = Field(default=None, description="Rated power.")
     speed: AngularSpeed | None = Field(default=None, description="Rated speed.")
@@ -46,21 +52,33 @@ class MotorTable(Table):
     no_load_speed: AngularSpeed | None = Field(default=None, description="No-load speed of a shunt motor.")
     overload: Overload | None = Field(default=None, description="Largest moment over the rated one.")
     start: Start | None = Field(default=None, description="Starting moment over the rated one.")
-    inertia: Inertia | None = Field(default=None, description="Moment of inertia of the rotor.")
+    inertia: Inertia | None = Field(default=None, description="Moment of inertia of the rotor; or `flywheel_moment`.")
     flywheel_moment: FlywheelMoment | None = Field(
-        default=None, description="Flywheel moment GD^2 of the rotor in kgf*m^2, in place of inertia."
+        default=None,
+        description="Flywheel moment GD^2 of the rotor in kgf*m^2, four times its moment of inertia in kg*m^2; "
+        "in place of `inertia`.",
     )
     time_constant: TimeConstant | None = Field(
         default=None,
-        description='Electromagnetic time constant; 0 without lag, "auto": by the critical slip of an induction motor.',
+        description='Electromagnetic time constant (default: 0, without lag); `"auto"`: '
+        "that of an induction motor by its critical slip, 1/(2 pi f s_K) at f = 50 Hz, for which it "
+        "needs `synchronous_speed` and `overload`.",
     )
-    efficiency: Efficiency | None = Field(default=None, description="Rated efficiency; a series motor needs it.")
-    voltage: Voltage | None = Field(default=None, description="Voltage of a direct-current motor.")
+    efficiency: Efficiency | None = Field(
+        default=None, description="Rated efficiency of a series motor, which needs it."
+    )
+    voltage: Voltage | None = Field(default=None, description="Voltage of a direct-current motor, V.")
     resistance: Resistance | None = Field(
-        default=None, description="Resistance of the armature circuit of a direct-current motor."
+        default=None, description="Resistance of the armature circuit of a direct-current motor, ohm."
     )
-    constant: MotorConstant | None = Field(default=None, description="Motor constant of a shunt motor.")
+    constant: MotorConstant | None = Field(default=None, description="Motor constant of a shunt motor, V*s/rad.")
     characteristic: Literal["parabolic", "linear", "kloss", "shunt", "series", "table", "constant"] | None = Field(
-        default=None, description="Moment against speed (default: parabolic, or that of the kind of motor)."
+        default=None,
+        description='Moment against speed: `"parabolic"`, `"linear"`, `"kloss"`, `"shunt"`, `"series"`, `"table"` or '
+        '`"constant"` (default: by the kind).',
     )
-    table: CurveTable | None = Field(default=None, description="The characteristic by points.")
+    table: CurveTable | None = Field(
+        default=None,
+        description='Characteristic by points, on the motor\'s shaft: `{ speed = ["0 rpm", "1500 rpm"], moment = '
+        '["15 N*m", 0] }`.',
+    )

@@ -11,5 +11,7 @@ class ReductionTable(Table):
     """How forces and masses are reduced to the crank."""
 
     rods: Literal["exact", "lumped"] = Field(
-        default="exact", description="Connecting rods as they are, or as two masses in their pins."
+        default="exact",
+        description='`"exact"`, connecting rods as they are, or `"lumped"`: their masses put into their pins, which '
+        "keeps the centre of mass but not the moment of inertia.",
     )

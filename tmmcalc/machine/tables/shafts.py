@@ -16,15 +16,18 @@ Damping = Annotated[float, Quantity("torsional damping", at_least_zero=True)]
 class ShaftTable(Table):
     """An elastic damped shaft, the gear behind it, and the mass behind both; each on its own shaft."""
 
-    name: ShaftName | None = Field(default=None, description='Name, unique (default: "shaft 1", ...).')
-    stiffness: Stiffness | None = Field(default=None, description="Stiffness; without it the shaft is rigid.")
-    damping: Damping = Field(default=0.0, description="Damping coefficient.")
+    name: ShaftName | None = Field(default=None, description="Unique name (default: `shaft 1` ...).")
+    stiffness: Stiffness | None = Field(
+        default=None, description="Stiffness, N*m/rad (default: rigid); 0 with a damping is a fluid coupling."
+    )
+    damping: Damping = Field(default=0.0, description="Damping coefficient, N*m*s/rad.")
     ratio: Ratio = Field(default=1.0, description="Speed of the mass before the shaft over that of the mass behind it.")
     behind_gear: bool = Field(
-        default=False, description="Whether the elastic part turns with the mass behind, and not the one before."
+        default=False,
+        description="Whether the elastic part turns with the mass behind the gear, and not with the one before it.",
     )
     inertia: Inertia | None = Field(
         default=None,
-        description="Moment of inertia of the mass behind the shaft; the last one is the crank (default: 0), which "
-        "has that of gears, flywheel and linkage besides.",
+        description="Moment of inertia of the mass behind the shaft; the last one is the crank (0 unless it is "
+        "given), which has gears, flywheel, further inertia and linkage besides.",
     )

@@ -31,57 +31,76 @@ def with_powers(formula: str) -> str:
 class HarmonicTable(Table):
     """One harmonic: cos cos(k theta) + sin sin(k theta)."""
 
-    order: Order = Field(description="Order k: how often it repeats in a turn.")
-    cos: Moment = Field(default=0.0, description="Amplitude of the cosine.")
-    sin: Moment = Field(default=0.0, description="Amplitude of the sine.")
+    order: Order = Field(description="Order: how often it repeats in a turn.")
+    cos: Moment = Field(default=0.0, description="Amplitude of cos(order theta).")
+    sin: Moment = Field(default=0.0, description="Amplitude of sin(order theta).")
 
 
 class HarmonicsTable(Table):
     """A constant moment and harmonics."""
 
     constant: Moment = Field(default=0.0, description="Constant part.")
-    terms: list[HarmonicTable] = Field(min_length=1, description="The harmonics.")
+    terms: list[HarmonicTable] = Field(min_length=1, description="The harmonics, which are added to it.")
 
 
 class TorqueCurveTable(Table):
     """Moments at given angles, in the table itself or in a file."""
 
     theta: list[Place] | None = Field(
-        default=None, min_length=2, description="Angles, ascending (default: equal steps over the period)."
+        default=None,
+        min_length=2,
+        description="Angles, ascending within the period (default: n values are n equal steps of the period).",
     )
     moment: list[Moment] | None = Field(default=None, min_length=2, description="Moment at each angle.")
     file: str | None = Field(
         default=None,
-        description="CSV file of two columns with a header name[unit], in place of theta and moment; "
-        "its path counts from the spec.",
+        description="CSV file in place of the values: two columns under a header such as `theta[deg],M[N*m]`; "
+        "its path counts from the folder of the spec.",
     )
     interpolation: Literal["linear", "pchip"] = Field(
-        default="linear", description="Straight lines, or a smooth monotone curve."
+        default="linear", description='`"linear"`: straight lines, or `"pchip"`, a smooth monotone curve.'
     )
 
 
 class TorqueTable(Table):
     """The moment on the input shaft over one cycle, by exactly one law; a positive moment drives."""
 
-    name: DiagramName = Field(default="torque", description="Name in tables.")
+    name: DiagramName = Field(default="torque", description="What the diagram is called in tables.")
     speed: AngularSpeed = Field(description="Mean speed of the shaft.")
-    period: Period = Field(default=2 * math.pi, description="Angle of the cycle.")
-    formula: str | None = Field(default=None, description='Formula of theta [rad], such as "500*sin(theta)^2 - 120".')
-    constants: dict[ConstantName, Constant] = Field(default={}, description="Numbers that the formula names.")
-    harmonics: HarmonicsTable | None = Field(default=None, description="A constant moment and harmonics.")
+    period: Period = Field(default=2 * math.pi, description='Angle of the cycle; `"720 deg"` for a four-stroke engine.')
+    formula: str | None = Field(
+        default=None, description='Moment in N*m over `theta` (or `phi`) in rad, such as `"500*sin(theta)^2 - 120"`.'
+    )
+    constants: dict[ConstantName, Constant] = Field(
+        default={}, description="Beside a formula: numbers that it names, `{ M0 = 500 }`."
+    )
+    harmonics: HarmonicsTable | None = Field(
+        default=None,
+        description='A constant moment and harmonics: `{ constant = "20 N*m", terms = [{ order = 2, cos = "-57 N*m", '
+        'sin = "95 N*m" }] }`.',
+    )
     pieces: list[Piece] | None = Field(
         default=None,
         min_length=2,
-        description="Straight pieces through points [theta, moment]; two points at one angle are a jump.",
+        description='Straight pieces through points `[theta, moment]`: `[["0 deg", "100 N*m"], ["90 deg", "100 '
+        'N*m"], ["90 deg", "-50 N*m"]]`; two points at one angle are a jump. '
+        "The last point is joined to the first of the next cycle.",
     )
-    table: TorqueCurveTable | None = Field(default=None, description="Values at given angles.")
+    table: TorqueCurveTable | None = Field(
+        default=None, description='Values at angles: `{ theta = ["0 deg", "90 deg", "270 deg"], moment = [...] }`.'
+    )
     delays: list[Angle] | None = Field(
-        default=None, min_length=1, description="Equal diagrams on one shaft: the delay of each."
+        default=None,
+        min_length=1,
+        description='Several equal diagrams on one shaft: the delay of each, `["0 deg", "180 deg"]`.',
     )
     count: int | None = Field(
-        default=None, ge=1, le=1000, description="Equal diagrams with even delays over the period, in place of delays."
+        default=None, ge=1, le=1000, description="Or only how many equal diagrams, with even delays over the period."
     )
     inertia: Inertia = Field(default=0.0, description="Constant moment of inertia of the shaft and what turns with it.")
     balanced: bool = Field(
-        default=False, description="Whether a constant moment is added that makes the work of a cycle zero."
+        default=False,
+        description="Whether the constant moment is added that makes the work of a cycle zero: "
+        "the load of an engine, the drive of a working machine. `reduce` and `power` keep its work and "
+        "power apart from those of the diagram.",
     )

@@ -25,57 +25,83 @@ class LoadStepTable(Table):
     """A load factor and when it comes; the steps come one after the other."""
 
     factor: Factor = Field(description="Load factor from then on.")
-    time: Time | None = Field(default=None, description="Not before this time.")
-    speed: Speed | None = Field(default=None, description="Or when the crank first exceeds this speed.")
-    quiet: bool = Field(default=False, description="Whether it waits for a part of the cycle without load.")
+    time: Time | None = Field(default=None, description="The step waits for this time.")
+    speed: Speed | None = Field(default=None, description="Or until the crank first exceeds this speed.")
+    quiet: bool = Field(
+        default=False,
+        description="Whether the step waits besides for a part of the cycle without load (a warning if there is none).",
+    )
 
 
 class BrakeTable(Table):
     """A braking moment on one mass of the drive: a constant part against the motion, and a viscous part."""
 
-    moment: BrakeMoment = Field(default=0.0, description="Constant part, on the shaft of the mass.")
-    viscous: BrakeViscous = Field(default=0.0, description="Part in proportion to the speed.")
-    start: Time = Field(default=0.0, alias="from", description="Time from which it acts.")
+    moment: BrakeMoment = Field(default=0.0, description="Constant part against the motion, on the shaft of the mass.")
+    viscous: BrakeViscous = Field(default=0.0, description="Part in proportion to the speed, N*m*s/rad.")
+    start: Time = Field(default=0.0, alias="from", description="Time from which it acts; 0: from the beginning.")
     end: Time | None = Field(default=None, alias="to", description="Time until which it acts (default: the end).")
     mass: int | None = Field(
         default=None,
         ge=0,
-        description="Mass that it acts on: 0 the rotor, 1 the one behind the first shaft ... (default: the crank).",
+        description="Number of the mass that it acts on: 0 the rotor, 1 the mass behind the first shaft, and so on "
+        "(default: the crank).",
     )
 
 
 class TransientTable(Table):
     """One motion in time: how it begins, what is switched, what ends it, how it is integrated."""
 
-    name: TransientName | None = Field(default=None, description='Name, unique (default: "transient", "transient 2").')
+    name: TransientName | None = Field(
+        default=None, description="Unique name (default: `transient`, `transient 2` ...)."
+    )
     duration: Duration | None = Field(
         default=None,
-        description="The motion ends here at the latest (default: when it repeats itself from cycle to cycle).",
+        description="The motion ends here at the latest (default: when it repeats itself from cycle to cycle, stands "
+        "still, or runs away).",
     )
     start_speed: Speed = Field(default=0.0, description="Speed of the crank at the beginning.")
     begin: Literal["steady"] | None = Field(
-        default=None, alias="from", description='"steady": begin in the steady motion, at position 0.'
+        default=None,
+        alias="from",
+        description='`"steady"`: begin in the steady motion, at position 0, in place of a speed and an angle.',
     )
     start_angle: Advance = Field(default=0.0, description="Crank angle at the beginning, along the motion.")
-    motor: Literal["on", "off"] | None = Field(default=None, description="Whether the motor is on (default) or off.")
+    motor: Literal["on", "off"] | None = Field(
+        default=None, description='Whether the motor is `"on"` or `"off"` (default: `"on"`).'
+    )
     motor_on: list[Interval] | None = Field(
-        default=None, min_length=1, description="Times [on, off] between which the motor is on, in place of motor."
+        default=None,
+        min_length=1,
+        description="Times `[on, off]` between which the motor is on, in place of `motor`: "
+        '`[["0 s", "2 s"], ["5 s", "9 s"]]`.',
     )
     load: Factor = Field(default=1.0, description="Load factor at the beginning.")
-    load_steps: list[LoadStepTable] = Field(default=[], description="Changes of the load factor.")
-    brake: BrakeTable | None = Field(default=None, description="A brake.")
-    targets: list[Speed] = Field(default=[], description="Speeds of the crank whose first passage is noted.")
+    load_steps: list[LoadStepTable] = Field(
+        default=[],
+        description='Changes of the load factor, one after the other: `[{ factor = 1, speed = "950 rpm", quiet = '
+        'true }, { factor = 0.5, time = "3 s" }]`.',
+    )
+    brake: BrakeTable | None = Field(
+        default=None, description='A brake: `{ moment = "200 N*m", from = "2 s", to = "4 s" }`.'
+    )
+    targets: list[Speed] = Field(
+        default=[], description='Speeds of the crank whose first passage is noted: `["500 rpm"]`.'
+    )
     end_speed: Speed | None = Field(default=None, description="The motion ends when the crank reaches this speed.")
     end_angle: Turned | None = Field(
         default=None, description="The motion ends when the crank has turned by this angle."
     )
     standstill: Literal["stop", "pass"] = Field(
-        default="stop", description="At rest the load only resists, or may drive the crank backwards."
+        default="stop",
+        description='`"stop"`: at rest the load only resists; `"pass"`: it may drive the crank backwards, as a '
+        "weight does.",
     )
     method: Literal["auto", "merson", "rk4", "collocation", "RK45", "DOP853", "LSODA", "Radau", "BDF"] = Field(
-        default="auto", description="Method of integration; auto picks by stiffness."
+        default="auto",
+        description='Method of integration: `"merson"`, `"rk4"`, `"collocation"` (Radau IIA of order 13), `"RK45"`, '
+        '`"DOP853"`, `"LSODA"`, `"Radau"`, `"BDF"`; `"auto"` picks by stiffness.',
     )
-    step: Duration | None = Field(default=None, description="Fixed step of rk4, or of merson.")
+    step: Duration | None = Field(default=None, description='Fixed step of `"rk4"`, or of `"merson"`.')
     tolerance: Tolerance | None = Field(
-        default=None, description="Relative tolerance of one step (default: that of the method)."
+        default=None, description="Relative tolerance of one step (default: of the method)."
     )

@@ -15,12 +15,11 @@ class TransmissionTable(Table):
 
     ratio: Ratio | None = Field(
         default=None,
-        description="Speed of the motor over that of the crank (default: the product of the ratios of shafts, that of "
-        "the best gear train, or rated speed over the input's mean speed).",
+        description="Speed of the motor over that of the crank (default: that of `[[shafts]]`, of the best train of "
+        "`[criteria]`, or rated speed over the input's mean speed).",
     )
     efficiency: Efficiency = Field(default=1.0, description="Efficiency of the gears.")
     inertia: Inertia | None = Field(
         default=None,
-        description="Moment of inertia of the gears, reduced to the crank (default: that of the best gear train, or "
-        "none).",
+        description="Moment of inertia of the gears, reduced to the crank (default: that of the best train, or 0).",
     )

@@ -37,29 +37,41 @@ ObstacleName = Annotated[str, Words("obstacle")]
 class PathTable(Table):
     """The path of the gripper: points have two coordinates, or three with a turning base."""
 
-    kind: PathName = Field(description="arc: by radius and side, or through a point; line; polyline through points.")
-    start: Place | None = Field(default=None, description="Start [x, y] or [x, y, z]; z is upwards, else y.")
-    end: Place | None = Field(default=None, description="End.")
-    radius: Size | None = Field(default=None, description="Radius of the arc, at least half the distance of its ends.")
+    kind: PathName = Field(
+        description='`"arc"`, by radius and side or through a point; `"line"`; `"polyline"`, through points.'
+    )
+    start: Place | None = Field(
+        default=None, description='Start `[x, y]`, y upwards, or `[x, y, z]`, z upwards: `["1.2 m", "0.3 m"]`.'
+    )
+    end: Place | None = Field(default=None, description="End, with as many coordinates.")
+    radius: Size | None = Field(
+        default=None, description="Radius of an arc, at least half the distance of its ends; the shorter arc is taken."
+    )
     side: Side | None = Field(
-        default=None, description="Where the centre is from the line start to end: left is K = +1, right K = -1."
+        default=None,
+        description='Whether the centre of an arc is to the `"left"` (K = +1) or `"right"` (K = -1) of the line from '
+        "start to end.",
     )
     via: Place | None = Field(
-        default=None, description="A point that the arc goes through, in place of radius and side."
+        default=None,
+        description="Or a point that the arc goes through, in place of radius and side; "
+        "then it may be longer than a half circle.",
     )
     normal: Normal | None = Field(
-        default=None, description="In space: the normal of the arc's plane, against which left is seen (default: z)."
+        default=None,
+        description="Normal of the plane of an arc in space: left is normal x direction (default: `[0, 0, 1]`).",
     )
     points: list[Place] | None = Field(default=None, min_length=2, description="Points of a polyline.")
     corner_radius: Distance = Field(
-        default=0.0, description="Arcs that round the corners of a polyline; 0: the gripper stops at each."
+        default=0.0,
+        description="Radius of arcs that round the corners of a polyline; without it the gripper stops at each.",
     )
 
 
 class JointTable(Table):
     """A joint that goes from rest to rest by the time-optimal law, or stays where it is."""
 
-    start: Coordinate = Field(alias="from", description="Coordinate at the begin.")
+    start: Coordinate = Field(alias="from", description="Coordinate at the beginning.")
     end: Coordinate | None = Field(default=None, alias="to", description="Coordinate at the end (default: it stays).")
     speed: JointSpeed | None = Field(default=None, description="Largest speed.")
     acceleration: JointAcceleration | None = Field(default=None, description="Largest acceleration.")
@@ -69,13 +81,16 @@ class JointsTable(Table):
     """The direct problem: a law for each joint of the arm."""
 
     psi: JointTable | None = Field(default=None, description="Rotation of the base.")
-    phi_2: JointTable | None = Field(default=None, description="Elevation of the arm; direction of the upper arm.")
+    phi_2: JointTable | None = Field(
+        default=None, description="Elevation of a spherical arm; direction of the upper arm of an angular one."
+    )
     phi_3: JointTable | None = Field(default=None, description="Direction of the forearm, from elbow to gripper.")
     l_3: JointTable | None = Field(default=None, description="Extension of a spherical arm.")
     h: JointTable | None = Field(default=None, description="Height of a cylindrical arm over its shoulder.")
     r: JointTable | None = Field(default=None, description="Reach of a cylindrical arm.")
     together: bool = Field(
-        default=True, description="Whether all joints take the time of the slowest; false: each is as quick as it can."
+        default=True,
+        description="Whether all joints take the time of the slowest; `false`: each is as quick as it can.",
     )
 
 
@@ -84,62 +99,99 @@ class MotionTable(Table):
 
     t: list[Instant] = Field(min_length=2, description="Times, ascending.")
     psi: list[Coordinate] | None = Field(default=None, description="Rotation of the base.")
-    phi_2: list[Coordinate] | None = Field(default=None, description="Elevation; direction of the upper arm.")
-    phi_3: list[Coordinate] | None = Field(default=None, description="Direction of the forearm.")
-    l_3: list[Coordinate] | None = Field(default=None, description="Extension.")
-    h: list[Coordinate] | None = Field(default=None, description="Height.")
-    r: list[Coordinate] | None = Field(default=None, description="Reach.")
+    phi_2: list[Coordinate] | None = Field(
+        default=None, description="Elevation of a spherical arm; direction of the upper arm of an angular one."
+    )
+    phi_3: list[Coordinate] | None = Field(default=None, description="Direction of the forearm, from elbow to gripper.")
+    l_3: list[Coordinate] | None = Field(default=None, description="Extension of a spherical arm.")
+    h: list[Coordinate] | None = Field(default=None, description="Height of a cylindrical arm over its shoulder.")
+    r: list[Coordinate] | None = Field(default=None, description="Reach of a cylindrical arm.")
 
 
 class LimitsTable(Table):
     """Ranges [lowest, highest] of the joints."""
 
     psi: Pair | None = Field(default=None, description="Rotation of the base.")
-    phi_2: Pair | None = Field(default=None, description="Elevation; direction of the upper arm.")
-    phi_3: Pair | None = Field(default=None, description="Direction of the forearm.")
-    elbow: Pair | None = Field(default=None, description="Angle from the upper arm to the forearm, phi_3 - phi_2.")
-    l_3: Pair | None = Field(default=None, description="Extension.")
-    h: Pair | None = Field(default=None, description="Height.")
-    r: Pair | None = Field(default=None, description="Reach.")
+    phi_2: Pair | None = Field(
+        default=None,
+        description="Elevation of a spherical arm; direction of the upper arm of an angular one: "
+        '`["0 deg", "80 deg"]`.',
+    )
+    phi_3: Pair | None = Field(default=None, description="Direction of the forearm, from elbow to gripper.")
+    elbow: Pair | None = Field(
+        default=None,
+        description="Angle from the upper arm to the forearm, phi_3 - phi_2, within half a turn of zero at the start.",
+    )
+    l_3: Pair | None = Field(default=None, description="Extension of a spherical arm.")
+    h: Pair | None = Field(default=None, description="Height of a cylindrical arm over its shoulder.")
+    r: Pair | None = Field(default=None, description="Reach of a cylindrical arm.")
 
 
 class ObstacleTable(Table):
     """A polygon that path and arm must not cross; with a turning base a prism over a polygon of x, y."""
 
-    name: ObstacleName | None = Field(default=None, description='Name (default: "obstacle", "obstacle 2").')
-    corners: list[Corner] | None = Field(default=None, min_length=3, description="Corners [x, y] in order.")
-    box: Annotated[list[Corner], Field(min_length=2, max_length=2)] | None = Field(
-        default=None, description="Two opposite corners of a rectangle, in place of corners."
+    name: ObstacleName | None = Field(
+        default=None, description="Name of the obstacle (default: `obstacle`, `obstacle 2` ...)."
     )
-    low: Length | None = Field(default=None, description="With a turning base: lowest z.")
-    high: Length | None = Field(default=None, description="With a turning base: highest z.")
+    corners: list[Corner] | None = Field(
+        default=None, min_length=3, description="Corners `[x, y]` of a polygon, in order."
+    )
+    box: Annotated[list[Corner], Field(min_length=2, max_length=2)] | None = Field(
+        default=None, description="Or two opposite corners of a rectangle."
+    )
+    low: Length | None = Field(
+        default=None, description="Lowest height of a prism over the polygon, with a turning base."
+    )
+    high: Length | None = Field(
+        default=None, description="Highest height of a prism over the polygon, with a turning base."
+    )
 
 
 class ManipulatorTable(Table):
     """A manipulator: its arm in a vertical plane, with or without a turning base, and its motion."""
 
     arm: ArmName = Field(
-        description="spherical: elevation and extension; cylindrical: height and reach; angular: two links."
+        description='`"spherical"`: elevation `phi_2` and extension `l_3`; `"cylindrical"`: '
+        'height `h` and reach `r`; `"angular"`: directions `phi_2` of the upper arm and `phi_3` of the '
+        "forearm."
     )
     upper_arm: Size | None = Field(default=None, description="Angular arm: from shoulder to elbow.")
     forearm: Size | None = Field(default=None, description="Angular arm: from elbow to gripper.")
-    elbow: ElbowName | None = Field(default=None, description="Angular arm along a path: elbow up (default) or down.")
+    elbow: ElbowName | None = Field(
+        default=None,
+        description='Angular arm along a path: `"up"`, to the left of the line from shoulder to gripper, or '
+        '`"down"`, to the right of it; left is up where the gripper is in front (default: `"up"`).',
+    )
     height: Length = Field(default=0.0, description="Height of the shoulder over the origin.")
-    speed: Speed | None = Field(default=None, description="Largest speed of the gripper along its path.")
-    acceleration: Acceleration | None = Field(default=None, description="Largest tangential acceleration.")
+    speed: Speed | None = Field(default=None, description="Along a path: largest speed of the gripper.")
+    acceleration: Acceleration | None = Field(
+        default=None, description="Along a path: largest tangential acceleration."
+    )
     normal_acceleration: Acceleration | None = Field(
-        default=None, description="Largest normal acceleration: it limits the speed on arcs."
+        default=None,
+        description="Largest normal acceleration, a limit that the largest speed keeps on the sharpest arc between "
+        "two stops.",
     )
     total_acceleration: Acceleration | None = Field(
-        default=None, description="Largest acceleration of the gripper in all: it limits the speed on arcs."
+        default=None,
+        description="Largest acceleration of the gripper in all, a limit that the largest speed keeps on the "
+        "sharpest arc between two stops.",
     )
     duration: Duration | None = Field(
-        default=None, description="Duration of the motion, in place of the largest speed."
+        default=None,
+        description="Duration of a path without stops, in place of the largest speed; "
+        "the least speed that keeps it is taken.",
     )
-    steps: Steps = Field(default=24, description="Rows of the table: equal steps of the time.")
+    steps: Steps = Field(
+        default=24, description="Rows of the table: equal steps of the time; the instants of the jumps are added."
+    )
     path: PathTable | None = Field(default=None, description="Path of the gripper: the inverse problem.")
     joints: JointsTable | None = Field(default=None, description="Laws of the joints: the direct problem.")
     motion: MotionTable | None = Field(default=None, description="Table of the joints: the direct problem.")
     limits: LimitsTable = Field(default_factory=LimitsTable, description="Ranges of the joints.")
     obstacles: list[ObstacleTable] = Field(default=[], description="What path and arm must not cross.")
-    check_arm: bool = Field(default=True, description="Whether the arm itself must keep clear of the obstacles.")
+    check_arm: bool = Field(
+        default=True,
+        description="Whether the arm itself must keep clear of the obstacles; it is looked at in 1441 instants and "
+        "at eight steps between any two jumps.",
+    )

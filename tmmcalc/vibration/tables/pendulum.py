@@ -46,21 +46,24 @@ Speeds = Annotated[list[float], Listed(Quantity("speed"), '["0 m/s", "0.5 m/s", 
 class PendulumRodTable(Table):
     """The rod: its sizes and material, or mass and stiffness."""
 
-    length: Length = Field(description="l: length.")
-    mass: Mass | None = Field(default=None, description="Mass of the whole rod (default: by section and density).")
-    diameter: Size | None = Field(default=None, description="Outer diameter of a round section.")
+    length: Length = Field(description="l: length of the rod.")
+    mass: Mass | None = Field(default=None, description="Mass of the whole rod (default: by section and `density`).")
+    diameter: Size | None = Field(
+        default=None, description="Outer diameter of a round section; or `width` and `thickness` of a rectangle."
+    )
     bore: Distance = Field(default=0.0, description="Inner diameter of a tube.")
-    width: Size | None = Field(default=None, description="Of a rectangular section, its side along x.")
-    thickness: Size | None = Field(default=None, description="Of a rectangular section, its side along y.")
+    width: Size | None = Field(default=None, description="Side of a rectangular section along x.")
+    thickness: Size | None = Field(default=None, description="Side of a rectangular section along y.")
     bending_stiffness: Bending | None = Field(
         default=None,
-        description="E I in N*m^2, in place of a section; two values: in the plane xz, in the plane yz.",
+        description="E I as a number in N*m^2, in place of a section; two values: in the planes xz and yz.",
     )
     torsion_stiffness: TorsionStiffness | None = Field(
-        default=None, description="G I_p in N*m^2 (default: by the section; without one no torsion)."
+        default=None,
+        description="G I_p as a number in N*m^2 (default: by the section); without one torsion is left out.",
     )
     section_radius: Radii | None = Field(
-        default=None, description="Radius of gyration of the section; two values as above (default: by the section)."
+        default=None, description="Radius of gyration of the section, one or two (default: by the section, or 0)."
     )
     density: Density = Field(default=7850.0, description="Density of the material.")
     young: Modulus = Field(default=206e9, description="E: modulus of elasticity.")
@@ -70,17 +73,24 @@ class PendulumRodTable(Table):
 class DiscTable(Table):
     """The disc on the lower end."""
 
-    mass: DiscMass = Field(description="m: mass.")
+    mass: DiscMass = Field(description="m: mass of the disc.")
     gyration: Radii | None = Field(
         default=None,
-        description="r: radius of gyration of a thin disc about its diameter, J = m r^2, 2 m r^2 about the axis; "
+        description="r: radius of gyration of a thin disc, m r^2 about a diameter, 2 m r^2 about the axis; "
         "two values: along x, along y.",
     )
     diametral_inertia: Inertias | None = Field(
-        default=None, description="Moment of inertia about a diameter, in place of gyration; two: in xz, in yz."
+        default=None,
+        description="Moment of inertia about a diameter, in place of `gyration`; two values: in xz, in yz.",
     )
-    polar_inertia: Inertia | None = Field(default=None, description="Moment of inertia about the axis.")
-    eccentricity: Distance = Field(default=0.0, description="e: its centre of mass from the axis.")
+    polar_inertia: Inertia | None = Field(
+        default=None, description="Moment of inertia about the axis (default: twice the diametral one)."
+    )
+    eccentricity: Distance = Field(
+        default=0.0,
+        description="e: distance of its centre of mass from the axis. The rod whirls with the spin, in motion too, "
+        "the heavy side towards x at its beginning.",
+    )
 
 
 class PendulumSpeedsTable(Table):
@@ -107,10 +117,14 @@ class SwingTable(Table):
     rows: Rows = Field(default=1000, description="Rows of the table, at equal times.")
     tilt: Tilt = Field(default=0.0, description="At the beginning: straight, turned about the joint towards x.")
     deflection: Deflection = Field(
-        default=0.0, description="At the beginning: lower end pulled along x by a force, then let go."
+        default=0.0, description="At the beginning: lower end pulled along x by a force and let go."
     )
     push: Speed = Field(default=0.0, description="At the beginning: speed of the lower end along y, in that shape.")
-    carrier: CarrierTable | None = Field(default=None, description="The carrier of the joint moves.")
+    carrier: CarrierTable | None = Field(
+        default=None,
+        description='The joint moves: `{ time = ["0 s", "1 s"], x = [0, "0.2 m/s"] }`, speeds along `x`, `y` and '
+        "`up`, straight lines between, the last one kept.",
+    )
 
 
 class PendulumTable(Table):
@@ -118,14 +132,14 @@ class PendulumTable(Table):
 
     gravity: Gravity = Field(default=9.81, description="Acceleration of free fall.")
     stiffness: JointStiffness = Field(
-        default=0.0, description='k: of the spherical joint against a tilt; "clamped": it does not tilt.'
+        default=0.0, description='k: stiffness of the spherical joint against a tilt; `"clamped"`: it does not tilt.'
     )
-    spin: Spin = Field(default=0.0, description="Speed of spin about the rod; positive from x to y.")
-    modes: Modes = Field(default=4, description="Number of natural frequencies.")
+    spin: Spin = Field(default=0.0, description="Speed of spin about the rod, positive from x to y.")
+    modes: Modes = Field(default=4, description="Number of natural frequencies that are told.")
     elements: Elements | None = Field(
         default=None, description="Number of equal elements (default: as the accuracy asks)."
     )
-    degree: Degree = Field(default=3, description="Degree of the polynomials in these elements; 3: Hermite cubics.")
+    degree: Degree = Field(default=3, description="Degree of the polynomials in each element; 3: Hermite cubics.")
     rod: PendulumRodTable = Field(description="The rod.")
     disc: DiscTable | None = Field(default=None, description="The disc on its lower end.")
     speeds: PendulumSpeedsTable | None = Field(default=None, description="The Campbell diagram.")

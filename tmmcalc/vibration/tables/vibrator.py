@@ -39,34 +39,45 @@ Place = Annotated[list[float], Listed(Quantity("length"), '["20 mm", 0, "-80 mm"
 class RingTable(Table):
     """The ring on its four rods."""
 
-    mass: Mass = Field(description="m1: mass.")
-    inertia: Inertia = Field(description="J_z1: moment of inertia about the vertical axis.")
+    mass: Mass = Field(description="m1: mass of the ring.")
+    inertia: Inertia = Field(description="J_z1: its moment of inertia about the vertical axis.")
 
 
 class GripperTable(Table):
     """The gripper with its part, hung in the ring."""
 
-    mass: Mass = Field(description="m2: mass with the part.")
-    drop: Drop = Field(description="l: centre of mass below the plane of the flat springs; negative: above.")
-    inertia_x: Inertia = Field(description="J_xi: moment of inertia about the axis along x through its centre of mass.")
-    inertia_y: Inertia = Field(description="J_eta: the same along y.")
-    inertia_z: Inertia = Field(description="J_zeta: the same about the vertical.")
+    mass: Mass = Field(description="m2: mass of the gripper with the part.")
+    drop: Drop = Field(description="l: its centre of mass below the plane of the flat springs; negative: above.")
+    inertia_x: Inertia = Field(
+        description="J_xi: its moment of inertia about the axis along x through its centre of mass."
+    )
+    inertia_y: Inertia = Field(
+        description="J_eta: its moment of inertia about the axis along y through its centre of mass."
+    )
+    inertia_z: Inertia = Field(
+        description="J_zeta: its moment of inertia about the vertical through its centre of mass."
+    )
 
 
 class ExciterTable(Table):
     """Motor, tachometer and unbalance on their elastic plate, which turn about a hinge."""
 
-    mass: Mass = Field(description="m3: mass.")
-    radius: Distance = Field(description="R0: its centre of mass from the vertical axis.")
+    mass: Mass = Field(description="m3: mass of the exciter.")
+    radius: Distance = Field(description="R0: distance of its centre of mass from the vertical axis.")
     arm: Distance = Field(description="R*: from the hinge to its centre of mass.")
-    arm_angle: ArmAngle = Field(description="beta: angle of that arm above the horizontal.")
+    arm_angle: ArmAngle = Field(description="beta: angle at which that arm climbs above the horizontal.")
     inertia_hinge: Inertia = Field(description="J_x': moment of inertia about the line along the hinge.")
-    inertia_vertical: Inertia | None = Field(default=None, description="J_z3: moment of inertia about the vertical.")
+    inertia_vertical: Inertia | None = Field(
+        default=None, description="J_z3: moment of inertia about the vertical; or `inertia_axis` and `inertia_cross`."
+    )
     inertia_axis: Inertia | None = Field(
-        default=None, description="J_z': about the motor's axis; with inertia_cross, in place of inertia_vertical."
+        default=None,
+        description="J_z': moment of inertia about the motor's axis; with `inertia_cross` in place of "
+        "`inertia_vertical`.",
     )
     inertia_cross: Inertia | None = Field(
-        default=None, description="J_y': about the line across the motor's axis and the hinge."
+        default=None,
+        description="J_y': moment of inertia about the line across the motor's axis and the hinge.",
     )
     stiffness: Turning = Field(description="c2: stiffness of the plate against a turn about the hinge.")
 
@@ -74,61 +85,72 @@ class ExciterTable(Table):
 class RodsTable(Table):
     """The four rods that carry the ring, clamped at both ends."""
 
-    radius: Size = Field(description="R2: ends of the rods from the vertical axis.")
-    stiffness: Across | None = Field(default=None, description="c: stiffness of one rod, in place of its sizes.")
-    diameter: Size | None = Field(default=None, description="d_c: diameter.")
-    length: Size | None = Field(default=None, description="l_c: length.")
+    radius: Size = Field(description="R2: distance of the rods' ends from the vertical axis.")
+    stiffness: Across | None = Field(
+        default=None, description="c: stiffness of one rod across itself; or `diameter` and `length`."
+    )
+    diameter: Size | None = Field(default=None, description="d_c: diameter of a rod.")
+    length: Size | None = Field(default=None, description="l_c: length of a rod.")
     young: Modulus = Field(default=206e9, description="E: modulus of elasticity.")
 
 
 class FlatsTable(Table):
     """The four flat springs between ring and gripper, crossed along x and y."""
 
-    vertical: Across | None = Field(default=None, description="c1: stiffness of one spring, in place of its sizes.")
-    tilt: Turning | None = Field(
-        default=None, description="c_t: stiffness of all against a tilt, with the part of the weight."
+    vertical: Across | None = Field(
+        default=None, description="c1: stiffness of one spring; with `tilt` in place of the sizes."
     )
-    width: Size | None = Field(default=None, description="b: width.")
-    thickness: Size | None = Field(default=None, description="h: thickness.")
-    length: Size | None = Field(default=None, description="l1: free length.")
+    tilt: Turning | None = Field(
+        default=None, description="c_t: stiffness of all four against a tilt, with the part of the weight."
+    )
+    width: Size | None = Field(default=None, description="b: width of a spring.")
+    thickness: Size | None = Field(default=None, description="h: thickness of a spring.")
+    length: Size | None = Field(default=None, description="l1: free length of a spring.")
     offset: Distance = Field(default=0.0, description="l2: from the axis to the inner end of a spring.")
     young: Modulus = Field(default=206e9, description="E: modulus of elasticity.")
     shear_modulus: Modulus = Field(default=79e9, description="G: shear modulus.")
     torsion: Torsion | None = Field(
-        default=None, description="alpha_t: torsion coefficient of the section (default: of the rectangle)."
+        default=None,
+        description="alpha_t: torsion coefficient of the section in J_t = alpha_t b h^3; "
+        "0.333 of thin strips (default: of the rectangle).",
     )
 
 
 class VibratorDampingTable(Table):
     """Damping of all modes alike, or of the coordinates one by one."""
 
-    ratio: Ratio | None = Field(default=None, description="Part of critical damping of every mode.")
-    x: Damper = Field(default=0.0, description="Of the ring along x.")
-    y: Damper = Field(default=0.0, description="Of the ring along y.")
-    phi: TurningDamper = Field(default=0.0, description="Of the turn of the ring.")
-    tilt_x: TurningDamper = Field(default=0.0, description="Of the gripper's tilt about x.")
-    tilt_y: TurningDamper = Field(default=0.0, description="Of the gripper's tilt about y.")
-    z: Damper = Field(default=0.0, description="Of the gripper's vertical motion.")
-    gamma: TurningDamper = Field(default=0.0, description="Of the exciter about its hinge.")
+    ratio: Ratio | None = Field(
+        default=None, description="Part of critical damping of every mode; or the coefficients one by one."
+    )
+    x: Damper = Field(default=0.0, description="Damping coefficient of the ring along x.")
+    y: Damper = Field(default=0.0, description="Damping coefficient of the ring along y.")
+    phi: TurningDamper = Field(default=0.0, description="Damping coefficient of the turn of the ring.")
+    tilt_x: TurningDamper = Field(default=0.0, description="Damping coefficient of the gripper's tilt about x.")
+    tilt_y: TurningDamper = Field(default=0.0, description="Damping coefficient of the gripper's tilt about y.")
+    z: Damper = Field(default=0.0, description="Damping coefficient of the gripper's vertical motion.")
+    gamma: TurningDamper = Field(default=0.0, description="Damping coefficient of the exciter about its hinge.")
 
 
 class VibratorUnbalanceTable(Table):
     """The unbalance on the motor's shaft."""
 
     moment: StaticMoment | None = Field(default=None, description="m r: static moment, in place of mass and radius.")
-    mass: Mass | None = Field(default=None, description="Its mass.")
-    radius: Size | None = Field(default=None, description="r: its centre from the motor's axis.")
+    mass: Mass | None = Field(default=None, description="m: mass of the unbalance.")
+    radius: Size | None = Field(default=None, description="r: distance of its centre from the motor's axis.")
     distance: Distance | None = Field(
-        default=None, description="R: middle of its path from the vertical axis (default: radius of the exciter)."
+        default=None, description="R: middle of its path from the vertical axis (default: `radius` of the exciter)."
     )
     arm: Distance | None = Field(
-        default=None, description="From the hinge to the middle of its path (default: arm of the exciter)."
+        default=None, description="From the hinge to the middle of its path (default: `arm` of the exciter)."
     )
     arm_angle: ArmAngle | None = Field(
-        default=None, description="delta: of that arm above the horizontal (default: that of the exciter's arm)."
+        default=None,
+        description="delta: angle at which that arm climbs above the horizontal (default: `arm_angle` of the exciter).",
     )
     rotor_inertia: RotorInertia | None = Field(
-        default=None, description="Of the rotor with the unbalance about its axis (default: that of the motor, or 0)."
+        default=None,
+        description="Moment of inertia of the whole rotor with the unbalance about its axis (default: "
+        "that of the motor, or 0).",
     )
 
 
@@ -137,18 +159,19 @@ class VibratorCurveTable(Table):
 
     low: AngularSpeed = Field(alias="from", description="Lowest speed.")
     high: AngularSpeed = Field(alias="to", description="Highest speed.")
-    points: Points = Field(default=400, description="Number of speeds, in equal steps.")
+    points: Points = Field(default=400, description="Number of speeds of the resonance curve, in equal steps.")
 
 
 class VibratorStartTable(Table):
     """Start with a given angle: the rotor speeds up evenly to the speed and keeps it."""
 
-    acceleration: Acceleration = Field(description="Of the rotor.")
+    acceleration: Acceleration = Field(description="Angular acceleration of the rotor.")
     duration: Duration = Field(description="Time that is shown.")
     rows: Rows = Field(default=1000, description="Rows of the table, at equal times.")
     tangential: bool = Field(
         default=True,
-        description="Whether the unbalance also pulls along its path while it speeds up; false: the paper's force.",
+        description="Whether the unbalance also pulls along its path while it speeds up; `false`: "
+        "the force of the paper, m r psi'^2 alone.",
     )
 
 
@@ -165,17 +188,27 @@ class VibratorTable(Table):
     """A vibratory assembly device: its bodies, springs, exciter, and what is to be found of it."""
 
     gravity: Gravity = Field(default=9.81, description="Acceleration of free fall.")
-    speed: AngularSpeed | None = Field(default=None, description="Speed of the rotor in the steady motion.")
+    speed: AngularSpeed | None = Field(
+        default=None, description="Speed of the rotor in the steady motion, and the one that a start runs up to."
+    )
     ring: RingTable = Field(description="The ring.")
     gripper: GripperTable = Field(description="The gripper with the part.")
     exciter: ExciterTable = Field(description="Motor and unbalance on their plate.")
     rods: RodsTable = Field(description="The rods of the ring.")
     flats: FlatsTable = Field(description="The flat springs of the gripper.")
-    damping: VibratorDampingTable = Field(default_factory=VibratorDampingTable, description="Damping.")
+    damping: VibratorDampingTable = Field(
+        default_factory=VibratorDampingTable, description="Damping, of all modes alike or coordinate by coordinate."
+    )
     unbalance: VibratorUnbalanceTable | None = Field(default=None, description="The unbalance that excites it.")
     curve: VibratorCurveTable | None = Field(default=None, description="The resonance curve.")
-    start: VibratorStartTable | None = Field(default=None, description="A start with a given angle of the rotor.")
-    drive: VibratorDriveTable | None = Field(default=None, description="A start of the rotor by its motor.")
+    start: VibratorStartTable | None = Field(
+        default=None, description="A start with a given angle: the rotor speeds up evenly to `speed` and keeps it."
+    )
+    drive: VibratorDriveTable | None = Field(
+        default=None, description="A start of the rotor by its motor, as a degree of freedom of its own."
+    )
     points: dict[PointName, Place] = Field(
-        default={}, description="Points [x, y, z] of the part at rest, from the axis in the plane of the flat springs."
+        default={},
+        description="Points `[x, y, z]` of the part whose paths are found, by name, at rest: "
+        '`{ A = ["20 mm", 0, "-80 mm"] }`.',
     )
