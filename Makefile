@@ -44,9 +44,10 @@ format: $(VENV)/.dev
 	$(BIN)/ruff check --fix --quiet .
 	$(BIN)/ruff format .
 
-# the tables of keys in docs/spec.md, from the models of the spec and from what these say of their keys
+# the tables of keys in docs/spec.md from the models of the spec, docs/results.md from the fields of the results
 docs: $(VENV)/.run
 	$(BIN)/python docs/make_spec.py
+	$(BIN)/python docs/make_results.py
 
 # the schema that editors follow from the #:schema line of the ready specs
 schema: $(VENV)/.run
