@@ -359,11 +359,11 @@ def test_error_of_differences_against_their_step(book: dict[str, Any]) -> None:
     assert [row["theta_deg"] for row in expected["table"]] == pytest.approx([np.degrees(e.step) for e in study])
     factor = tolerance["factor_six_decimals"]
     for row, found in zip(expected["table"], study, strict=True):
-        for own, printed in ((found.double.max_first, "max_v"), (found.double.max_second, "max_a")):
+        for own, printed in ((found.double.first, "max_v"), (found.double.second, "max_a")):
             close(own, row["double"][printed], 0, tolerance["rel_double"])
-        for own, printed in ((found.rounded.max_first, "max_v"), (found.rounded.max_second, "max_a")):
+        for own, printed in ((found.rounded.first, "max_v"), (found.rounded.second, "max_a")):
             assert row["six_decimals"][printed] / factor < own < row["six_decimals"][printed] * factor
-    best = min(study, key=lambda each: each.rounded.max_second)
+    best = min(study, key=lambda each: each.rounded.second)
     low, high = expected["best_theta_for_acceleration_six_decimals_deg"]
     assert low - 1e-9 <= np.degrees(best.step) <= high + 1e-9
 

@@ -27,8 +27,10 @@ from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.loads.scene import compile_scene
 
 if TYPE_CHECKING:
-    from tmmcalc.linkage.forces.cut import Cut
-    from tmmcalc.linkage.forces.web import Web
+    from tmmcalc.linkage.forces.dyad import DyadEquilibrium
+    from tmmcalc.linkage.forces.group import GroupEquilibrium
+
+    Equilibrium = DyadEquilibrium | GroupEquilibrium
 
 PASSES = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48)
 SETTLED = 400  # passes after which a group that settles at all has
@@ -85,20 +87,20 @@ def _friction(statics: Statics, name: str, theta: Real, clock: Clock) -> Study:
     )
 
 
-def _by_newton(cut: Cut | Web, count: int) -> Real:
+def _by_newton(cut: Equilibrium, count: int) -> Real:
     """Friction (k, n) of the joints that rub."""
     friction = cut.solve(count).friction
     return np.array([np.broadcast_to(friction[k], count) for k in cut.c])
 
 
-def _passed(cut: Cut | Web, count: int, passes: int) -> Real:
+def _passed(cut: Equilibrium, count: int, passes: int) -> Real:
     values: Real = np.zeros((len(cut.c), count))
     for _ in range(passes):
         values = _pass(cut, values)
     return values
 
 
-def _pass(cut: Cut | Web, values: Real) -> Real:
+def _pass(cut: Equilibrium, values: Real) -> Real:
     """Friction (k, n) under the reactions that friction ``values`` leave."""
     from tmmcalc.linkage.forces.friction import size_of
 

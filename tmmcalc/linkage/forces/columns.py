@@ -9,8 +9,7 @@ import numpy as np
 from tmmcalc.core.columns import Column, column
 from tmmcalc.core.quantity import Quantity, quantities, quantity_of
 from tmmcalc.linkage.columns import phi_column
-from tmmcalc.linkage.forces.edges import edge_reactions
-from tmmcalc.linkage.forces.results import Forces, PairForces
+from tmmcalc.linkage.forces.results import Forces, PairForces, edge_reactions
 
 REACTION = (
     Quantity("R_{joint}_x[N]", "reaction in {joint} along x"),

@@ -15,164 +15,151 @@ link a, of C on link b; along the line [N] or about the pin [N*m].
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.errors import SingularityError
 from tmmcalc.core.plane import Plane, Real, cross
-from tmmcalc.linkage.forces.wrench import NOTHING, Pivot, Seat, Slideway, Wrench
+from tmmcalc.linkage.forces.wrench import NOTHING, Pivot, Plan, Seat, Slideway, Wrench
 
-SINGULAR = 1e-9  # determinant, against the product of the arms, at which a dyad transmits no force
+if TYPE_CHECKING:
+    from tmmcalc.linkage.forces.friction import Solution
 
-
-class Reactions(NamedTuple):
-    """Wrenches about each joint's own point: A and B on link a, C on link b."""
-
-    outer_a: Wrench
-    inner: Wrench
-    outer_b: Wrench
-
-
-class Friction(NamedTuple):
-    """Given friction in the three joints of a dyad: a force along the line [N] or a moment about the pin [N*m]."""
-
-    outer_a: Real
-    inner: Real
-    outer_b: Real
-
-
+Three = tuple[Wrench, Wrench, Wrench]  # about each joint's own point: A and B on link a, C on link b
 _NONE = np.zeros(())
-FRICTIONLESS = Friction(_NONE, _NONE, _NONE)
 
 
-class Dyad(NamedTuple):
-    """The three joints of a dyad in place."""
+class GroupReactions(NamedTuple):
+    """What holds a group: reactions on the receivers about each joint's own point, and the friction in them."""
 
-    a: Seat  # outer joint of link a
-    inner: Seat
-    b: Seat  # outer joint of link b
-
-    def solve(self, load_a: Wrench, load_b: Wrench, friction: Friction = FRICTIONLESS) -> Reactions:
-        """Reactions under wrenches on a and b, each about the inner joint's point (n,).
-
-        Raises `SingularityError` at a dead point: the determinant is that of the velocities of the dyad.
-        """
-        balance = self.balance()
-        balance.check()
-        return balance.reactions(load_a, load_b, friction)
-
-    def balance(self) -> Balance:
-        """The equations of both links, solved once for all loads."""
-        a, b = _row(self.a, self.inner, 1.0), _row(self.b, self.inner, -1.0)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            if isinstance(self.inner, Pivot):
-                determinant = cross(a.arm, b.arm)
-                by_a, by_b = Wrench(-1j * b.arm / determinant, _NONE), Wrench(1j * a.arm / determinant, _NONE)
-            else:
-                n = 1j * self.inner.e
-                across_a, across_b = _dot(a.arm, n), _dot(b.arm, n)
-                determinant = across_b * a.lever - across_a * b.lever
-                by_a = Wrench(-b.lever / determinant * n, -across_b / determinant)
-                by_b = Wrench(a.lever / determinant * n, across_a / determinant)
-        return Balance(self, a, b, by_a, by_b, determinant)
+    reactions: tuple[Wrench, ...]
+    friction: tuple[Real, ...]
+    solution: Solution | None  # None where nothing rubs
+    drive: Real | None  # force (n,) of the drive on its slider along the line, if it acts inside the group
 
 
 class Row(NamedTuple):
-    """What an outer joint says of the inner wrench (F, M): Re(conj(arm) F) - lever M = value.
-
-    ``side`` is the sign with which the inner wrench acts on its link: +1 on a, -1 on b.
-    """
+    """What an outer joint says of the inner wrench (F, M): Re(conj(arm) F) - lever M = value."""
 
     arm: Plane
-    lever: float
-    turns: bool  # a revolute joint
-    side: float
-
-    def value(self, d: Plane, load: Wrench) -> Real:
-        """The value under a load about the inner joint's point, ``d`` the vector from there to the outer joint."""
-        value = load.moment - cross(d, load.force) if self.turns else -_dot(self.arm, load.force)
-        return value if self.side > 0 else -value
-
-    @property
-    def of_friction(self) -> float:
-        """The value of a unit of friction in the outer joint."""
-        return self.side if self.turns else -self.side
+    lever: float  # 1 of a revolute joint, 0 of a prismatic one
+    value: Real
+    friction: float  # the value of a unit of friction in the outer joint
 
     def of(self, inner: Wrench) -> Real:
         """The left side for an inner wrench."""
         return _dot(self.arm, inner.force) - self.lever * inner.moment
 
 
-class Balance(NamedTuple):
-    """The two equations of a dyad with their inverse: the inner wrench of a unit value in each."""
+class DyadEquilibrium(NamedTuple):
+    """A dyad in place with the wrenches on its links, each about the inner joint's point (n,)."""
 
-    dyad: Dyad
-    a: Row
-    b: Row
-    by_a: Wrench
-    by_b: Wrench
-    determinant: Real
+    plan: Plan
+    seats: tuple[Seat, Seat, Seat]  # of the joints A, B, C
+    loads: tuple[Wrench, Wrench]  # on a and b
+    c: dict[int, Real]  # of every rubbing joint: coefficient times the sense of the receiver's motion in it, (n,)
 
-    def check(self) -> None:
-        """Raise `SingularityError` where the dyad is at a dead point."""
-        size = np.abs(self.a.arm) * np.abs(self.b.arm)
-        if not isinstance(self.dyad.inner, Pivot):
-            size = self.a.lever * np.abs(self.b.arm) + self.b.lever * np.abs(self.a.arm)
-        sine = np.abs(self.determinant) / np.where(size > 0, size, 1.0)
-        if np.any(sine <= SINGULAR):
-            raise SingularityError(
-                f"a dead point: reactions grow without bound (row {int(np.argmin(sine))})",
-                where="forces, dyad",
-                value=float(np.min(sine)),
-                limit=SINGULAR,
-                remedy="keep its links away from that position",
+    def solve(self, n: int) -> GroupReactions:
+        """Reactions at n positions with the friction in them."""
+        rows = self.rows()
+        units = self.of_units(rows)
+        inner = units[0].times(rows[0].value).plus(units[1].times(rows[1].value))
+        if not self.c:
+            return GroupReactions(self.outer(inner, (_NONE, _NONE, _NONE)), (_NONE, _NONE, _NONE), None, None)
+        from tmmcalc.linkage.forces.friction import Rubbing, solve  # only what rubs needs it
+
+        responses = [self.response(k, rows, units) for k in self.c]
+        load_a, load_b = self.loads
+        base = (load_a.plus(inner).reversed() if 0 in self.c else NOTHING, inner, inner.minus(load_b))
+        pairs = [
+            Rubbing(
+                self.seats[k],
+                c,
+                self._about(k, base[k]),
+                tuple(self._about(k, r.reversed() if k == 0 else r) for r in responses),
+                self.plan.posts[k].half,
+            )
+            for k, c in self.c.items()
+        ]
+        solution = solve(pairs, n)
+        for response, value in zip(responses, solution.values, strict=True):
+            inner = inner.plus(response.times(value))
+        friction = self.in_joints(solution.values)
+        return GroupReactions(self.outer(inner, friction), friction, solution, None)
+
+    def under(self, values: Real) -> GroupReactions:
+        """Reactions under friction values (k, n) of the joints that rub."""
+        rows = self.rows()
+        units = self.of_units(rows)
+        inner = units[0].times(rows[0].value).plus(units[1].times(rows[1].value))
+        for k, value in zip(self.c, values, strict=True):
+            inner = inner.plus(self.response(k, rows, units).times(value))
+        friction = self.in_joints(values)
+        return GroupReactions(self.outer(inner, friction), friction, None, None)
+
+    def rows(self) -> tuple[Row, Row]:
+        """The equation of each link: moments about the pin of its outer joint, or forces along the line of it."""
+        point, found = self.seats[1].r, []
+        for seat, load, side in zip(self.seats[::2], self.loads, (1.0, -1.0), strict=True):
+            if isinstance(seat, Slideway):
+                arm, lever, value, friction = seat.e, 0.0, -_dot(seat.e, load.force), -side
+            else:
+                d = seat.r - point
+                arm, lever, value, friction = 1j * d, 1.0, load.moment - cross(d, load.force), side
+            found.append(Row(arm, lever, value if side > 0 else -value, friction))
+        return found[0], found[1]
+
+    def of_units(self, rows: tuple[Row, Row]) -> tuple[Wrench, Wrench]:
+        """The inner wrench of a unit value in each equation; without bound at a dead point."""
+        (a, b), inner = rows, self.seats[1]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            if isinstance(inner, Pivot):
+                determinant = cross(a.arm, b.arm)
+                return Wrench(-1j * b.arm / determinant, _NONE), Wrench(1j * a.arm / determinant, _NONE)
+            n = 1j * inner.e
+            across_a, across_b = _dot(a.arm, n), _dot(b.arm, n)
+            determinant = across_b * a.lever - across_a * b.lever
+            return (
+                Wrench(-b.lever / determinant * n, -across_b / determinant),
+                Wrench(a.lever / determinant * n, across_a / determinant),
             )
 
-    def inner(self, load_a: Wrench, load_b: Wrench) -> Wrench:
-        """The inner wrench on link a without friction, loads about the inner joint's point (n,)."""
-        value_a = self.a.value(self.dyad.a.r - self.dyad.inner.r, load_a)
-        value_b = self.b.value(self.dyad.b.r - self.dyad.inner.r, load_b)
-        return self.by_a.times(value_a).plus(self.by_b.times(value_b))
-
-    def response(self, k: int) -> Wrench:
+    def response(self, k: int, rows: tuple[Row, Row], units: tuple[Wrench, Wrench]) -> Wrench:
         """The inner wrench that a unit of friction in joint ``k`` alone makes: 0 outer of a, 1 inner, 2 outer of b."""
+        (a, b), (by_a, by_b) = rows, units
         if k == 0:
-            return self.by_a.times(self.a.of_friction)
+            return by_a.times(a.friction)
         if k == 2:
-            return self.by_b.times(self.b.of_friction)
-        inner = self.dyad.inner
+            return by_b.times(b.friction)
+        inner = self.seats[1]
         own = Wrench(NOTHING.force, np.ones(())) if isinstance(inner, Pivot) else Wrench(inner.e, _NONE)
-        return own.plus(self.by_a.times(-self.a.of(own))).plus(self.by_b.times(-self.b.of(own)))
+        return own.plus(by_a.times(-a.of(own))).plus(by_b.times(-b.of(own)))
 
-    def outer(self, load_a: Wrench, load_b: Wrench, inner: Wrench, friction: Friction = FRICTIONLESS) -> Reactions:
-        """All reactions once the inner wrench is known: each link is in equilibrium."""
-        dyad = self.dyad
+    def outer(self, inner: Wrench, friction: tuple[Real, ...]) -> Three:
+        """All reactions once the inner wrench is known: each link is in equilibrium.
+
+        That of an outer pin has no moment about it but friction.
+        """
+        (load_a, load_b), (a, b, c) = self.loads, self.seats
         on_a, on_b = load_a.plus(inner).reversed(), inner.minus(load_b)
-        return Reactions(
-            _outer(dyad.a, on_a, dyad.inner.r, friction.outer_a),
+        return (
+            Wrench(on_a.force, friction[0]) if isinstance(a, Pivot) else on_a.about(a.r - b.r),
             inner,
-            _outer(dyad.b, on_b, dyad.inner.r, friction.outer_b),
+            Wrench(on_b.force, friction[2]) if isinstance(c, Pivot) else on_b.about(c.r - b.r),
         )
 
-    def reactions(self, load_a: Wrench, load_b: Wrench, friction: Friction = FRICTIONLESS) -> Reactions:
-        """Reactions under wrenches on a and b, each about the inner joint's point (n,)."""
-        inner = self.inner(load_a, load_b)
-        for k, value in enumerate(friction):
-            if value is not _NONE:
-                inner = inner.plus(self.response(k).times(value))
-        return self.outer(load_a, load_b, inner, friction)
+    def in_joints(self, values: Real) -> tuple[Real, Real, Real]:
+        """Friction in the three joints from the values (k, n) of those that rub."""
+        three = [_NONE, _NONE, _NONE]
+        for k, value in zip(self.c, values, strict=True):
+            three[k] = value
+        return three[0], three[1], three[2]
 
-
-def _outer(seat: Seat, wrench: Wrench, point: Plane, friction: Real) -> Wrench:
-    """The reaction of an outer joint about its own point; that of a pin has no moment but friction."""
-    return Wrench(wrench.force, friction) if isinstance(seat, Pivot) else wrench.about(seat.r - point)
-
-
-def _row(outer: Seat, inner: Seat, side: float) -> Row:
-    if isinstance(outer, Slideway):
-        return Row(outer.e, 0.0, False, side)
-    return Row(1j * (outer.r - inner.r), 1.0, True, side)
+    def _about(self, k: int, wrench: Wrench) -> Wrench:
+        """A wrench about the inner joint's point, about that of joint ``k`` if its moment counts there."""
+        if k == 1 or self.plan.posts[k].half is None:
+            return wrench
+        return wrench.about(self.seats[k].r - self.seats[1].r)
 
 
 def _dot(a: Plane, b: Plane) -> Real:

@@ -13,16 +13,15 @@ import numpy as np
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
-from tmmcalc.linkage.forces.cut import Cut
-from tmmcalc.linkage.forces.dyad import Reactions
+from tmmcalc.linkage.forces.dyad import DyadEquilibrium
 from tmmcalc.linkage.forces.friction import size_of
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.wrench import Seat, Slideway, Wrench
 
 if TYPE_CHECKING:
-    from tmmcalc.linkage.forces.web import Web
+    from tmmcalc.linkage.forces.group import GroupEquilibrium
 
-Found = Reactions | tuple[Wrench, ...]
+    Equilibrium = DyadEquilibrium | GroupEquilibrium
 
 STOP = 0.03  # relative change at which the textbook stops
 
@@ -94,7 +93,7 @@ def textbook_iteration(
     )
 
 
-def _exact(cut: Cut | Web) -> tuple[Real, Real] | None:
+def _exact(cut: Equilibrium) -> tuple[Real, Real] | None:
     """The unknowns and the friction (k,) of the solution; None if the group locks itself."""
     held = cut.solve(1)
     if held.solution is not None and held.solution.locked.any():
@@ -108,13 +107,13 @@ def _change(before: Real, now: Real) -> float:
     return float(np.max(np.where(nothing, 0.0, np.abs(now - before) / np.where(nothing, 1.0, np.abs(now)))))
 
 
-def _friction(cut: Cut | Web, found: Found) -> Real:
+def _friction(cut: Equilibrium, found: tuple[Wrench, ...]) -> Real:
     """Friction (k,) under these reactions: (3.27), (3.28)."""
     values = [-c * size_of(cut.seats[k], found[k], cut.plan.posts[k].half) for k, c in cut.c.items()]
     return np.array([_one(value).real for value in values])
 
 
-def _names(cut: Cut | Web) -> tuple[str, ...]:
+def _names(cut: Equilibrium) -> tuple[str, ...]:
     """Names of the unknowns."""
     names = []
     for k, post in enumerate(cut.plan.posts):
@@ -124,9 +123,9 @@ def _names(cut: Cut | Web) -> tuple[str, ...]:
     return tuple(names)
 
 
-def _unknowns(cut: Cut | Web, found: Found) -> Real:
+def _unknowns(cut: Equilibrium, found: tuple[Wrench, ...]) -> Real:
     """The unknowns (u,)."""
-    inner = cut.seats.inner if isinstance(cut, Cut) else None
+    inner = cut.seats[1] if isinstance(cut, DyadEquilibrium) else None
     return np.concatenate([_pair(seat, wrench, inner) for seat, wrench in zip(cut.seats, found, strict=True)])
 
 

@@ -15,11 +15,21 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.memory import keep_pages
 from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.linkage.chain import Configuration
+from tmmcalc.linkage.crossings import STILL
 from tmmcalc.linkage.forces import drive as driving
-from tmmcalc.linkage.forces.cut import Cut, Held, Plan, Post, plan_of, post_of
-from tmmcalc.linkage.forces.dyad import Dyad
-from tmmcalc.linkage.forces.scales import scale_of
-from tmmcalc.linkage.forces.wrench import NOTHING, Seat, Slideway, Wrench, seat_of, sliding
+from tmmcalc.linkage.forces.dyad import DyadEquilibrium, GroupReactions
+from tmmcalc.linkage.forces.wrench import (
+    NOTHING,
+    Plan,
+    Post,
+    Seat,
+    Slideway,
+    Wrench,
+    plan_of,
+    post_of,
+    seat_of,
+    sliding,
+)
 from tmmcalc.linkage.loading import Pair
 from tmmcalc.linkage.loads.scene import Scene
 from tmmcalc.linkage.loads.sources import Action, Place, Source, inertia
@@ -28,7 +38,9 @@ from tmmcalc.linkage.model import FRAME, Joint
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.forces.friction import Solution
-    from tmmcalc.linkage.forces.web import Web
+    from tmmcalc.linkage.forces.group import GroupEquilibrium
+
+    Equilibrium = DyadEquilibrium | GroupEquilibrium
 
 REST = 1e-9  # a relative velocity below this part of the largest is rest
 
@@ -126,7 +138,9 @@ class Statics(NamedTuple):
         moves = np.abs(acceleration) > scale * travel.speed**2  # more than rounding, so that it has a sign
         return np.sign(np.where(rest, side * np.where(moves, acceleration, 0.0), rate * travel.sense))
 
-    def cut(self, plan: Plan, place: Place, side: Real | float, pole: complex, carried: dict[int, Wrench]) -> Cut | Web:
+    def equilibrium(
+        self, plan: Plan, place: Place, side: Real | float, pole: complex, carried: dict[int, Wrench]
+    ) -> Equilibrium:
         """A group with the wrenches ``carried`` on its links: its own loads, and what the groups after it hand on."""
         configuration = place.configuration
         seats = tuple(seat_of(post.joint, configuration) for post in plan.posts)
@@ -136,21 +150,21 @@ class Statics(NamedTuple):
             if post.coefficient > 0
         }
         if not plan.group.kind:
-            from tmmcalc.linkage.forces.web import Web  # only groups of class III and higher need it
+            from tmmcalc.linkage.forces.group import GroupEquilibrium  # only groups of class III and higher need it
 
-            return Web(plan, seats, {k: carried[k] for k in plan.group.links}, c, pole)
-        dyad = Dyad(*seats)
+            return GroupEquilibrium(plan, seats, {k: carried[k] for k in plan.group.links}, c, pole)
+        outer_a, inner, outer_b = seats
         a, b = plan.group.links
-        d = dyad.inner.r - pole
-        return Cut(plan, dyad.balance(), (carried[a].about(d), carried[b].about(d)), c)
+        d = inner.r - pole
+        return DyadEquilibrium(plan, (outer_a, inner, outer_b), (carried[a].about(d), carried[b].about(d)), c)
 
-    def cut_out(self, name: str, place: Place, side: Real | float = 1.0) -> Cut | Web:
+    def cut_out(self, name: str, place: Place, side: Real | float = 1.0) -> Equilibrium:
         """The group of this name, with the reactions of the groups after it, their friction solved."""
         pole = self.pole(place)
         carried, reactions = self.given(place, pole).loads, dict[str, Reaction]()
         for plan in self.plans:
             if plan.group.name == name:
-                return self.cut(plan, place, side, pole, carried)
+                return self.equilibrium(plan, place, side, pole, carried)
             self._solve(plan, place, side, pole, carried, reactions)
         raise UsageError(
             f"there is no group {name!r}",
@@ -166,11 +180,11 @@ class Statics(NamedTuple):
         pole: complex,
         carried: dict[int, Wrench],
         reactions: dict[str, Reaction],
-    ) -> Held:
+    ) -> GroupReactions:
         """Solve one group and hand its reactions on to the links that carry it."""
-        cut = self.cut(plan, place, side, pole, carried)
-        held = cut.solve(len(place.theta))
-        for post, wrench, value, seat in zip(plan.posts, held.reactions, held.friction, cut.seats, strict=True):
+        group = self.equilibrium(plan, place, side, pole, carried)
+        held = group.solve(len(place.theta))
+        for post, wrench, value, seat in zip(plan.posts, held.reactions, held.friction, group.seats, strict=True):
             on_higher = (wrench, value) if post.sign > 0 else (wrench.reversed(), -value)
             reactions[post.joint.name] = Reaction(*on_higher, seat)
             if post.giver not in (FRAME, *plan.group.links):
@@ -226,6 +240,30 @@ def compile_statics(scene: Scene, with_inertia: bool = True, scales: dict[str, A
         posts = (*(() if chain.structure.driven else (driver,)), *(post for plan in plans for post in plan.posts))
         scales = {post.joint.name: scale_of(post.joint, scene) for post in posts if post.coefficient > 0}
     return Statics(scene, (*scene.sources, *dynamic), pairs, scales, plans, driver)
+
+
+def scale_of(joint: Joint, scene: Scene) -> float:
+    """Largest relative rate in a joint over the survey; of a pair that never slides what counts as motion at all."""
+    configuration = scene.survey.configuration
+    own = float(np.max(np.abs(sliding(joint, configuration)[0])))
+    around = _size(scene) if joint.kind == "prismatic" else _fastest(joint, scene)
+    return own if own > STILL * around else around
+
+
+def _size(scene: Scene) -> float:
+    """Largest coordinate of the metric, per unit of the input coordinate."""
+    if not scene.chain.turns:
+        return 1.0
+    mechanism = scene.chain.mechanism
+    points = (p for link in (mechanism.frame, *mechanism.links) for p in link.points.values())
+    pins = (p for joint in mechanism.joints for p in joint.points)
+    return max(abs(p) for p in (*points, *pins)) or 1.0
+
+
+def _fastest(joint: Joint, scene: Scene) -> float:
+    """Largest rate of turning of the two links; of links that never turn one radian per unit of the input."""
+    motions = scene.survey.configuration.motions
+    return max(float(np.max(np.abs(motions[k].omega))) for k in joint.links) or 1.0
 
 
 def reversals(statics: Statics) -> list[Knot]:

@@ -14,8 +14,8 @@ from tmmcalc.core.numerics.gauss import rule
 from tmmcalc.core.numerics.mesh import Mesh
 from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Plane, Real
-from tmmcalc.linkage.forces.edges import edge_reactions
 from tmmcalc.linkage.forces.kinetostatics import State, Statics
+from tmmcalc.linkage.forces.results import edge_reactions
 from tmmcalc.linkage.forces.wrench import Slideway
 
 SIDE = 8  # points of the polynomial that locates a kink

@@ -10,9 +10,8 @@ import numpy as np
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.numerics.peaks import peaks
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.forces.edges import edge_reactions
 from tmmcalc.linkage.forces.kinetostatics import Statics
-from tmmcalc.linkage.forces.results import PairForces
+from tmmcalc.linkage.forces.results import PairForces, edge_reactions
 from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.loads.travel import EDGE
 from tmmcalc.linkage.model import Joint

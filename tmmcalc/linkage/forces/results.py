@@ -76,3 +76,14 @@ class Forces:
     grades: tuple[Grade, ...]
     counters: dict[str, int]
     error: float = quantity("reactions", "estimated relative error of the reactions")
+
+
+def edge_reactions(normal: Real, couple: Real, length: float) -> tuple[Real, Real]:
+    """Forces N', N'' [N] along the normal at the edges of a slider, ahead of and behind its point (fig. 3.1b).
+
+    N' + N'' = N, (N' - N'') length/2 = couple. They point the same way unless the resultant leaves the slider.
+
+    >>> edge_reactions(10.0, 1.0, 0.5)
+    (7.0, 3.0)
+    """
+    return normal / 2 + couple / length, normal / 2 - couple / length

@@ -1,4 +1,4 @@
-"""Forces with their moment, and the joints at which reactions act."""
+"""Forces with their moment, and the joints of a group at which reactions act."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ import numpy as np
 
 from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.linkage.chain import Configuration
-from tmmcalc.linkage.model import Joint
+from tmmcalc.linkage.loading import Pair
+from tmmcalc.linkage.model import Joint, Mechanism
+from tmmcalc.linkage.structure import Group
 
 
 class Wrench(NamedTuple):
@@ -55,6 +57,55 @@ class Slideway(NamedTuple):
 
 
 Seat = Pivot | Slideway
+
+
+class Post(NamedTuple):
+    """A joint as one of its links feels it: the link that takes the reaction, the one that gives it, its friction."""
+
+    joint: Joint
+    receiver: int
+    giver: int
+    coefficient: float  # f of a prismatic pair, f r of a revolute one
+    half: float | None  # half length of a slider [m]
+
+    @property
+    def sign(self) -> float:
+        """+1 if the receiver is the higher-numbered link, whose motion and reaction are told."""
+        return 1.0 if self.receiver > self.giver else -1.0
+
+
+class Plan(NamedTuple):
+    """A group with its joints; of a dyad they are the outer one of a, the inner one, the outer one of b."""
+
+    group: Group
+    posts: tuple[Post, ...]
+    driven: int | None = None  # the joint of the drive, if it acts inside the group
+
+
+def post_of(joint: Joint, receiver: int, pairs: dict[str, Pair]) -> Post:
+    """The joint with the friction of its pair."""
+    giver = joint.links[1 - joint.links.index(receiver)]
+    pair = pairs.get(joint.name)
+    if pair is None:
+        return Post(joint, receiver, giver, 0.0, None)
+    coefficient = pair.friction * (pair.radius if joint.kind == "revolute" else 1.0)
+    return Post(joint, receiver, giver, coefficient, pair.length / 2 if pair.length else None)
+
+
+def plan_of(mechanism: Mechanism, group: Group, pairs: dict[str, Pair]) -> Plan:
+    """The plan of a group: reactions act on a, a, b of a dyad, on the links of another group.
+
+    Inner ones of another group act on the link that the joint names first.
+    """
+    if not group.kind:
+        joints = [mechanism.joint(name) for name in (*group.outer, *group.inner)]
+        receivers = [next(k for k in joint.links if k in group.links) for joint in joints]
+        posts = tuple(post_of(joint, k, pairs) for joint, k in zip(joints, receivers, strict=True))
+        names = [joint.name for joint in joints]
+        return Plan(group, posts, names.index(group.drive) if group.drive else None)
+    a, b = group.links
+    outer_a, inner, outer_b = (mechanism.joint(name) for name in (group.outer[0], group.inner[0], group.outer[1]))
+    return Plan(group, (post_of(outer_a, a, pairs), post_of(inner, a, pairs), post_of(outer_b, b, pairs)))
 
 
 def seat_of(joint: Joint, configuration: Configuration) -> Seat:

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from tmmcalc.core.plane import Plane, Real, cross
-from tmmcalc.linkage.forces.cut import Held, Plan, Post
-from tmmcalc.linkage.forces.wrench import Seat, Slideway, Wrench
+from tmmcalc.linkage.forces.dyad import GroupReactions
+from tmmcalc.linkage.forces.wrench import Plan, Post, Seat, Slideway, Wrench
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.forces.friction import Rubbing, Solution
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 _NONE, _ONE = np.zeros(()), np.ones(())
 
 
-class Web(NamedTuple):
+class GroupEquilibrium(NamedTuple):
     """A group in place: where its joints stand, the wrenches on its links about the pole, the friction in its pairs."""
 
     plan: Plan
@@ -30,7 +30,7 @@ class Web(NamedTuple):
     c: dict[int, Real]  # of every rubbing joint: coefficient times the sense of the receiver's motion in it, (n,)
     pole: complex
 
-    def solve(self, n: int) -> Held:
+    def solve(self, n: int) -> GroupReactions:
         """Reactions at n positions with the friction in them."""
         bare, responses = self._solved(n)
         if not self.c:
@@ -40,11 +40,11 @@ class Web(NamedTuple):
         solution = solve(self._rubbing(bare, responses), n)
         return self._with(bare, responses, solution.values)._replace(solution=solution)
 
-    def under(self, values: Real) -> Held:
+    def under(self, values: Real) -> GroupReactions:
         """Reactions under friction values (k, n) of the joints that rub."""
         return self._with(*self._solved(values.shape[1]), values)
 
-    def _with(self, bare: Real, responses: Real, values: Real) -> Held:
+    def _with(self, bare: Real, responses: Real, values: Real) -> GroupReactions:
         """Reactions under friction values (k, n), from those without friction and those to a unit of each."""
         friction = [_NONE] * len(self.seats)
         for k, value in zip(self.c, values, strict=True):
@@ -84,7 +84,7 @@ class Web(NamedTuple):
         assert isinstance(seat, Slideway)
         return seat.e if post.receiver == post.joint.links[0] else -seat.e
 
-    def _held(self, components: Real, friction: tuple[Real, ...], solution: Solution | None) -> Held:
+    def _held(self, components: Real, friction: tuple[Real, ...], solution: Solution | None) -> GroupReactions:
         """Wrenches about each joint's own point from components (3 L, n)."""
         reactions = []
         for k, (seat, own) in enumerate(zip(self.seats, friction, strict=True)):
@@ -94,26 +94,26 @@ class Web(NamedTuple):
             else:
                 reactions.append(Wrench(first + 1j * second, own))
         drive = None if self.plan.driven is None else components[-1]
-        return Held(tuple(reactions), friction, solution, drive)
+        return GroupReactions(tuple(reactions), friction, solution, drive)
 
 
 class _Table:
     """The equations of equilibrium: three rows a link, one column an unknown, and the right sides."""
 
-    def __init__(self, web: Web, n: int) -> None:
-        links = web.plan.group.links
-        self.web, self.rows = web, {link: 3 * i for i, link in enumerate(links)}
-        self.reach = float(max(np.max(np.abs(seat.r - web.pole)) for seat in web.seats)) or 1.0
+    def __init__(self, group: GroupEquilibrium, n: int) -> None:
+        links = group.plan.group.links
+        self.group, self.rows = group, {link: 3 * i for i, link in enumerate(links)}
+        self.reach = float(max(np.max(np.abs(seat.r - group.pole)) for seat in group.seats)) or 1.0
         self.matrix = np.zeros((n, 3 * len(links), 3 * len(links)))
-        self.sides = np.zeros((n, 3 * len(links), 1 + len(web.c)))
+        self.sides = np.zeros((n, 3 * len(links), 1 + len(group.c)))
         for link, row in self.rows.items():
-            load = web.loads[link]
+            load = group.loads[link]
             self._add(self.sides[..., 0], row, -1.0, load.force, load.moment)
 
     def write(self, column: Real, k: int, force: Plane, couple: Real) -> None:
         """What joint k does with this force at its point and this couple, to its receiver and back to its giver."""
-        post: Post = self.web.plan.posts[k]
-        moment = cross(self.web.seats[k].r - self.web.pole, force) + couple
+        post: Post = self.group.plan.posts[k]
+        moment = cross(self.group.seats[k].r - self.group.pole, force) + couple
         for link, sign in ((post.receiver, 1.0), (post.giver, -1.0)):
             if link in self.rows:
                 self._add(column, self.rows[link], sign, force, moment)
