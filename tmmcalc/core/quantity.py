@@ -22,6 +22,7 @@ T = TypeVar("T")
 # what a value in the first unit is multiplied by for the second, the unit of people
 FORMS: Mapping[tuple[str, str], float] = {
     ("m", "mm"): 1e3,
+    ("m", "um"): 1e6,
     ("rad", "deg"): 180 / pi,
     ("", "%"): 100,
     ("Pa", "MPa"): 1e-6,

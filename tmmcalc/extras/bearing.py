@@ -12,6 +12,7 @@ import numpy as np
 
 from tmmcalc.core.numerics.extended import PI, apart, widened
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 SOUND = 3.0  # crest factor of a sound bearing, about
@@ -36,17 +37,17 @@ class BearingTask:
 class Bearing:
     """Frequencies of defects in 1/s."""
 
-    omega: float  # [rad/s]
-    turns: float  # n [1/s]
-    width: float  # between inner and outer radius, R_n [m]
-    half: float  # half of it [m]
-    mean_radius: float  # [m]
-    cage: float  # FTF [1/s]
-    outer_race: float  # BPFO
-    inner_race: float  # BPFI
-    roller: float  # BSF: turns of a rolling body; a defect on it strikes twice
-    raceway_speed: float  # of the inner ring [m/s]
-    crest: tuple[float, ...] = ()  # peak/RMS of the readings
+    omega: float = quantity("omega[rad/s]", "angular speed of the inner ring")
+    turns: float = quantity("n[1/s]", "rotational frequency of the inner ring")
+    width: float = quantity("R_n[m]", "distance between inner and outer radius")
+    half: float = quantity("half[m]", "half the distance between inner and outer radius")
+    mean_radius: float = quantity("R_mean[m]", "mean radius")
+    cage: float = quantity("FTF[Hz]", "frequency of the cage")
+    outer_race: float = quantity("BPFO[Hz]", "frequency of a defect of the outer raceway")
+    inner_race: float = quantity("BPFI[Hz]", "frequency of a defect of the inner raceway")
+    roller: float = quantity("BSF[Hz]", "turns of a rolling body; a defect on it strikes twice")
+    raceway_speed: float = quantity("v_inner[m/s]", "speed of the inner ring")
+    crest: tuple[float, ...] = quantity("crest", "crest factors: peak over root mean square of readings", default=())
     notes: tuple[str, ...] = ()
     error: float = 0.0  # of the frequencies, each relative to itself
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from tmmcalc.core.quantity import keyed
 
 if TYPE_CHECKING:
     from tmmcalc.extras.contact import Contact
@@ -14,35 +16,18 @@ if TYPE_CHECKING:
 
 def contact_columns(result: Contact) -> dict[str, np.ndarray]:
     """A row a node: place, gap, pressure, opening."""
-    return {
-        "i": np.array(result.labels),
-        "x[m]": result.x,
-        "y[m]": result.y,
-        "h[m]": result.gap,
-        "p[Pa]": result.pressure,
-        "opening[m]": result.opening,
-    }
+    return _numbered(result, "x", "y", "gap", "pressure", "opening")
 
 
 def reliability_columns(result: Reliability) -> dict[str, np.ndarray]:
     """A row a time: strength, reliability, density, intensity of failures."""
-    return {
-        "i": np.array(result.labels),
-        "t[-]": result.t,
-        "x[-]": result.x,
-        "R[-]": result.kept,
-        "f[-]": result.density,
-        "intensity[-]": result.intensity,
-    }
+    return _numbered(result, "t", "x", "kept", "density", "intensity")
 
 
 def ball_columns(result: Ball) -> dict[str, np.ndarray]:
     """A row a time: radius, speed, acceleration, way."""
-    return {
-        "i": np.array(result.labels),
-        "t[s]": result.t,
-        "r[m]": result.radius,
-        "v[m/s]": result.v,
-        "a[m/s^2]": result.a,
-        "S[m]": result.way,
-    }
+    return _numbered(result, "t", "radius", "v", "a", "way")
+
+
+def _numbered(result: Any, *names: str) -> dict[str, np.ndarray]:
+    return {"i": np.array(result.labels), **keyed(result, *names)}

@@ -14,6 +14,7 @@ import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.extras.activeset import Mask, active_set
 from tmmcalc.extras.hertz import Hertz, hertz
@@ -59,25 +60,35 @@ class ContactError:
 class Contact:
     """Pressure and approach of two bodies on a grid of n nodes."""
 
-    x: Values  # (n,) [m]
-    y: Values  # (n,) [m]
-    gap: Values  # (n,) h [m]
-    pressure: Values  # (n,) p [Pa]
-    opening: Values  # (n,) u + h - delta [m], 0 in contact
+    x: Values = quantity("x[m]", "x of the node")  # (n,)
+    y: Values = quantity("y[m]", "y of the node")  # (n,)
+    gap: Values = quantity("h[m]", "gap of the unloaded bodies")  # (n,)
+    pressure: Values = quantity("p[Pa]", "pressure")  # (n,)
+    opening: Values = quantity("opening[m]", "opening u + h - delta, 0 in contact")  # (n,)
     labels: tuple[str, ...]  # of the nodes
-    step: float  # c [m]
-    peak: float  # largest p at a node [Pa]
+    step: float = quantity("c[m]", "step of the grid")
+    peak: float = quantity("p_max[Pa]", "largest pressure at a node")
     peak_at: tuple[float, float]  # [m]
-    approach: float  # delta [m]
-    area: float  # of the nodes in contact [m^2]
-    touching: int
-    passes: int  # of the active set
-    load_error: float  # relative, of the load against the sum of the pressures
+    approach: float = quantity("delta[m]", "approach of the bodies")
+    area: float = quantity("A[m^2]", "area of the nodes in contact")
+    touching: int = quantity("touching", "number of nodes in contact")
+    passes: int = quantity("passes", "passes of the active set")
+    load_error: float = quantity("load_error", "relative error of the load against the sum of the pressures")
     error: ContactError
-    peak_change: float  # relative, against a grid of half as many cells
-    approach_change: float
+    peak_change: float = quantity("p_change", "relative change of p_max against a grid of half as many cells")
+    approach_change: float = quantity("delta_change", "relative change of delta against a grid of half as many cells")
     hertz: Hertz | None
     notes: tuple[str, ...] = ()
+
+    @derived("x[m]", "x of the largest pressure")
+    def peak_x(self) -> float:
+        """Of the node."""
+        return self.peak_at[0]
+
+    @derived("y[m]", "y of the largest pressure")
+    def peak_y(self) -> float:
+        """Of the node."""
+        return self.peak_at[1]
 
 
 @record

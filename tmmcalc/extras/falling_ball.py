@@ -14,6 +14,7 @@ import numpy as np
 
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.numerics.panels import Panels, Values, panels, resolved
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.extras.ballspeed import ROUNDED, Fall, drag_way, falling_speed, speed_error, stop_time
 
@@ -45,28 +46,28 @@ class BallTask:
 class Moment:
     """An instant of the fall."""
 
-    t: float  # [s]
-    v: float  # [m/s]
-    way: float  # from the beginning, downwards [m]
+    t: float = quantity("t[s]", "time")
+    v: float = quantity("v[m/s]", "speed downwards")
+    way: float = quantity("S[m]", "way from the beginning, downwards")
 
 
 @record
 class Ball:
     """The fall of the ball."""
 
-    drive: float  # g + 3 s lambda V with constant V, else g [m/s^2]
-    argument: float  # eta0 or tau0, of the Bessel functions at t = 0
+    drive: float = quantity("a[m/s^2]", "g + 3 s lambda V with constant V, else g")
+    argument: float = quantity("eta0", "argument of the Bessel functions at t = 0", symbol="eta_0")
     fastest: Moment | None  # where the speed is largest, if it has a maximum inside
     stop: Moment | None  # where the ball stops; then it moves upwards
-    stop_argument: float | None  # tau* of that instant
-    total: float | None  # way that it never exceeds, if it does not stop [m]
+    stop_argument: float | None = quantity("tau*", "argument of the Bessel functions at the stop")
+    total: float | None = quantity("S_max[m]", "way that the ball never exceeds, if it does not stop")
     asked: tuple[Moment, ...]
     labels: tuple[str, ...]
-    t: Values  # (n,) [s]
-    radius: Values  # (n,) [m]
-    v: Values  # (n,) [m/s]
-    a: Values  # (n,) [m/s^2]
-    way: Values  # (n,) [m]
+    t: Values = quantity("t[s]", "time")  # (n,)
+    radius: Values = quantity("r[m]", "radius of the ball")  # (n,)
+    v: Values = quantity("v[m/s]", "speed downwards")  # (n,)
+    a: Values = quantity("a[m/s^2]", "acceleration downwards")  # (n,)
+    way: Values = quantity("S[m]", "way from the beginning, downwards")  # (n,)
     error: dict[str, float]  # of speed and way, relative to their largest values
     notes: tuple[str, ...] = ()
 

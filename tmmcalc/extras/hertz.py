@@ -6,6 +6,7 @@ from math import pi
 
 import numpy as np
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 
@@ -13,10 +14,10 @@ from tmmcalc.core.records import record
 class Hertz:
     """The contact of two paraboloids in closed form."""
 
-    along_x: float  # half-axes of the ellipse [m]
-    along_y: float
-    peak: float  # p0 [Pa]
-    approach: float  # delta [m]
+    along_x: float = quantity("a_x[m]", "half-axis of Hertz's ellipse along x")
+    along_y: float = quantity("a_y[m]", "half-axis of Hertz's ellipse along y")
+    peak: float = quantity("p0[Pa]", "largest pressure by Hertz", symbol="p_0")
+    approach: float = quantity("delta_H[m]", "approach by Hertz")
 
 
 def composite_modulus(young: tuple[float, float], poisson: tuple[float, float]) -> float:

@@ -14,6 +14,7 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.extended import EPS, MARGIN, apart, spread, widened
 from tmmcalc.core.numerics.panels import Values, panels, resolved
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 LOOKED = 24  # times at which the reliability is computed again
@@ -65,21 +66,23 @@ class LifeError:
 class Reliability:
     """Reliability over the time."""
 
-    strength: float  # r
-    decay: float  # beta
-    low: float  # a
-    high: float  # b
-    threshold: float  # t0 = ln(r/b)/beta, up to which nothing fails; 0 if the strength begins below b
-    floor: float | None  # time from which every shock is a failure, None: never
-    mean: float  # mean life
+    strength: float = quantity("r", "strength at the beginning")
+    decay: float = quantity("beta", "decay of the strength")
+    low: float = quantity("a", "least load")
+    high: float = quantity("b", "largest load")
+    threshold: float = quantity(  # 0 if the strength begins below b
+        "t0", "time ln(r/b)/beta up to which nothing fails", symbol="t_0"
+    )
+    floor: float | None = quantity("t_a", "time from which every shock is a failure")  # None: never
+    mean: float = quantity("mean_life", "mean life")
     lives: tuple[tuple[float, float], ...]  # reliability, life that it is kept for
     asked: tuple[tuple[float, float], ...]  # time, reliability
     labels: tuple[str, ...]
-    t: Values  # (n,)
-    kept: Values  # (n,) R
-    density: Values  # (n,) f
-    intensity: Values  # (n,) of failures
-    x: Values  # (n,) strength
+    t: Values = quantity("t[-]", "time in the unit of the spec")  # (n,)
+    kept: Values = quantity("R[-]", "reliability")  # (n,)
+    density: Values = quantity("f[-]", "density of the life")  # (n,)
+    intensity: Values = quantity("intensity[-]", "intensity of failures")  # (n,)
+    x: Values = quantity("x[-]", "strength")  # (n,)
     notes: tuple[str, ...] = ()
     error: LifeError | None = None  # None: not estimated
 

@@ -14,6 +14,7 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.extended import apart, widened
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 
@@ -57,16 +58,18 @@ class TieDownTask:
 class TieDown:
     """Forces of the ties."""
 
-    push: float  # F [N], moves the load
-    press: float  # G [N], on the cradle
-    preload: float  # P0 [N]
-    force: float  # R [N] of a tie that is stretched: (3), at least the preload
-    change: float  # dR = R - P0 [N]
-    opposite: float  # P0 - dR [N] of a tie that slackens, 0 once it is slack
-    vertical: float  # 4 P0 sin alpha [N]
-    balanced: float  # [N] R by the equilibrium of all ties, in which both pairs change by dR until one is slack
-    best_elevation: float  # [rad], of the least R
-    held: str  # "friction", "all ties", "two ties"
+    push: float = quantity("F[N]", "force that moves the load", source="(7)")
+    press: float = quantity("G[N]", "force that presses the load on the cradle", source="(7)")
+    preload: float = quantity("P0[N]", "preload of a tie", symbol="P_0")
+    force: float = quantity("R[N]", "force of a tie that is stretched, at least the preload", source="(3)")
+    change: float = quantity("dR[N]", "change R - P_0 of the force of a tie")
+    opposite: float = quantity("R_opposite[N]", "force P_0 - dR of a tie that slackens, 0 once it is slack")
+    vertical: float = quantity("vertical[N]", "vertical load 4 P_0 sin alpha of the ties")
+    balanced: float = quantity(
+        "R_balanced[N]", "R by the equilibrium of all ties, in which both pairs change by dR until one is slack"
+    )
+    best_elevation: float = quantity("alpha_best[rad]", "elevation of the least R")
+    held: str = quantity("held_by", "what holds the load")  # "friction", "all ties", "two ties"
     notes: tuple[str, ...] = ()
     error: float = 0.0  # of the forces, relative to the largest
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.core.timelaw import TimeLaw
 from tmmcalc.core.timerows import TimedExtreme
@@ -15,15 +16,17 @@ from tmmcalc.manipulators.task import Arm
 class PieceFacts:
     """A piece of the path: a line, or an arc where it has a radius."""
 
-    start: tuple[float, ...]  # [m]
-    end: tuple[float, ...]
-    length: float  # [m]
-    begin: float  # [s] when the gripper comes to it
-    centre: tuple[float, ...] | None  # [m]
-    radius: float | None  # [m]
-    theta: float | None  # θ_1: of an arc the angle of its start, from the axis x or, in space, the chord [rad]
-    theta_end: float | None  # θ_2, continuous from θ_1 [rad]
-    sense: int | None  # q: +1 where θ grows
+    start: tuple[float, ...] = quantity("start[m]", "beginning of the piece")
+    end: tuple[float, ...] = quantity("end[m]", "end of the piece")
+    length: float = quantity("length[m]", "length of the piece")
+    begin: float = quantity("begin[s]", "time at which the gripper comes to the piece")
+    centre: tuple[float, ...] | None = quantity("centre[m]", "centre of the arc")
+    radius: float | None = quantity("R[m]", "radius of the arc")
+    theta: float | None = quantity(
+        "theta_1[rad]", "angle of the beginning of the arc, from the axis x or, in space, the chord"
+    )
+    theta_end: float | None = quantity("theta_2[rad]", "angle of the end of the arc, continuous from theta_1")
+    sense: int | None = quantity("q", "sense of the arc: +1 where theta grows")
 
 
 @record
@@ -32,7 +35,9 @@ class LegFacts:
 
     begin: float  # [s]
     law: TimeLaw  # of the way along it
-    speed_limit: float | None  # what its curvature allows under the limits of the accelerations [m/s]
+    speed_limit: float | None = quantity(
+        "v_arc[m/s]", "speed that the curvature allows under the limits of the accelerations"
+    )
     pieces: tuple[PieceFacts, ...]
 
 
@@ -40,26 +45,32 @@ class LegFacts:
 class SingularPlace:
     """Where the joints lose a degree of freedom, or come near to it: a local minimum over the time."""
 
-    what: str  # "r" and "l_3": the distance from base or shoulder [m]; "elbow": the sine of the angle of the arms
-    t: float  # [s]
-    value: float  # [m] or [-]
-    relative: float  # against the size of the motion [-]; 0 at the singular place itself
+    # "r" and "l_3": the distance from base or shoulder [m]; "elbow": the sine of the angle of the arms
+    what: str = quantity("what", "what is small at the singular place")
+    t: float = quantity("t[s]", "time of the singular place")
+    value: float = quantity("value", "how small it is")  # [m] or [-]
+    relative: float = quantity("relative", "how small it is against the size of the motion; 0: singular")
 
 
 @record
 class LimitExcess:
     """A joint beyond its range."""
 
-    joint: str
+    joint: str = quantity("joint", "joint coordinate")
     angular: bool
-    limit: float  # [rad or m]
-    value: float  # the farthest beyond it
-    t: float  # when [s]
-    first: float  # when it is passed first [s]
+    limit: float = quantity("limit", "limit of the joint coordinate")  # [rad or m]
+    value: float = quantity("value", "the farthest beyond the limit")
+    t: float = quantity("t[s]", "time of the farthest")
+    first: float = quantity("first[s]", "time at which the limit is passed first")
 
-    @property
+    @derived("unit", "unit of limit and value")
+    def unit(self) -> str:
+        """Of a joint that turns, or that slides."""
+        return "rad" if self.angular else "m"
+
+    @derived("excess", "how far the joint is beyond its limit")
     def excess(self) -> float:
-        """By how much [rad or m], above zero."""
+        """Above zero [rad or m]."""
         return abs(self.value - self.limit)
 
 
@@ -82,9 +93,9 @@ class Manipulator:
 
     arm: Arm
     inverse: bool  # the gripper's path is given; otherwise the joints' motion
-    duration: float  # T [s]
+    duration: float = quantity("T[s]", "duration of the motion")
     labels: tuple[str, ...]  # (n,)
-    t: Values  # (n,) [s]
+    t: Values = quantity("t[s]", "time")  # (n,)
     side: Indices  # (n,) -1: the limit from before, +1: from after
     way: Values  # (3, n) s [m], v, a along the path; zeros in the direct problem
     phase: Indices  # (n,) 1 acceleration, 2 uniform motion, 3 deceleration; 0 in the direct problem

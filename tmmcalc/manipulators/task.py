@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Literal, NamedTuple
 
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 ArmKind = Literal["spherical", "cylindrical", "angular"]
@@ -43,12 +44,12 @@ class Arm:
     the left of the line from the shoulder to the gripper (up, where the gripper is in front of it), -1 to the right.
     """
 
-    kind: ArmKind
+    kind: ArmKind = quantity("arm", "kind of the arm")
     spatial: bool = False  # with the base rotation psi
-    upper: float = 0.0  # [m]
-    forearm: float = 0.0  # [m]
+    upper: float = quantity("upper_arm[m]", "length of the upper arm", default=0.0)
+    forearm: float = quantity("forearm[m]", "length of the forearm", default=0.0)
     elbow: int = 1
-    height: float = 0.0  # of the shoulder above the origin [m]
+    height: float = quantity("height[m]", "height of the shoulder above the origin", default=0.0)
 
     @property
     def joints(self) -> tuple[Joint, ...]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from tmmcalc.core.quantity import keyed
 from tmmcalc.extras.columns import contact_columns
 from tmmcalc.extras.contact import Contact
 from tmmcalc.extras.facts.rows import view_of, with_table
@@ -17,21 +18,20 @@ from tmmcalc.report.sizes import quantity
 def summary(result: Contact, title: str) -> Document:
     """Pressure, approach and area, with what Hertz has."""
     grid = f"{len(result.x)} nodes at {quantity(result.step, 'm')}, {result.touching} touch; {result.passes} passes"
-    x, y = result.peak_at
     facts = [
-        Fact("grid", grid, {"c[m]": result.step, "touching": result.touching, "passes": result.passes}),
+        Fact("grid", grid, keyed(result, "step", "touching", "passes")),
         Fact(
             "largest pressure",
-            f"{quantity(result.peak, 'Pa')} at x = {quantity(x, 'm')}, y = {quantity(y, 'm')}",
-            {"p_max[Pa]": result.peak, "x[m]": x, "y[m]": y},
+            f"{quantity(result.peak, 'Pa')} at x = {quantity(result.peak_x, 'm')}, y = {quantity(result.peak_y, 'm')}",
+            keyed(result, "peak", "peak_x", "peak_y"),
         ),
-        Fact("approach", f"{number(1e6 * result.approach, 6)} um", {"delta[m]": result.approach}),
-        Fact("contact area", f"{number(1e6 * result.area, 5)} mm^2", {"A[m^2]": result.area}),
+        Fact("approach", f"{number(1e6 * result.approach, 6)} um", keyed(result, "approach")),
+        Fact("contact area", f"{number(1e6 * result.area, 5)} mm^2", keyed(result, "area")),
         Fact(
             "change from a grid twice as coarse",
             f"pressure {result.peak_change:.1e}, approach {result.approach_change:.1e}; load kept to "
             f"{result.load_error:.0e}",
-            {"p_change": result.peak_change, "delta_change": result.approach_change, "load_error": result.load_error},
+            keyed(result, "peak_change", "approach_change", "load_error"),
         ),
     ]
     smooth = result.hertz
@@ -40,13 +40,7 @@ def summary(result: Contact, title: str) -> Document:
         text += f"p0 = {quantity(smooth.peak, 'Pa')}, approach {number(1e6 * smooth.approach, 6)} um"
         text += f"\nhere p_max/p0 = {number(result.peak / smooth.peak, 6)}, "
         text += f"of the approaches {number(result.approach / smooth.approach, 6)}"
-        values = {
-            "a_x[m]": smooth.along_x,
-            "a_y[m]": smooth.along_y,
-            "p0[Pa]": smooth.peak,
-            "delta_H[m]": smooth.approach,
-        }
-        facts.append(Fact("Hertz", text, values))
+        facts.append(Fact("Hertz", text, keyed(smooth)))
     return Document(title, tuple(facts), result.notes)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from tmmcalc.core.quantity import keyed
 from tmmcalc.extras.columns import ball_columns
 from tmmcalc.extras.facts.rows import even, view_of, with_table
 from tmmcalc.extras.falling_ball import Ball, Moment
@@ -13,17 +14,17 @@ from tmmcalc.report.numbers import number
 
 def summary(result: Ball, title: str) -> Document:
     """What drives the ball, its maximum, its stop, what is asked for."""
-    facts = [Fact("driven by", f"{number(result.drive)} m/s^2", {"a[m/s^2]": result.drive, "eta0": result.argument})]
+    facts = [Fact("driven by", f"{number(result.drive)} m/s^2", keyed(result, "drive", "argument"))]
     if result.fastest is not None:
-        facts.append(Fact("largest speed", _moment(result.fastest), {"v_max": _values(result.fastest)}))
+        facts.append(Fact("largest speed", _moment(result.fastest), {"v_max": keyed(result.fastest)}))
     if result.stop is not None:
-        values = {"stop": _values(result.stop), "tau*": result.stop_argument}
+        values = {"stop": keyed(result.stop), **keyed(result, "stop_argument")}
         facts.append(Fact("stop", f"{_moment(result.stop)}, tau* = {number(result.stop_argument or 0.0)}", values))
     if result.total is not None:
-        facts.append(Fact("whole way", f"{number(result.total)} m", {"S_max[m]": result.total}))
+        facts.append(Fact("whole way", f"{number(result.total)} m", keyed(result, "total")))
     if result.asked:
         text = "\n".join(_moment(each) for each in result.asked)
-        facts.append(Fact("at", text, {"at": [_values(each) for each in result.asked]}))
+        facts.append(Fact("at", text, {"at": [keyed(each) for each in result.asked]}))
     facts.append(Fact("error of the way", f"{result.error['way']:.0e}, relative", {"S_error": result.error["way"]}))
     return Document(title, tuple(facts), result.notes)
 
@@ -38,7 +39,3 @@ def document(
 
 def _moment(at: Moment) -> str:
     return f"t = {number(at.t)} s: v = {number(at.v)} m/s, S = {number(at.way)} m"
-
-
-def _values(at: Moment) -> dict[str, float]:
-    return {"t[s]": at.t, "v[m/s]": at.v, "S[m]": at.way}

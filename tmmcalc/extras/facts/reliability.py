@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from tmmcalc.core.quantity import keyed
 from tmmcalc.extras.columns import reliability_columns
 from tmmcalc.extras.facts.rows import even, view_of, with_table
 from tmmcalc.extras.reliability import Reliability
@@ -19,15 +20,15 @@ def summary(result: Reliability, title: str) -> Document:
         Fact(
             "strength",
             f"r = {number(result.strength, 10)}, beta = {number(result.decay, 10)}",
-            {"r": result.strength, "beta": result.decay},
+            keyed(result, "strength", "decay"),
         ),
-        Fact("loads", f"from {number(result.low)} to {number(result.high)}", {"a": result.low, "b": result.high}),
+        Fact("loads", f"from {number(result.low)} to {number(result.high)}", keyed(result, "low", "high")),
         Fact(
             "no failure up to",
             f"t0 = {number(result.threshold, 9)}; every shock is a failure {never}",
-            {"t0": result.threshold, "t_a": result.floor},
+            keyed(result, "threshold", "floor"),
         ),
-        Fact("mean life", number(result.mean, 9), {"mean_life": result.mean}),
+        Fact("mean life", number(result.mean, 9), keyed(result, "mean")),
         Fact("life", lives, {"lives": [{"R": part, "t": life} for part, life in result.lives]}),
     ]
     if result.asked:

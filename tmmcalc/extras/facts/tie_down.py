@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import degrees
 
+from tmmcalc.core.quantity import keyed
 from tmmcalc.extras.tie_down import TieDown
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import angle, number
@@ -22,24 +23,24 @@ def summary(result: TieDown, title: str) -> Document:
         Fact(
             "load",
             f"F = {number(result.push, 7)} N moves it, G = {number(result.press, 7)} N presses it on the cradle",
-            {"F[N]": result.push, "G[N]": result.press},
+            keyed(result, "push", "press"),
         ),
-        Fact("preload", f"P0 = {number(result.preload, 7)} N", {"P0[N]": result.preload}),
+        Fact("preload", f"P0 = {number(result.preload, 7)} N", keyed(result, "preload")),
         Fact(
             "R by formula (3)",
             f"{two}{number(result.opposite, 7)} N",
-            {"R[N]": result.force, "dR[N]": result.change, "R_opposite[N]": result.opposite},
+            keyed(result, "force", "change", "opposite"),
         ),
-        Fact("vertical load of the ties", f"{number(result.vertical, 7)} N", {"vertical[N]": result.vertical}),
+        Fact("vertical load of the ties", f"{number(result.vertical, 7)} N", keyed(result, "vertical")),
         Fact(
             "R by equilibrium",
             f"{number(result.balanced, 7)} N of a stretched tie; {HELD[result.held]}",
-            {"R_balanced[N]": result.balanced, "held_by": result.held},
+            keyed(result, "balanced", "held"),
         ),
         Fact(
             "best elevation",
             f"{angle(degrees(result.best_elevation))} deg",
-            {"alpha_best[deg]": degrees(result.best_elevation)},
+            keyed(result, "best_elevation[deg]"),
         ),
     )
     return Document(title, facts, result.notes)

@@ -1,9 +1,4 @@
-"""The columns of the balance table.
-
-R_x, R_y, R       shaking force in fixed axes, and its size; R_x1, R_y1 in the axes of the crank
-M_R               shaking moment about the chosen point
-D_<scheme>        size of the force left by a scheme; M_D_<scheme> the moment left
-"""
+"""The columns of the balance table."""
 
 from __future__ import annotations
 
@@ -11,10 +6,22 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.core.columns import Column
+from tmmcalc.core.columns import Column, column
+from tmmcalc.core.quantity import Quantity
 from tmmcalc.linkage.columns import phi_column
 from tmmcalc.machine.balance.schemes import Balance
+from tmmcalc.machine.balance.shaking import Shaking
 from tmmcalc.machine.balance.task import Balancing
+
+FORCE = Quantity("R[N]", "size of the shaking force", source="(3.71)")
+FORCE_X = Quantity("R_x[N]", "shaking force along the fixed x axis")
+FORCE_Y = Quantity("R_y[N]", "shaking force along the fixed y axis")
+ALONG = Quantity("R_x1[N]", "shaking force along the crank")
+ACROSS = Quantity("R_y1[N]", "shaking force across the crank")
+MOMENT = Quantity("M_R[N*m]", "shaking moment about the chosen point", source="(3.71)")
+LEFT = Quantity("D_{scheme}[N]", "size of the force left by {scheme}")
+MOMENT_LEFT = Quantity("M_D_{scheme}[N*m]", "moment left by {scheme}")
+ON_LINKS = "counterweights"  # the scheme of those on links
 
 
 def columns(result: Balancing) -> list[Column]:
@@ -22,25 +29,17 @@ def columns(result: Balancing) -> list[Column]:
     found = result.shaking
     return [
         phi_column(result.phi, turns=True),
-        Column("R", "N", lambda: np.abs(found.force)),
-        Column("R_x", "N", lambda: found.force.real),
-        Column("R_y", "N", lambda: found.force.imag),
-        Column("R_x1", "N", lambda: found.turned.real),
-        Column("R_y1", "N", lambda: found.turned.imag),
-        Column("M_R", "N*m", lambda: found.moment),
-        *(column for scheme in result.schemes for column in _left(scheme.name, scheme.balance)),
-        *_redistributed(result),
+        column(FORCE, lambda: np.abs(found.force)),
+        column(FORCE_X, lambda: found.force.real),
+        column(FORCE_Y, lambda: found.force.imag),
+        column(ALONG, lambda: found.turned.real),
+        column(ACROSS, lambda: found.turned.imag),
+        column(MOMENT, lambda: found.moment),
+        *(each for scheme in result.schemes for each in _left(scheme.name.replace(" ", "_"), scheme.balance)),
+        *([] if result.redistribution is None else _left(ON_LINKS, result.redistribution.after)),
     ]
 
 
-def _left(scheme: str, balance: Balance) -> Iterator[Column]:
-    name = scheme.replace(" ", "_")
-    yield Column(f"D_{name}", "N", lambda: np.abs(balance.force))
-    yield Column(f"M_D_{name}", "N*m", lambda: balance.moment)
-
-
-def _redistributed(result: Balancing) -> Iterator[Column]:
-    if result.redistribution is not None:
-        after = result.redistribution.after
-        yield Column("D_counterweights", "N", lambda: np.abs(after.force))
-        yield Column("M_D_counterweights", "N*m", lambda: after.moment)
+def _left(scheme: str, balance: Balance | Shaking) -> Iterator[Column]:
+    yield column(LEFT.of(scheme=scheme), lambda: np.abs(balance.force))
+    yield column(MOMENT_LEFT.of(scheme=scheme), lambda: balance.moment)

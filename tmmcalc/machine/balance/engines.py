@@ -18,6 +18,7 @@ import numpy as np
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.fourier import Complex, Magnitude, Series, magnitude, resolved
 from tmmcalc.core.numerics.roots import Values
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.balance.cylinders import Cylinder, cylinder_force, middle
 from tmmcalc.machine.balance.weights import in_planes
@@ -33,20 +34,20 @@ ROUNDING = 1e-13  # part of their forces of all orders that is rounding
 class Order:
     """One order of the shaft speed: complex amplitudes of the parts that turn with and against the shaft."""
 
-    order: int
+    order: int = quantity("order", "order: turns of the force over those of the shaft")
     force: tuple[complex, complex]  # F_k, F_-k [N]
     couple: tuple[complex, complex]  # C_k, C_-k [N*m]
-    force_alone: float  # sum over the cylinders of their own largest forces of this order [N]
-    couple_alone: float  # the same of couples [N*m]
+    force_alone: float = quantity("F_alone[N]", "largest forces of the order of the cylinders singly, added up")
+    couple_alone: float = quantity("C_alone[N*m]", "largest couples of the order of the cylinders singly, added up")
     forces_balanced: bool  # the cylinders' forces of this order cancel, or there are none
     couples_balanced: bool
 
-    @property
+    @derived("F[N]", "largest force of the order")
     def largest_force(self) -> float:
         """Largest force of this order over the turn [N]."""
         return abs(self.force[0]) + abs(self.force[1])
 
-    @property
+    @derived("C[N*m]", "largest couple of the order")
     def largest_couple(self) -> float:
         """Largest couple of this order over the turn [N*m]."""
         return abs(self.couple[0]) + abs(self.couple[1])
@@ -56,8 +57,8 @@ class Order:
 class EngineBalance:
     """Shaking force and couple of an engine at constant speed, as they are or with weights on its shafts."""
 
-    speed: float  # [rad/s]
-    reference: float  # plane of the couples z0 [m]
+    speed: float = quantity("speed[rad/s]", "speed of the crankshaft")
+    reference: float = quantity("reference_z[m]", "plane of the couples", symbol="z_0")
     orders: tuple[Order, ...]
     force: Series  # [N], in the shaft angle
     couple: Series  # [N*m]
@@ -73,7 +74,7 @@ class EngineBalance:
 class ShaftWeights:
     """Weights in two planes of a shaft that turns ``order`` times as fast as the crankshaft."""
 
-    order: int  # 1: on the crankshaft itself; negative: turning against it
+    order: int = quantity("order", "1: on the crankshaft itself; negative: turning against it")
     planes: tuple[float, float]  # z [m]
     moments: tuple[complex, complex]  # static moments where the crankshaft's angle is 0 [kg*m]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.balance.engines import EngineBalance, ShaftWeights, corrected, engine_balance, shaft_weights
 from tmmcalc.machine.balance.firing import Firing, firing
@@ -12,7 +13,7 @@ from tmmcalc.machine.model import EngineTask
 class Engine:
     """Shaking forces and couples of an engine, and what weights on its crankshaft and on balance shafts leave."""
 
-    cylinders: int
+    cylinders: int = quantity("cylinders", "number of cylinders")
     balance: EngineBalance
     firing: Firing | None  # None without a firing order
     crankshaft: ShaftWeights  # weights of the first order on the crankshaft

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.balance.cylinders import Cylinder
 
@@ -19,10 +20,11 @@ WHERE = "firing order"
 class Firing:
     """A firing order and its intervals over one cycle."""
 
-    order: tuple[int, ...]  # cylinder numbers from 1
-    intervals: tuple[float, ...]  # from every cylinder to the next, the last one to the first [rad]
+    order: tuple[int, ...] = quantity("firing_order", "cylinders in the order in which they fire, from 1")
+    # the last one: to the first
+    intervals: tuple[float, ...] = quantity("firing_intervals[rad]", "from every cylinder to the next")
 
-    @property
+    @derived("firing_even", "all intervals are equal")
     def even(self) -> bool:
         """Whether all intervals are equal."""
         return max(self.intervals) - min(self.intervals) < EVEN

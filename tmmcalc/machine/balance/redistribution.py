@@ -14,6 +14,7 @@ import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.plane import Real
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.loading import Body
@@ -41,15 +42,15 @@ class Redistribution:
     """Counterweights on several links and what they leave."""
 
     counterweights: tuple[Body, ...]  # point masses, in the order of the places
-    exact: bool  # the common centre of mass stays at rest
+    exact: bool = quantity("counterweights_exact", "the common centre of mass stays at rest")
     left: float  # rms force left, as a part of the rms of all inertia forces taken singly [-]
     sufficient: tuple[tuple[int, ...], ...]  # the smallest sets of links on which counterweights balance exactly
     before: Shaking
     after: Shaking
 
-    @property
+    @derived("counterweights_added[kg]", "mass of all counterweights")
     def added(self) -> float:
-        """Mass of all counterweights [kg]."""
+        """Of those on links."""
         return sum(body.mass for body in self.counterweights)
 
     @property

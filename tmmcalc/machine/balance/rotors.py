@@ -13,6 +13,7 @@ import sys
 from collections.abc import Sequence
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.balance.grades import grade_reached, permissible_unbalance, shared
 from tmmcalc.machine.balance.weights import in_planes
@@ -59,23 +60,53 @@ class RotorState:
 
     resultant: complex  # sum of U [kg*m]
     couple: complex  # sum of (z - center) U [kg*m^2]
-    eccentricity: float  # of the centre of mass [m]
+    eccentricity: float = quantity("eccentricity[m]", "shift of the centre of mass", symbol="e", header="e[m]")
     equivalent: tuple[complex, complex]  # U in the bearing planes [kg*m]
     loads: tuple[complex, complex]  # forces of the rotor on bearings A and B, in axes of the rotor [N]
+
+    @derived("A[N]", "load of bearing A, which turns with the rotor")
+    def load_a(self) -> float:
+        """Its size."""
+        return abs(self.loads[0])
+
+    @derived("B[N]", "load of bearing B, which turns with the rotor")
+    def load_b(self) -> float:
+        """Its size."""
+        return abs(self.loads[1])
 
 
 @record
 class RotorVerdict:
     """Whether the residual unbalance of both bearing planes keeps a grade."""
 
-    grade: float  # G asked for [mm/s]
-    permissible: float  # U_per [kg*m]
+    grade: float = quantity("grade[mm/s]", "balance quality grade that is asked for", symbol="G")
+    permissible: float = quantity("U_per[kg*m]", "permissible residual unbalance")
     allowed: tuple[float, float]  # for the planes of bearings A and B [kg*m]
     residual: tuple[float, float]  # |U| there [kg*m]
     passed: bool
-    value: float  # e omega of the resultant [mm/s]
+    value: float = quantity("e omega[mm/s]", "speed of the centre of mass about the axis")
     reached: float | None  # best standard grade of the resultant; None: worse than all
     message: str
+
+    @derived("U_per_A[kg*m]", "permissible residual unbalance in the plane of bearing A")
+    def allowed_a(self) -> float:
+        """Its part of U_per."""
+        return self.allowed[0]
+
+    @derived("U_per_B[kg*m]", "permissible residual unbalance in the plane of bearing B")
+    def allowed_b(self) -> float:
+        """Its part of U_per."""
+        return self.allowed[1]
+
+    @derived("A_part[%]", "unbalance in the plane of bearing A over the permissible one")
+    def part_a(self) -> float:
+        """In per cent."""
+        return 100 * self.residual[0] / self.allowed[0]
+
+    @derived("B_part[%]", "unbalance in the plane of bearing B over the permissible one")
+    def part_b(self) -> float:
+        """In per cent."""
+        return 100 * self.residual[1] / self.allowed[1]
 
 
 @record

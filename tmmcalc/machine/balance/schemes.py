@@ -18,6 +18,7 @@ import numpy as np
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.fourier import Magnitude, Series, magnitude
 from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.balance.shaking import WHERE, Shaking
 
@@ -28,9 +29,24 @@ NOTHING = 1e-12  # a force below this part of the whole needs no weight
 class RotatingWeight:
     """A weight on a shaft that turns ``order`` times as fast as the crank; order 1 is the crank itself."""
 
-    order: int  # not zero; negative: against the crank
+    order: int = quantity("order", "speed of the weight's shaft over that of the crank; negative: against it")
     moment: complex  # static moment where O->A points along the fixed x axis [kg*m]; of order 1 in the crank frame
     axis: complex  # place of the shaft in the frame [m]
+
+    @derived("moment[kg*m]", "static moment of the weight")
+    def size(self) -> float:
+        """Its modulus."""
+        return abs(self.moment)
+
+    @derived("axis_x[m]", "x of the weight's shaft")
+    def axis_x(self) -> float:
+        """In the frame."""
+        return self.axis.real
+
+    @derived("axis_y[m]", "y of the weight's shaft")
+    def axis_y(self) -> float:
+        """In the frame."""
+        return self.axis.imag
 
     def amplitude(self, speed: float, acceleration: float = 0.0) -> complex:
         """Inertia force f [N] of the weight, which is f exp(i order phi)."""

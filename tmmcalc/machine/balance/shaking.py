@@ -19,6 +19,7 @@ from tmmcalc.core.errors import NoSolutionError, SingularityError, UsageError
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.numerics.fourier import FEWEST, TURN, Complex, Magnitude, Series, magnitude, resolved
 from tmmcalc.core.plane import Plane, Real, cross
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.assembly import check_range, find_domain
 from tmmcalc.linkage.chain import Chain
@@ -48,10 +49,30 @@ class Shaking:
     scale: float  # largest sum of the moduli of all inertia forces [N]: rounding in R is proportional to it
     pivot: complex  # O in the frame [m]
     about: complex  # point of the frame that the moment is taken about [m]
-    speed: float  # of the crank [rad/s]
+    speed: float = quantity("speed[rad/s]", "speed of the crank")
     acceleration: float  # of the crank [rad/s^2]
     error: float  # estimated error of R and M over the turn, relative to ``scale`` and its like [-]
     mean_error: float  # the same of R, its root mean square
+
+    @derived("about_x[m]", "x of the point that the moment is taken about")
+    def about_x(self) -> float:
+        """In the frame."""
+        return self.about.real
+
+    @derived("about_y[m]", "y of the point that the moment is taken about")
+    def about_y(self) -> float:
+        """In the frame."""
+        return self.about.imag
+
+    @derived("X0[N]", "mean shaking force along the crank", source="(3.74)")
+    def mean_along(self) -> float:
+        """Of the hodograph in the crank frame."""
+        return self.series.coefficient(1).real
+
+    @derived("Y0[N]", "mean shaking force across the crank", source="(3.74)")
+    def mean_across(self) -> float:
+        """Of the hodograph in the crank frame."""
+        return self.series.coefficient(1).imag
 
 
 def inertia_loads(

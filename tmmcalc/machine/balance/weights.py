@@ -9,6 +9,7 @@ import cmath
 import math
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 
@@ -16,9 +17,9 @@ from tmmcalc.core.records import record
 class Weight:
     """A weight at a radius from its axis."""
 
-    mass: float  # [kg]
-    radius: float  # of its centre of mass [m]
-    angle: float  # of its centre, in the axes of its static moment [rad]
+    mass: float = quantity("mass[kg]", "mass of the weight")
+    radius: float = quantity("radius[m]", "radius of the centre of the weight")
+    angle: float = quantity("angle[rad]", "angle of the centre of the weight, in the axes of its static moment")
 
     @property
     def moment(self) -> complex:

@@ -13,13 +13,14 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.core.columns import Column
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.fourier import Magnitude
-from tmmcalc.machine.balance.columns import columns
+from tmmcalc.core.quantity import Quantity, keyed
+from tmmcalc.machine.balance.columns import FORCE, LEFT, MOMENT, MOMENT_LEFT, ON_LINKS, columns
 from tmmcalc.machine.balance.redistribution import Redistribution
 from tmmcalc.machine.balance.schemes import RotatingWeight
 from tmmcalc.machine.balance.task import Balancing, Scheme
 from tmmcalc.machine.balance.weights import Weight
 from tmmcalc.machine.facts.shakingmoment import less, moment, moment_left, moved, phi_at, raised
-from tmmcalc.machine.facts.weights import direction, size_text, size_values
+from tmmcalc.machine.facts.weights import direction, ratios, size_text, size_values
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import NOISE, angle, number
 from tmmcalc.report.positions import with_positions
@@ -34,6 +35,12 @@ GOALS = {
     "lanchester 2": "pairs against the first and the second harmonic",
     "given": "your own weights",
 }
+
+WEIGHTS = Quantity("weights_{scheme}", "rotating weights of {scheme}")
+LINK = Quantity("link", "link of a counterweight")
+MASS = Quantity("mass[kg]", "mass of a counterweight")
+X = Quantity("x[m]", "x of a counterweight in the axes of its link")
+Y = Quantity("y[m]", "y of a counterweight in the axes of its link")
 
 
 def summary(result: Balances, title: str) -> Document:
@@ -114,27 +121,26 @@ def _first(available: list[Column]) -> list[Column]:
     return sorted(available, key=rank)
 
 
-def _force(result: Balancing, key: str, size: Magnitude) -> tuple[str, dict[str, float]]:
+def _force(result: Balancing, told: Quantity, size: Magnitude) -> tuple[str, dict[str, float]]:
     """A force for people and for programs."""
     phi = phi_at(result, size.at)
-    text = size_text(size, "N", result.shaking.scale, f" at phi = {angle(phi)} deg")
-    return text, size_values(size, key, "N", "_phi", phi)
+    text = size_text(size, told.unit, result.shaking.scale, f" at phi = {angle(phi)} deg")
+    return text, size_values(size, told, "_phi", phi)
 
 
 def _shaking_facts(result: Balancing) -> Iterator[Fact]:
     """The force and the moment of the inertia of all links, and the centroid of the hodograph. Textbook (3.71)."""
     found = result.shaking
     speed = f"{number(found.speed)} rad/s ({number(found.speed * 30 / math.pi)} rpm) of the input"
-    yield Fact("taken at", speed, {"speed[rad/s]": found.speed})
-    text, values = _force(result, "R", found.size)
+    yield Fact("taken at", speed, keyed(found, "speed"))
+    text, values = _force(result, FORCE, found.size)
     yield Fact("shaking force R", text, values)
-    text, values = moment(result, "M_R", found.moment_size, placed=True)
+    text, values = moment(result, MOMENT, found.moment_size, placed=True)
     about = f"about {'the pivot of the crank' if found.about == found.pivot else _point(found.about)}"
-    place = {"about_x[m]": found.about.real, "about_y[m]": found.about.imag}
-    yield Fact("shaking moment M_R", f"{text}\n{about}", {**values, **place})
-    x0, y0 = found.series.coefficient(1).real, found.series.coefficient(1).imag
+    yield Fact("shaking moment M_R", f"{text}\n{about}", {**values, **keyed(found, "about_x", "about_y")})
+    x0, y0 = found.mean_along, found.mean_across
     text = f"mean X0 = {number(x0, peak=found.scale)} N along the crank, Y0 = {number(y0, peak=found.scale)} N across"
-    yield Fact("hodograph (3.74)", text, {"X0[N]": x0, "Y0[N]": y0})
+    yield Fact("hodograph (3.74)", text, keyed(found, "mean_along", "mean_across"))
 
 
 def _point(z: complex) -> str:
@@ -149,24 +155,24 @@ def _scheme_fact(result: Balancing, scheme: Scheme) -> Fact:
     lines = [GOALS[scheme.name], *(_weight_line(result, scheme, *pair) for pair in pairs)]
     if not pairs:
         lines.append("no weight: there is nothing of it to balance")
-    left, values = _left(result, f"D_{key}", balance.before, balance.after)
-    turning, more = moment_left(result, f"M_D_{key}", balance.moment_before, balance.moment_after)
+    left, values = _left(result, LEFT.of(scheme=key), balance.before, balance.after)
+    turning, more = moment_left(result, MOMENT_LEFT.of(scheme=key), balance.moment_before, balance.moment_after)
     lines += [left, turning]
     weights = [_weight_values(scheme, *pair) for pair in pairs]
-    named = {f"weights_{key}": weights} if weights else {}
+    named = WEIGHTS.of(scheme=key).value(weights) if weights else {}
     return Fact(scheme.name, "\n".join(lines), {**named, **values, **more})
 
 
-def _left(result: Balancing, key: str, before: Magnitude, after: Magnitude) -> tuple[str, dict[str, Any]]:
+def _left(result: Balancing, told: Quantity, before: Magnitude, after: Magnitude) -> tuple[str, dict[str, Any]]:
     """What is left of the force, and how many times less that is."""
-    _, values = _force(result, key, after)
+    _, values = _force(result, told, after)
     if after.largest <= NOISE * result.shaking.scale:
         return "leaves no force", values
-    ratios = {f"{key}_ratio": before.rms / after.rms, f"{key}_max_ratio": before.largest / after.largest}
-    rms, largest = map(less, ratios.values())
+    less_by = ratios(told.name, before, after)
+    rms, largest = map(less, less_by.values())
     place = f"at phi = {angle(phi_at(result, after.at))} deg"
     text = f"leaves rms {number(after.rms)} N, {rms}\nmax {number(after.largest)} N {place}, {largest}"
-    return text, {**values, **ratios}
+    return text, {**values, **less_by}
 
 
 def _weight_line(result: Balancing, scheme: Scheme, weight: RotatingWeight, made: Weight) -> str:
@@ -179,10 +185,14 @@ def _weight_line(result: Balancing, scheme: Scheme, weight: RotatingWeight, made
 
 
 def _weight_values(scheme: Scheme, weight: RotatingWeight, made: Weight) -> dict[str, float]:
-    sizes = {} if scheme.name == "given" else {"mass[kg]": made.mass, "radius[m]": made.radius}
-    place = {"axis_x[m]": weight.axis.real, "axis_y[m]": weight.axis.imag}
-    moment = {"moment[kg*m]": abs(weight.moment), "angle[deg]": math.degrees(made.angle)}
-    return {"order": weight.order, **sizes, **moment, **place}
+    sizes = {} if scheme.name == "given" else keyed(made, "mass", "radius")
+    return {
+        **keyed(weight, "order"),
+        **sizes,
+        **keyed(weight, "size"),
+        **keyed(made, "angle[deg]"),
+        **keyed(weight, "axis_x", "axis_y"),
+    }
 
 
 def _redistribution_facts(result: Balancing, found: Redistribution) -> Iterator[Fact]:
@@ -192,13 +202,14 @@ def _redistribution_facts(result: Balancing, found: Redistribution) -> Iterator[
         for body in found.counterweights
     ]
     before, after = found.before.size, found.after.size
-    left, values = _left(result, "D_counterweights", before, after)
-    turning, more = moment_left(result, "M_D_counterweights", found.before.moment_size, found.after.moment_size)
+    left, values = _left(result, LEFT.of(scheme=ON_LINKS), before, after)
+    told = MOMENT_LEFT.of(scheme=ON_LINKS)
+    turning, more = moment_left(result, told, found.before.moment_size, found.after.moment_size)
     lines += [f"{number(found.added, 5)} kg in all", left, turning]
     bodies = [
-        {"link": b.link, "mass[kg]": b.mass, "x[m]": b.center.real, "y[m]": b.center.imag} for b in found.counterweights
+        {LINK.key: b.link, MASS.key: b.mass, X.key: b.center.real, Y.key: b.center.imag} for b in found.counterweights
     ]
-    own = {"counterweights": bodies, "counterweights_exact": found.exact, "counterweights_added[kg]": found.added}
+    own = {"counterweights": bodies, **keyed(found, "exact", "added")}
     yield Fact("counterweights", "\n".join(lines), {**own, **values, **more})
     sets = [list(some) for some in found.sufficient]
     text = " or ".join(" and ".join(map(str, some)) for some in sets) or "none: a link of some mass only slides"

@@ -9,24 +9,31 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 from tmmcalc.core.numerics.fourier import Magnitude
+from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.machine.balance.engines import EngineBalance, Order, ShaftWeights
 from tmmcalc.machine.balance.enginetask import Engine
 from tmmcalc.machine.balance.firing import Firing
-from tmmcalc.machine.facts.weights import direction, size_text, size_values
+from tmmcalc.machine.facts.weights import DIRECTION, MOMENT, PLANE, direction, size_text, size_values
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import NOISE, angle, number
 
 NAMES = {1: "primary", 2: "secondary"}
+
+FORCE = Quantity("F[N]", "force of the engine over a turn")
+COUPLE = Quantity("C[N*m]", "couple of the engine over a turn")
+FORCE_LEFT = Quantity("F_{shafts}[N]", "force left by weights on {shafts}")
+COUPLE_LEFT = Quantity("C_{shafts}[N*m]", "couple left by weights on {shafts}")
+WEIGHTS = Quantity("weights_{shafts}", "weights on {shafts}")
+FIRING, ANGLE = quantities(Firing)["order"], DIRECTION.of(name="")
 
 
 def engine_document(result: Engine, title: str) -> Document:
     """Facts, and the table of orders."""
     balance = result.balance
     speed = f"{number(balance.speed)} rad/s ({number(balance.speed * 30 / math.pi)} rpm)"
-    head = {"cylinders": result.cylinders, "speed[rad/s]": balance.speed, "reference_z[m]": balance.reference}
+    head = {**keyed(result, "cylinders"), **keyed(balance, "speed", "reference")}
     facts = (
         Fact("engine", f"{result.cylinders} cylinder{'s' if result.cylinders > 1 else ''} at {speed}", head),
         *_shaking_facts(balance),
@@ -48,15 +55,15 @@ def _legend_facts(result: Engine) -> Iterator[Fact]:
     yield Fact("columns", text)
 
 
-def _sizes(key: str, unit: str, size: Magnitude, peak: float) -> tuple[str, dict[str, float]]:
+def _sizes(told: Quantity, size: Magnitude, peak: float) -> tuple[str, dict[str, float]]:
     degrees = math.degrees(size.at)
-    return size_text(size, unit, peak, f" at {angle(degrees)} deg"), size_values(size, key, unit, "", degrees)
+    return size_text(size, told.unit, peak, f" at {angle(degrees)} deg"), size_values(size, told, "", degrees)
 
 
 def _shaking_facts(balance: EngineBalance) -> Iterator[Fact]:
     """Force and couple of all orders together."""
-    yield Fact("force of the engine", *_sizes("F", "N", balance.force_size, balance.scales[0]))
-    text, values = _sizes("C", "N*m", balance.couple_size, balance.scales[1])
+    yield Fact("force of the engine", *_sizes(FORCE, balance.force_size, balance.scales[0]))
+    text, values = _sizes(COUPLE, balance.couple_size, balance.scales[1])
     yield Fact("couple of the engine", f"{text}\nabout the plane z = {number(1e3 * balance.reference)} mm", values)
 
 
@@ -83,7 +90,8 @@ def _firing_facts(firing: Firing | None) -> list[Fact]:
     degrees = [math.degrees(interval) for interval in firing.intervals]
     order = "-".join(map(str, firing.order))
     text = f"every {angle(degrees[0])}" if firing.even else f"unevenly: after {', '.join(map(angle, degrees))}"
-    values = {"firing_order": list(firing.order), "firing_intervals[deg]": degrees, "firing_even": firing.even}
+    intervals, _ = quantities(Firing)["intervals"].shown("deg")
+    values = {FIRING.key: list(firing.order), intervals: degrees, **keyed(firing, "even")}
     return [Fact("firing order", f"{order}, {text} deg", values)]
 
 
@@ -91,10 +99,10 @@ def _weights_fact(label: str, key: str, result: Engine, shafts: Sequence[ShaftWe
     """Weights in two planes of every shaft, and what they leave."""
     balance = result.balance
     made = [shaft for shaft in shafts if _needed(balance, shaft)]
-    force, values = _sizes(f"F_{key}", "N", after.force_size, after.scales[0])
-    couple, more = _sizes(f"C_{key}", "N*m", after.couple_size, after.scales[1])
+    force, values = _sizes(FORCE_LEFT.of(shafts=key), after.force_size, after.scales[0])
+    couple, more = _sizes(COUPLE_LEFT.of(shafts=key), after.couple_size, after.scales[1])
     weights = [_weight_values(shaft, k) for shaft in made for k in range(2)]
-    every: dict[str, Any] = {**({f"weights_{key}": weights} if weights else {}), **values, **more}
+    every = {**(WEIGHTS.of(shafts=key).value(weights) if weights else {}), **values, **more}
     if not made:
         none = (
             "none: no force or couple turns with the shaft" if len(shafts) == 1 else "none: orders 1 and 2 are balanced"
@@ -120,22 +128,15 @@ def _lines(shaft: ShaftWeights) -> Iterator[str]:
 
 def _weight_values(shaft: ShaftWeights, k: int) -> dict[str, float]:
     moment = shaft.moments[k]
-    degrees = math.degrees(cmath.phase(moment))
-    return {"order": shaft.order, "z[m]": shaft.planes[k], "moment[kg*m]": abs(moment), "angle[deg]": degrees}
+    told = zip((PLANE, MOMENT, ANGLE), (shaft.planes[k], abs(moment), math.degrees(cmath.phase(moment))), strict=True)
+    return {**keyed(shaft, "order"), **{each.key: value for each, value in told}}
 
 
 def _orders_view(balance: EngineBalance) -> View:
     """One row an order."""
     orders = balance.orders
-    forces, couples = [o.largest_force for o in orders], [o.largest_couple for o in orders]
-    columns: dict[str, list[Any]] = {
-        "order": [o.order for o in orders],
-        "F[N]": forces,
-        "F_alone[N]": [o.force_alone for o in orders],
-        "C[N*m]": couples,
-        "C_alone[N*m]": [o.couple_alone for o in orders],
-        "balanced": [_balanced(o) for o in orders],
-    }
+    columns = table(orders, Order, "order", "largest_force", "force_alone", "largest_couple", "couple_alone")
+    columns["balanced"] = [_balanced(o) for o in orders]
     peaks = (0.0, balance.scales[0], 0.0, balance.scales[1], 0.0, 0.0)
     return View(list(columns), list(columns.values()), peaks)
 

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import cmath
-import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from tmmcalc.core.quantity import Quantity, keyed, table
 from tmmcalc.machine.balance.grades import EXAMPLES
 from tmmcalc.machine.balance.rotors import RotorState, RotorVerdict
 from tmmcalc.machine.balance.rotortask import BalancedRotor
 from tmmcalc.machine.balance.weights import Weight
-from tmmcalc.machine.facts.weights import direction
+from tmmcalc.machine.facts.weights import MOMENT, PLANE, direction, polar
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import NOISE, number
 
 STATES = ("as it is", "one plane", "two planes")
+
+UNBALANCE = Quantity("U[kg*m]", "resultant of the unbalances")
+COUPLE = Quantity("U_couple[kg*m^2]", "couple of the unbalances about the centre of mass")
 
 
 def rotor_document(result: BalancedRotor, title: str) -> Document:
@@ -44,10 +47,10 @@ def _unbalance_facts(before: RotorState, peak: float) -> Iterator[Fact]:
     text = _moment(before.resultant, peak)
     if not text.startswith("0 "):
         text += f", shift of the centre of mass {number(1e6 * before.eccentricity, 5)} um"
-    values = {**_polar("U", "kg*m", before.resultant), "eccentricity[m]": before.eccentricity}
+    values = {**polar(UNBALANCE, before.resultant), **keyed(before, "eccentricity")}
     yield Fact("unbalance", text, values)
     text = f"{_moment(before.couple, peak, 'g*mm^2', 1e9)}, about the centre of mass"
-    yield Fact("unbalance couple", text, _polar("U_couple", "kg*m^2", before.couple))
+    yield Fact("unbalance couple", text, polar(COUPLE, before.couple))
 
 
 def _moment(moment: complex, peak: float = 0.0, unit: str = "g*mm", factor: float = 1e6) -> str:
@@ -55,10 +58,6 @@ def _moment(moment: complex, peak: float = 0.0, unit: str = "g*mm", factor: floa
     if abs(moment) <= NOISE * peak:
         return f"0 {unit}"
     return f"{number(factor * abs(moment), 6)} {unit} at {direction(cmath.phase(moment))} deg"
-
-
-def _polar(key: str, unit: str, moment: complex) -> dict[str, float]:
-    return {f"{key}[{unit}]": abs(moment), f"{key}_angle[deg]": math.degrees(cmath.phase(moment))}
 
 
 def _correction_fact(
@@ -69,10 +68,10 @@ def _correction_fact(
     for (z, moment), weight in zip(moments, weights, strict=True):
         line, found = (
             f"z = {number(1e3 * z)} mm: {_moment(moment, peak)}",
-            {"z[m]": z, **_polar("moment", "kg*m", moment)},
+            {**PLANE.value(z), **polar(MOMENT, moment)},
         )
         if weight is not None:
-            found |= {"mass[kg]": weight.mass, "radius[m]": weight.radius}
+            found |= keyed(weight, "mass", "radius")
             if abs(moment) > NOISE * peak:
                 line += f": {_mass(weight.mass)} at {number(1e3 * weight.radius)} mm"
         lines.append(line)
@@ -92,13 +91,7 @@ def _grade_facts(grades: Sequence[RotorVerdict]) -> Iterator[Fact]:
     machines = f", for {EXAMPLES[first.grade]}" if first.grade in EXAMPLES else ""
     allowed = [f"{number(1e6 * value, 5)} g*mm" for value in (first.permissible, *first.allowed)]
     text = f"G {first.grade:g}{machines}\nallows {allowed[0]}: {allowed[1]} in plane A, {allowed[2]} in B"
-    values = {
-        "grade[mm/s]": first.grade,
-        "U_per[kg*m]": first.permissible,
-        "U_per_A[kg*m]": first.allowed[0],
-        "U_per_B[kg*m]": first.allowed[1],
-    }
-    yield Fact("balance quality", text, values)
+    yield Fact("balance quality", text, keyed(first, "grade", "permissible", "allowed_a", "allowed_b"))
     text = ", ".join(f"{state}: {'yes' if v.passed else 'no'}" for state, v in zip(STATES, grades, strict=True))
     kept = {f"grade_kept_{state.replace(' ', '_')}": v.passed for state, v in zip(STATES, grades, strict=True)}
     yield Fact("is it kept", text, kept)
@@ -113,16 +106,23 @@ def _states_view(result: BalancedRotor) -> View:
     """One row a state."""
     states = (result.balance.before, result.balance.static, result.balance.dynamic)
     shifted = [abs(state.resultant) > NOISE * _peak(result) for state in states]
-    shifts = [1e6 * state.eccentricity if any_ else 0.0 for state, any_ in zip(states, shifted, strict=True)]
-    a, b = ([abs(state.loads[k]) for state in states] for k in range(2))
-    columns: dict[str, list[Any]] = {"state": list(STATES), "e[um]": shifts, "A[N]": a, "B[N]": b}
-    peaks = [0.0, 0.0, max(*a, *b), max(*a, *b)]
+    loads = table(states, RotorState, "load_a", "load_b")
+    columns = {"state": list(STATES), **_noiseless(table(states, RotorState, "eccentricity[um]"), shifted), **loads}
+    largest = max(value for load in loads.values() for value in load)
+    peaks = [0.0, 0.0, largest, largest]
     if result.grade:
-        columns["e omega[mm/s]"] = [v.value if any_ else 0.0 for v, any_ in zip(result.grade, shifted, strict=True)]
-        for k, name in enumerate(("A_part[%]", "B_part[%]")):
-            columns[name] = [100 * verdict.residual[k] / verdict.allowed[k] for verdict in result.grade]
+        columns |= _noiseless(table(result.grade, RotorVerdict, "value"), shifted)
+        columns |= table(result.grade, RotorVerdict, "part_a", "part_b")
         peaks += [0.0, 100.0, 100.0]
     return View(list(columns), list(columns.values()), peaks)
+
+
+def _noiseless(columns: dict[str, list[Any]], shifted: Sequence[bool]) -> dict[str, list[Any]]:
+    """Columns with 0 of the states whose centre of mass is not ``shifted`` but for rounding."""
+    return {
+        header: [value if any_ else 0.0 for value, any_ in zip(values, shifted, strict=True)]
+        for header, values in columns.items()
+    }
 
 
 def _notes(grades: Sequence[RotorVerdict]) -> Iterator[str]:

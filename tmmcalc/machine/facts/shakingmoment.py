@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterator
 
 from tmmcalc.core.numerics.fourier import TURN, Magnitude
+from tmmcalc.core.quantity import Quantity
 from tmmcalc.machine.balance.schemes import Balance
 from tmmcalc.machine.balance.task import Balancing
-from tmmcalc.machine.facts.weights import SAME, size_text, size_values
+from tmmcalc.machine.facts.weights import SAME, ratios, size_text, size_values
 from tmmcalc.report.numbers import NOISE, angle, number
 
 
@@ -19,25 +20,25 @@ def phi_at(result: Balancing, at: float) -> float:
     return math.degrees(sense * (way if TURN - way > SAME else 0.0))
 
 
-def moment(result: Balancing, key: str, size: Magnitude, *, placed: bool = False) -> tuple[str, dict[str, float]]:
+def moment(result: Balancing, told: Quantity, size: Magnitude, *, placed: bool = False) -> tuple[str, dict[str, float]]:
     """A moment for people and for programs; what rounding makes of all forces at an arm of a metre is noise."""
     phi = phi_at(result, size.at)
-    text = size_text(size, "N*m", result.shaking.scale, f" at phi = {angle(phi)} deg" if placed else "")
-    return text, size_values(size, key, "N*m", "_phi", phi)
+    text = size_text(size, told.unit, result.shaking.scale, f" at phi = {angle(phi)} deg" if placed else "")
+    return text, size_values(size, told, "_phi", phi)
 
 
-def moment_left(result: Balancing, key: str, before: Magnitude, after: Magnitude) -> tuple[str, dict[str, float]]:
+def moment_left(result: Balancing, told: Quantity, before: Magnitude, after: Magnitude) -> tuple[str, dict[str, float]]:
     """The moment with the weights and that without them."""
-    text, values = moment(result, key, after)
+    text, values = moment(result, told, after)
     noise = NOISE * result.shaking.scale
     if not changed(before, after) or max(before.largest, after.largest) <= noise:
         return f"moment as before: {text}", values
-    was = f"\nmoment before: {moment(result, key, before)[0]}"
+    was = f"\nmoment before: {moment(result, told, before)[0]}"
     if min(before.largest, after.largest) <= noise:
         return f"moment left: {text}{was}", values
-    ratios = {f"{key}_ratio": before.rms / after.rms, f"{key}_max_ratio": before.largest / after.largest}
-    rms, largest = map(less, ratios.values())
-    return f"moment left: {text}\nrms {rms}, max {largest}{was}", {**values, **ratios}
+    less_by = ratios(told.name, before, after)
+    rms, largest = map(less, less_by.values())
+    return f"moment left: {text}\nrms {rms}, max {largest}{was}", {**values, **less_by}
 
 
 def less(ratio: float) -> str:

@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 
 from tmmcalc.core.numerics.fourier import Magnitude
+from tmmcalc.core.quantity import Quantity
 from tmmcalc.report.numbers import NOISE, number
 
 SAME = 1e-9  # relative: a largest value so near to the root mean square belongs to a constant
+
+RMS = Quantity("{name}_rms[{unit}]", "root mean square over a turn")
+MAX = Quantity("{name}_max[{unit}]", "largest size over a turn")
+MAX_AT = Quantity("{name}_max_at{place}[deg]", "angle of the largest size")
+RATIO = Quantity("{name}_ratio", "root mean square before over that after")
+MAX_RATIO = Quantity("{name}_max_ratio", "largest size before over that after")
+PLANE = Quantity("z[m]", "place of the plane of a weight along the shaft")
+MOMENT = Quantity("moment[kg*m]", "static moment of a weight")
+DIRECTION = Quantity("{name}angle[deg]", "direction of a weight, of an unbalance")
 
 
 def size_text(size: Magnitude, unit: str, peak: float, place: str) -> str:
@@ -19,9 +30,25 @@ def size_text(size: Magnitude, unit: str, peak: float, place: str) -> str:
     return f"rms {number(size.rms)} {unit}, max {number(size.largest)} {unit}{place}"
 
 
-def size_values(size: Magnitude, key: str, unit: str, place: str, degrees: float) -> dict[str, float]:
-    """The same for programs, the place under ``key_max_at_place[deg]``."""
-    return {f"{key}_rms[{unit}]": size.rms, f"{key}_max[{unit}]": size.largest, f"{key}_max_at{place}[deg]": degrees}
+def size_values(size: Magnitude, told: Quantity, place: str, degrees: float) -> dict[str, float]:
+    """The same for programs, with the ``place`` of the largest value."""
+    names = {"name": told.name, "unit": told.unit, "place": place}
+    found = zip((RMS, MAX, MAX_AT), (size.rms, size.largest, degrees), strict=True)
+    return {each.of(**names).key: value for each, value in found}
+
+
+def polar(told: Quantity, value: complex) -> dict[str, float]:
+    """Size and direction of a vector for programs."""
+    angle = DIRECTION.of(name=f"{told.name}_")
+    return {**told.value(abs(value)), **angle.value(math.degrees(cmath.phase(value)))}
+
+
+def ratios(name: str, before: Magnitude, after: Magnitude) -> dict[str, float]:
+    """How many times less root mean square and largest value are than before, for programs."""
+    return {
+        RATIO.of(name=name).key: before.rms / after.rms,
+        MAX_RATIO.of(name=name).key: before.largest / after.largest,
+    }
 
 
 def direction(radians: float) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from tmmcalc.core.quantity import keyed
 from tmmcalc.manipulators.columns import manipulator_columns
 from tmmcalc.manipulators.results import LegFacts, Manipulator, PieceFacts
 from tmmcalc.report.document import Document, Fact
@@ -48,7 +49,7 @@ def _facts(result: Manipulator) -> Iterator[Fact]:
         for fact in law_facts(law, angular, name, f"{name}_"):
             yield fact if fact.label.startswith("travel") else Fact(f"{fact.label}, {name}", fact.text, fact.values)
     if len(result.legs) != 1:
-        yield Fact("duration", f"T = {number(result.duration)} s", {"T[s]": result.duration})
+        yield Fact("duration", f"T = {number(result.duration)} s", keyed(result, "duration"))
     yield from _extreme_facts(result)
     yield from _place_facts(result)
     yield from _contact_facts(result)
@@ -60,9 +61,9 @@ def _facts(result: Manipulator) -> Iterator[Fact]:
 def _arm_fact(result: Manipulator) -> Fact:
     arm = result.arm
     lines = [f"{ARMS[arm.kind]}{'; base psi' if arm.spatial else ''}"]
-    values: dict[str, object] = {"arm": arm.kind, "problem": "inverse" if result.inverse else "direct"}
+    values = {**keyed(arm, "kind"), "problem": "inverse" if result.inverse else "direct"}
     if arm.kind == "angular":
-        values |= {"upper_arm[m]": arm.upper, "forearm[m]": arm.forearm}
+        values |= keyed(arm, "upper", "forearm")
         side = ""
         if result.inverse:  # else the joints settle it
             values["elbow"] = "up" if arm.elbow > 0 else "down"
@@ -70,7 +71,7 @@ def _arm_fact(result: Manipulator) -> Fact:
         lines.append(f"arms of {number(arm.upper)} m and {number(arm.forearm)} m{side}")
     if arm.height:
         lines.append(f"shoulder at a height of {number(arm.height)} m")
-        values["height[m]"] = arm.height
+        values |= keyed(arm, "height")
     return Fact("arm", "\n".join(lines), values)
 
 
@@ -85,9 +86,8 @@ def _leg_facts(leg: LegFacts, what: str, k: int, count: int) -> Iterator[Fact]:
         yield Fact(label, fact.text, fact.values)
     if leg.speed_limit is not None:
         text = f"{number(leg.speed_limit)} m/s by the limits of the accelerations on the arc"
-        yield Fact(
-            "speed allowed" + ("" if count == 1 else f", {what}"), text, {f"{prefix}v_arc[m/s]": leg.speed_limit}
-        )
+        values = {f"{prefix}{key}": value for key, value in keyed(leg).items()}
+        yield Fact("speed allowed" + ("" if count == 1 else f", {what}"), text, values)
 
 
 def _point(place: Sequence[float]) -> str:
@@ -104,21 +104,7 @@ def _piece(piece: PieceFacts) -> str:
 
 
 def _values(piece: PieceFacts) -> dict[str, object]:
-    values: dict[str, object] = {
-        "start[m]": list(piece.start),
-        "end[m]": list(piece.end),
-        "length[m]": piece.length,
-        "begin[s]": piece.begin,
-    }
-    if piece.centre is not None and piece.radius is not None and piece.theta is not None:
-        values |= {
-            "centre[m]": list(piece.centre),
-            "R[m]": piece.radius,
-            "theta_1[rad]": piece.theta,
-            "theta_2[rad]": piece.theta_end,
-            "q": piece.sense,
-        }
-    return values
+    return {key: list(v) if isinstance(v, tuple) else v for key, v in keyed(piece).items() if v is not None}
 
 
 def _extreme_facts(result: Manipulator) -> Iterator[Fact]:
@@ -134,23 +120,10 @@ def _extreme_facts(result: Manipulator) -> Iterator[Fact]:
 
 def _place_facts(result: Manipulator) -> Iterator[Fact]:
     """Singular places and passed limits: for programs; people read the notes."""
-    singular = [
-        {"what": each.what, "t[s]": each.t, "value": each.value, "relative": each.relative} for each in result.singular
-    ]
+    singular = [keyed(each) for each in result.singular]
     text = "none" if not singular else f"{len(singular)} nearly singular or singular, see the notes"
     yield Fact("singular places", text, {"singular": singular})
-    excesses = [
-        {
-            "joint": each.joint,
-            "unit": "rad" if each.angular else "m",
-            "limit": each.limit,
-            "value": each.value,
-            "excess": each.excess,
-            "t[s]": each.t,
-            "first[s]": each.first,
-        }
-        for each in result.excesses
-    ]
+    excesses = [keyed(each, "joint", "unit", "limit", "value", "excess", "t", "first") for each in result.excesses]
     if excesses:
         yield Fact("joint limits", f"{len(excesses)} passed, see the notes", {"limits_passed": excesses})
 
