@@ -14,6 +14,7 @@ from fractions import Fraction
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.strength.results import Strength
@@ -40,10 +41,10 @@ class SizingTask:
 class Torque:
     """The torque on wheel 1 and where it comes from."""
 
-    value: float  # T1 [N*m], of all branches
-    source: str  # GIVEN, MOMENT or REDUCTION
-    moment: float | None  # max|M_c| [N*m]
-    ratio: float | None  # u
+    value: float = quantity("T1[N*m]", "torque on wheel 1, of all branches")
+    source: str = quantity("T1_source", "where it comes from")  # GIVEN, MOMENT or REDUCTION
+    moment: float | None = quantity("M_c_max[N*m]", "largest moment on the shaft that it is reduced to, max|M_c|")
+    ratio: float | None = quantity("T1_ratio", "speed of wheel 1 over that of the shaft of the moment", symbol="u")
 
 
 @record
@@ -53,7 +54,7 @@ class Sized:
     title: str  # of the variant
     kind: str  # of the ratio, as it was asked for
     sets: ToothSets  # the first of the variant
-    count: int  # of all sets of the variant, also of those that are not sized
+    count: int = quantity("count", "all sets of the variant, those that are not sized too")
     torque: Torque
     beyond: float  # speed of the train's output shaft over that of the crank
     task: StrengthTask
