@@ -5,17 +5,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.quantity import keyed, quantities
 from tmmcalc.gears.sizing import MOMENT, REDUCTION, Sized, Sizing
-from tmmcalc.gears.strength.coefficient import Coefficient
 from tmmcalc.gears.strength.columns import OUTCOMES, sized_columns, stacked
 from tmmcalc.gears.strength.explain import SPREADS, coefficients, real_width, reason, remarks
-from tmmcalc.gears.strength.results import Strength
+from tmmcalc.gears.strength.results import Coefficient, Strength
 from tmmcalc.gears.strength.series import Outcome
 from tmmcalc.gears.strength.solve import NARROWEST, WIDEST
 from tmmcalc.report.document import Document, Fact
@@ -142,15 +140,11 @@ def _coefficient_facts(listed: Sequence[Coefficient]) -> Iterator[Fact]:
     for of in dict.fromkeys(each.of for each in listed):
         own = tuple((each.symbol, each.value, each.unit, each.source) for each in listed if each.of == of)
         told.setdefault(own, []).append(of)
-    values = {"coefficients": [_plain(each) for each in listed]}
+    values = {"coefficients": [keyed(each) for each in listed]}
     for own, places in told.items():
         lines = [f"{symbol} = {quantity(value, unit)}: {source}" for symbol, value, unit, source in own]
         yield Fact(_together(places), "\n".join(lines), values)
         values = {}
-
-
-def _plain(each: Coefficient) -> dict[str, Any]:
-    return {"of": each.of, "symbol": each.symbol, "value": each.value, "unit": each.unit, "source": each.source}
 
 
 def _together(places: Sequence[str]) -> str:

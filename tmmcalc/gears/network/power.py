@@ -26,8 +26,8 @@ from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.circulation import Loop, circulating
 from tmmcalc.gears.network.directions import agreeing_directions
 from tmmcalc.gears.network.equilibrium import Statics, equilibrium, residual
+from tmmcalc.gears.network.errors import FlowError, corrected
 from tmmcalc.gears.network.model import FRAME, Network
-from tmmcalc.gears.network.rounding import FlowError, corrected
 from tmmcalc.gears.network.speeds import Locks, Motion, solve_speeds
 
 

@@ -12,8 +12,8 @@ from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.choice import Ranking, Reason
 from tmmcalc.gears.criteria.comparison import Comparison
+from tmmcalc.gears.criteria.errors import CriteriaError
 from tmmcalc.gears.criteria.evaluate import Criteria
-from tmmcalc.gears.criteria.rounding import CriteriaError
 from tmmcalc.gears.criteria.series import Series
 from tmmcalc.gears.model import Integers, ToothSets, Values
 from tmmcalc.gears.split import Split
