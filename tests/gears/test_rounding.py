@@ -13,12 +13,12 @@ import pytest
 from bounding import assert_bounds
 
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency
+from tmmcalc.gears.criteria.errors import criteria_error
 from tmmcalc.gears.criteria.evaluate import Basis, evaluate
-from tmmcalc.gears.criteria.rounding import criteria_error
 from tmmcalc.gears.model import Demands, Interval, ToothSets, TrainTask
 from tmmcalc.gears.search.rounding import angle_error
 from tmmcalc.gears.search.search import _angles
-from tmmcalc.gears.strength.rounding import strength_error
+from tmmcalc.gears.strength.errors import strength_error
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.task import StageTask, StrengthTask
 

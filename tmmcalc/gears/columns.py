@@ -7,29 +7,39 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmmcalc.core.columns import degrees
+from tmmcalc.core.quantity import Quantity, components
 from tmmcalc.gears.model import ToothSets, TrainTask, Values
 from tmmcalc.gears.search import measures
 from tmmcalc.gears.trains import Request, Trains, Variant
 
 NO, YES = "no", "yes"
+ERROR = Quantity("error[%]", "deviation of the ratio from the one asked for")
+COPRIME = Quantity("coprime", "whether no two wheels in mesh have a common factor")
+TEXTBOOK = Quantity("textbook", "whether the textbook's stepping finds the set")
+DISTANCE = Quantity("a_12[m]", "centre distance of the wheels 1 and 2")
+DIAMETER = Quantity("D[m]", "diameter around the pitch circles")
+GAP = Quantity("gap[module]", "gap between the tips of neighbouring planets")
+ANGLE = Quantity("alpha_max[deg]", "largest operating pressure angle")
+STEP = Quantity("e", "Z1 + Z2 = e m_2, m_1 and m_2 in lowest terms")
+ASSEMBLY = Quantity("assembly", "the whole number of the assembly condition", source="(4.25), (4.26)")
 
 
 def set_columns(variant: Variant) -> dict[str, np.ndarray]:
     """Every column of the sets of a variant by its header, in the order of a reader's interest."""
     request, sets = variant.request, variant.sets
     task = request.task
-    columns: dict[str, np.ndarray] = {f"z_{wheel}": sets.of(wheel) for wheel in sets.scheme.wheels}
+    columns: dict[str, np.ndarray] = components(sets, "teeth", wheel=sets.scheme.wheels)
     if sets.scheme.branched and sets.scheme.stages > 1:
-        columns |= {f"mu_{stage + 1}": sets.modules[:, stage] for stage in range(sets.scheme.stages)}
+        columns |= components(sets, "modules", stage=range(1, sets.scheme.stages + 1))
     ratio, error = ratios(request, sets)
-    columns |= {request.kind: ratio, "error[%]": 100 * error, "coprime": measures.coprime_meshes(sets)}
+    columns |= {request.kind: ratio, ERROR.key: 100 * error, COPRIME.key: measures.coprime_meshes(sets)}
     if variant.textbook is not None and request.method == "complete":
-        columns["textbook"] = variant.textbook
+        columns[TEXTBOOK.key] = variant.textbook
     columns |= dict(_of_branches(task, sets))
     if task.module is not None and len(sets):
-        columns["a_12[m]"] = measures.distance(task, sets)
+        columns[DISTANCE.key] = measures.distance(task, sets)
         if sets.scheme.branched:
-            columns["D[m]"] = measures.diameter(task, sets)
+            columns[DIAMETER.key] = measures.diameter(task, sets)
     return columns
 
 
@@ -56,14 +66,14 @@ def _of_branches(task: TrainTask, sets: ToothSets) -> Iterator[tuple[str, np.nda
     if not sets.scheme.branched:
         return
     if sets.planets > 2 and task.demands.gap is not None:
-        yield "gap[module]", measures.tip_gap(task, sets)
+        yield GAP.key, measures.tip_gap(task, sets)
     if task.demands.largest_angle is not None:
-        yield "alpha_max[deg]", degrees(sets.angles.max(axis=1))
+        yield ANGLE.key, degrees(sets.angles.max(axis=1))
     elif sets.layout in ("coaxial", "AA", "AI"):
-        yield "e", (sets.of("1") + sets.of("2")) // sets.modules[:, 1]
+        yield STEP.key, (sets.of("1") + sets.of("2")) // sets.modules[:, 1]
     if sets.planets > 1:
         number = measures.assembly_number(sets)
-        yield "assembly", number.astype(np.int64) if task.demands.assembly else number
+        yield ASSEMBLY.key, number.astype(np.int64) if task.demands.assembly else number
 
 
 def said(columns: dict[str, np.ndarray]) -> dict[str, np.ndarray]:

@@ -13,6 +13,7 @@ import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.gearingtask import Amounts, GearingTask, ends
 from tmmcalc.gears.model import ToothSets
@@ -32,10 +33,12 @@ class Way:
     driver: str
     output: str
     ratio: Fraction  # w_driver/w_output
-    efficiency: float  # [-]; zero or negative: self-locking
-    self_locking: bool
-    potential: float  # largest rolling power of a mesh to the power put in [-]
-    formula: float | None  # efficiency by the closed formula (textbook, table 4.6), where the train is of its kind
+    efficiency: float = quantity("eta_{way}", "efficiency; zero or negative: self-locking")
+    self_locking: bool = quantity("self_locking_{way}", "whether no load can be moved this way")
+    potential: float = quantity("rolling_{way}", "largest rolling power of a mesh to the power put in")
+    formula: float | None = quantity(  # None: the train is of another kind
+        "eta_formula_{way}", "efficiency by the closed formula", source="table 4.6"
+    )
     error: float  # of the efficiency, relative to it or to 1, whichever is larger
 
 
@@ -51,7 +54,7 @@ class Gearing:
     ways: tuple[Way, ...]  # forwards and backwards; empty without one driver and one output
     basic: BasicTrain | None  # the two central wheels and the carrier, if these are the train
     flow: PowerFlow | None  # None: torques are not known, or the train locks itself
-    assumed: bool  # the torque on the input is 1 N*m for want of a known one
+    assumed: bool = quantity("torque_is_assumed", "the torque on the input is 1 N*m for want of a known one")
     locking: str  # why the load cannot be moved; empty if it can
     frequencies: MeshFrequencies
     assembly: Fraction | None  # of a layout with several planets: whole if they fit in equally spaced (4.25), (4.26)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.network.builder import network_of
 from tmmcalc.gears.network.model import FRAME, Network
@@ -21,17 +22,17 @@ class GearingTask:
     """A train and what is known of its motion and load; outside torques are positive along positive speeds."""
 
     network: Network
-    speeds: Amounts  # [rad/s], 0: held
+    speeds: Amounts = quantity("known_speeds[rad/s]", "known speeds of members, 0: held")
     torques: Amounts = field(default_factory=dict)  # [N*m] from outside
     loads: Amounts = field(default_factory=dict)  # [N*m] against the motion
     powers: Amounts = field(default_factory=dict)  # [W] put in from outside
-    locked: tuple[tuple[str, str], ...] = ()
+    locked: tuple[tuple[str, str], ...] = quantity("locked", "pairs of members that turn as one", default=())
     input: str | None = None
     outputs: tuple[str, ...] = ()
     shafts: tuple[str, ...] = ()  # that stand out of the gear box; empty: any that turns in the frame
-    layout: str | None = None  # key
+    layout: str | None = quantity("layout", "key of the layout", default=None)
     teeth: tuple[int, ...] = ()  # of the layout's wheels
-    planets: int = 1
+    planets: int = quantity("planets", "number of planets", symbol="K", default=1)
     remarks: tuple[str, ...] = ()  # what was taken for want of data
 
 

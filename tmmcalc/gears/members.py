@@ -5,11 +5,10 @@ Wheels of a mesh are 1 and 2 in the order in which it names them, c is the membe
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
+from tmmcalc.core.quantity import components, headed
 from tmmcalc.gears.gearing import Gearing
-from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.power import PowerFlow
 
 Columns = dict[str, list[Any]]
@@ -24,16 +23,14 @@ def member_columns(result: Gearing) -> Columns:
     ratios = [result.ratio_to(name) for name in motion.members]
     columns: Columns = {
         "member": list(motion.members),
-        "n[rpm]": _rpm(motion.speeds),
-        "n_rel[rpm]": _rpm(motion.relative),
+        **_listed(headed(motion, "turns", "relative_turns")),
     }
     if any(ratio is not None for ratio in ratios):
         columns["i"] = ["" if ratio is None else float(ratio) for ratio in ratios]
     if result.flow is not None:
-        columns |= {"torque[N*m]": result.flow.torques.tolist(), "power[W]": result.flow.powers.tolist()}
+        columns |= _listed(headed(result.flow, "torques", "powers"))
     columns |= {
-        "omega[rad/s]": motion.speeds.tolist(),
-        "omega_rel[rad/s]": motion.relative.tolist(),
+        **_listed(headed(motion, "speeds", "relative")),
         "count": [network.count(name) for name in motion.members],
         "carrier": [network.bearer(name) for name in motion.members],
     }
@@ -48,8 +45,8 @@ def torque_columns(result: Gearing, flow: PowerFlow) -> Columns:
     return {
         **_named(result),
         "eta": [mesh.efficiency for mesh in meshes],
-        **_split("T_{}[N*m]", ("1", "2", "c"), flow.mesh_torques),
-        **_split("T_{}_planet[N*m]", ("1", "2"), flow.branch_torques),
+        **_listed(components(flow, "mesh_torques", member="12c")),
+        **_listed(components(flow, "branch_torques", member="12")),
     }
 
 
@@ -57,9 +54,8 @@ def power_columns(result: Gearing, flow: PowerFlow) -> Columns:
     """Rolling power of each mesh, its loss, and the powers that it gives to wheels and carrier in the frame."""
     return {
         **_named(result),
-        "P_roll[W]": flow.rolling.tolist(),
-        "loss[W]": flow.losses.tolist(),
-        **_split("P_{}[W]", ("1", "2", "c"), flow.mesh_powers),
+        **_listed(headed(flow, "rolling", "losses")),
+        **_listed(components(flow, "mesh_powers", member="12c")),
     }
 
 
@@ -68,16 +64,11 @@ def frequency_columns(result: Gearing) -> Columns:
     found = result.frequencies
     return {
         **_named(result, carrier=False),
-        "f_mesh[Hz]": found.mesh.tolist(),
-        **_split("turns_{}[Hz]", ("1", "2"), found.turns),
-        **_split("tooth_{}[Hz]", ("1", "2"), found.passes),
-        "pair[Hz]": found.hunting.tolist(),
-        "gcd": found.common.tolist(),
+        **_listed(headed(found, "mesh")),
+        **_listed(components(found, "turns", wheel="12")),
+        **_listed(components(found, "passes", wheel="12")),
+        **_listed(headed(found, "hunting", "common")),
     }
-
-
-def _rpm(speeds: Values) -> list[float]:
-    return [float(speed) / (math.pi / 30) for speed in speeds]
 
 
 def _named(result: Gearing, carrier: bool = True) -> Columns:
@@ -86,5 +77,5 @@ def _named(result: Gearing, carrier: bool = True) -> Columns:
     return named | {"c": list(network.carriers)} if carrier else named
 
 
-def _split(header: str, names: tuple[str, ...], values: Values) -> Columns:
-    return {header.format(name): values[:, k].tolist() for k, name in enumerate(names)}
+def _listed(columns: dict[str, Any]) -> Columns:
+    return {header: column.tolist() for header, column in columns.items()}

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.layouts import Layout, layout_of
 
@@ -79,8 +80,10 @@ class ToothSets:
     """Tooth numbers of n trains of one layout."""
 
     layout: str  # key
-    teeth: Integers  # (n, wheels), in the order of the layout's wheels
-    modules: Integers  # (n, stages), the modules of the stages to one another in lowest terms, m1 : m2 = mu1 : mu2
+    teeth: Integers = quantity("z_{wheel}", "number of teeth")  # (n, wheels), in the order of the layout's wheels
+    modules: Integers = quantity(  # (n, stages), m1 : m2 = mu1 : mu2
+        "mu_{stage}", "the modules of the stages to one another in lowest terms"
+    )
     angles: Values  # [rad] (n, meshes), operating pressure angles
     planets: int = 1  # K, planets or layshafts
 

@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.bounds import half_pitch
 
@@ -26,39 +27,45 @@ WITHIN = (0.8, 1.2)  # t1 and t2 that are usual
 class RadialShape:
     """What the equations leave free: the planets to each other, the mesh angles, the number of assembly."""
 
-    y: float = 1.0  # Z3/Z2
-    t1: float = 1.0
-    t2: float = 1.0
+    y: float = quantity("y", "Z3/Z2", default=1.0)
+    t1: float = quantity("t1", "cos a_w12/cos a_w23", default=1.0)
+    t2: float = quantity("t2", "cos a_w12/cos a_w34", default=1.0)
     assembly: int | None = None  # N = (Z1 + Z4)/k; None: the least that gives sun 1 its least teeth
     angles: tuple[float, float, float] | None = None  # [rad] of the meshes 1-2, 2-3, 3-4, if they gave t1 and t2
+
+    @derived("mesh_angles[deg]", "operating pressure angles of the meshes 1-2, 2-3, 3-4, where they gave t1 and t2")
+    def degrees(self) -> list[float]:
+        """The angles in degrees; none if they are not given."""
+        return [math.degrees(angle) for angle in self.angles or ()]
 
 
 @record
 class RadialTeeth:
     """Tooth numbers as real numbers, and how well they close."""
 
-    z1: float
-    z2: float
-    z3: float
-    z4: float
-    denominator: float  # D = 1 + t1 (1 + y) - y t2
-    residual: float  # of the coaxiality equation (2) [teeth]
+    z1: float = quantity("Z1", "teeth of sun 1")
+    z2: float = quantity("Z2", "teeth of the planets 2")
+    z3: float = quantity("Z3", "teeth of the planets 3")
+    z4: float = quantity("Z4", "teeth of sun 4")
+    denominator: float = quantity("denominator", "1 + t1 (1 + y) - y t2", symbol="D")
+    residual: float = quantity("coaxial_residual", "residual of the coaxiality equation in teeth", source="(2)")
 
 
 @record
 class RatioLimits:
     """Limits of i_1H by coaxiality and neighbourhood of k pairs of planets, 2/Z1 neglected."""
 
-    coaxial: float  # i above it: planet 2 has teeth (7)
-    first: float | None  # i below it: neighbouring planets 2 clear each other; None: no limit
-    bracket: float  # B of the condition B i > C of neighbouring planets 3
-    second: float | None  # C/B: i above it if B > 0, below it if B < 0; None: no limit
+    coaxial: float = quantity("i_min_coaxial", "i above it: planet 2 has teeth", source="(7)")
+    first: float | None = quantity("i_max_neighbour1", "i below it: neighbouring planets 2 clear each other")
+    # None of a limit: there is none
+    bracket: float = quantity("second_bracket", "B of the condition B i > C of neighbouring planets 3", symbol="B")
+    second: float | None = quantity("i_bound_neighbour2", "C/B: i above it if B > 0, below it if B < 0")
     low: float  # i lies above ...
     high: float | None  # ... and below; None: no limit
 
-    @property
+    @derived("neighbour2_is_upper_bound", "whether the limit by planets 3 is an upper one")
     def second_is_upper(self) -> bool:
-        """Whether the limit by planets 3 is an upper one."""
+        """B is negative."""
         return self.bracket < 0
 
 

@@ -14,13 +14,14 @@ from fractions import Fraction
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets
+from tmmcalc.gears.strength.errors import StrengthError, strength_error
 from tmmcalc.gears.strength.results import Strength
-from tmmcalc.gears.strength.rounding import StrengthError, strength_error
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.task import StrengthTask, pinion_torque
-from tmmcalc.gears.trains import Request, Trains, Variant
+from tmmcalc.gears.trains import Request, Trains
 
 MOST = 20_000  # sets of a variant that are sized
 GIVEN, MOMENT, REDUCTION = "given", "moment", "reduction"  # where the torque comes from
@@ -40,10 +41,10 @@ class SizingTask:
 class Torque:
     """The torque on wheel 1 and where it comes from."""
 
-    value: float  # T1 [N*m], of all branches
-    source: str  # GIVEN, MOMENT or REDUCTION
-    moment: float | None  # max|M_c| [N*m]
-    ratio: float | None  # u
+    value: float = quantity("T1[N*m]", "torque on wheel 1, of all branches")
+    source: str = quantity("T1_source", "where it comes from")  # GIVEN, MOMENT or REDUCTION
+    moment: float | None = quantity("M_c_max[N*m]", "largest moment on the shaft that it is reduced to, max|M_c|")
+    ratio: float | None = quantity("T1_ratio", "speed of wheel 1 over that of the shaft of the moment", symbol="u")
 
 
 @record
@@ -53,7 +54,7 @@ class Sized:
     title: str  # of the variant
     kind: str  # of the ratio, as it was asked for
     sets: ToothSets  # the first of the variant
-    count: int  # of all sets of the variant, also of those that are not sized
+    count: int = quantity("count", "all sets of the variant, those that are not sized too")
     torque: Torque
     beyond: float  # speed of the train's output shaft over that of the crank
     task: StrengthTask
@@ -73,7 +74,27 @@ def solve_sizing(trains: Trains, task: SizingTask, moment: float | None = None) 
 
     Raises `UsageError` if the torque is not known, and what the tables of strength do not have.
     """
-    return Sizing(tuple(_sized(variant, task, moment) for variant in trains.variants))
+    sized = []
+    for variant in trains.variants:
+        request, sets = variant.request, first_sets(variant.sets)
+        own = float(wheel_ratio(request))
+        torque = _torque(task, moment, own)
+        strength = replace(task.strength, torque=torque.value)
+        found = solve_strength(sets, strength)
+        sized.append(
+            Sized(
+                title=request.title,
+                kind=request.kind,
+                sets=sets,
+                count=variant.synthesis.count,
+                torque=torque,
+                beyond=1.0 if task.ratio is None else task.ratio / own,
+                task=strength,
+                strength=found,
+                error=strength_error(sets, strength, found),
+            )
+        )
+    return Sizing(tuple(sized))
 
 
 def wheel_ratio(request: Request) -> Fraction:
@@ -92,25 +113,6 @@ def first_sets(sets: ToothSets, most: int = MOST) -> ToothSets:
 def rows_of(sets: ToothSets, rows: np.ndarray) -> ToothSets:
     """The sets of these rows."""
     return replace(sets, teeth=sets.teeth[rows], modules=sets.modules[rows], angles=sets.angles[rows])
-
-
-def _sized(variant: Variant, task: SizingTask, reduced: float | None) -> Sized:
-    request, sets = variant.request, first_sets(variant.sets)
-    own = wheel_ratio(request)
-    torque = _torque(task, reduced, float(own))
-    strength = replace(task.strength, torque=torque.value)
-    found = solve_strength(sets, strength)
-    return Sized(
-        title=request.title,
-        kind=request.kind,
-        sets=sets,
-        count=variant.synthesis.count,
-        torque=torque,
-        beyond=1.0 if task.ratio is None else task.ratio / float(own),
-        task=strength,
-        strength=found,
-        error=strength_error(sets, strength, found),
-    )
 
 
 def _torque(task: SizingTask, reduced: float | None, own: float) -> Torque:

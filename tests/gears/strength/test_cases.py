@@ -11,9 +11,8 @@ from gears.strength.scenes import CASES, MM, MPA, sets_of, stage_with, steel_40k
 from tmmcalc.gears.strength.explain import coefficients
 from tmmcalc.gears.strength.results import Strength
 from tmmcalc.gears.strength.series import Outcome, round_up
-from tmmcalc.gears.strength.solve import solve_strength
+from tmmcalc.gears.strength.solve import adapted, face_width, solve_strength
 from tmmcalc.gears.strength.task import StageTask, StrengthTask, pinion_torque
-from tmmcalc.gears.strength.widths import adapted, face_width
 
 STRENGTH = ("GT-S12", "GT-S13", "GT-S14", "GT-S15", "GT-S16", "GT-S17", "GT-S18", "GT-S23")
 

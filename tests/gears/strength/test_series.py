@@ -11,7 +11,7 @@ from sparing import sparing
 
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.strength.series import EIGHTHS, Outcome, choose, choose_tied, eighths, round_up, tied
-from tmmcalc.gears.strength.widths import adapted, face_width
+from tmmcalc.gears.strength.solve import adapted, face_width
 
 SERIES = {rows: [Fraction(m, EIGHTHS) for m in eighths(rows)] for rows in (1, 2)}  # type: ignore[arg-type]
 PROPORTIONS = [(1, 1), (2, 3), (4, 7), (3, 4), (5, 8), (9, 14), (2, 1), (11, 13), (1, 40), (7, 5)]

@@ -7,6 +7,7 @@ from fractions import Fraction
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency, efficiency
 from tmmcalc.gears.criteria.inertia import reduced_inertia
@@ -33,15 +34,16 @@ class Basis:
 class Criteria:
     """Criteria of n trains of one layout."""
 
-    mass: Values  # [kg] (n,) moving wheels
-    inertia: Values  # [kg*m^2] (n,) reduced
-    size: Values  # [m] (n,) D
-    envelope: Values  # [m] (n,) rings and all wheels included
+    # (n,) if nothing else is said
+    mass: Values = quantity("mass[kg]", "mass of the moving wheels", symbol="M")
+    inertia: Values = quantity("inertia[kg*m^2]", "reduced inertia", symbol="J")
+    size: Values = quantity("size[m]", "diameter around the pitch circles", symbol="D")
+    envelope: Values = quantity("envelope[m]", "diameter around rings and all wheels")
     centre_distances: Values  # [m] (n, meshes)
     ratio: Values  # i_1H, of fixed axes i_1n (n,), with its sign
     planet_ratio: Values  # i_2H, of fixed axes i_2n (n,)
-    efficiency: Values  # (n,) zero or below: self-locking
-    error: Values  # (n,) relative deviation of the ratio, not negative
+    efficiency: Values = quantity("efficiency", "efficiency, zero or below: self-locking", symbol="eta")
+    error: Values = quantity("error", "relative deviation of the ratio, not negative")
     slenderness: Values  # b/m (n, stages)
     width_deviation: Values  # (n,) how far the worst b/m lies outside the usual range, relative to its limit
 

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.evaluate import Criteria, deviation
 from tmmcalc.gears.criteria.speeds import Ratios, speeds
@@ -28,13 +29,14 @@ class Series:
 
     first: NDArray[np.intp]  # (n,) index of the variant of the first train
     second: NDArray[np.intp]  # (n,)
-    ratio: Values  # i = i_I i_II (n,)
-    mass: Values  # [kg] (n,)
-    inertia: Values  # [kg*m^2] (n,) reduced to the output of the second train
-    size: Values  # [m] (n,)
-    envelope: Values  # [m] (n,)
-    efficiency: Values  # (n,)
-    error: Values  # (n,) relative deviation of the ratio
+    # (n,)
+    ratio: Values = quantity("i", "ratio of both, i = i_I i_II")
+    mass: Values = quantity("mass[kg]", "mass of both")
+    inertia: Values = quantity("inertia[kg*m^2]", "inertia reduced to the output of the second train")
+    size: Values = quantity("size[m]", "the larger diameter around the pitch circles")
+    envelope: Values  # [m]
+    efficiency: Values = quantity("efficiency", "efficiency of both")
+    error: Values = quantity("error", "relative deviation of the ratio")
     width_deviation: Values  # (n,)
     tried: int  # pairs in all
 

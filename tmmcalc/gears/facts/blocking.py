@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
+from tmmcalc.core.quantity import components, keyed
 from tmmcalc.gears.facts.meshes import distinct, places
 from tmmcalc.gears.involute.contour.task import LINES
 from tmmcalc.gears.meshing.contours import Area, Blocking, ContourLine, ContourPoint, Outline, PairContour
@@ -82,8 +83,8 @@ def _whole(pair: PairContour, title: str) -> Document:
 
 def _line_values(line: ContourLine) -> dict[str, Any]:
     """A line of the picture, with its points, by the numbers of the textbook."""
-    named = {"number": line.number, "title": line.title, "value": line.value}
-    return {**named, "x_1": line.x1.tolist(), "x_2": line.x2.tolist()}
+    shifts = {key: values.tolist() for key, values in keyed(line, "x1", "x2").items()}
+    return keyed(line, "number", "title", "value") | shifts
 
 
 def _areas(pair: PairContour) -> tuple[tuple[str, Area], ...]:
@@ -94,7 +95,7 @@ def _facts(pair: PairContour, title: str) -> Iterator[Fact]:
     yield Fact("contour of", title, {"z": list(pair.teeth)})
     tips = f"at least {number(pair.thickness)} modules thick" if pair.thickness else "not pointed"
     text = f"eps_alpha at least {number(pair.contact_ratio)}, tips {tips}"
-    yield Fact("conditions", text, {"eps_min": pair.contact_ratio, "s_a_min": pair.thickness})
+    yield Fact("conditions", text, keyed(pair, "contact_ratio", "thickness"))
     for (kind, area), said in zip(_areas(pair), ("no undercut", "undercut that spares the flank"), strict=True):
         yield Fact(f"{kind} contour", f"{said}: {_area_text(area)}", _area_values(kind, area))
     if pair.points:
@@ -127,8 +128,7 @@ def _area_values(kind: str, area: Area) -> dict[str, Any]:
 
 def _chosen_fact(point: ContourPoint) -> Fact:
     text = f"x_1 = {number(point.x1, 5)}, x_2 = {number(point.x2, 5)}: {_inside(point)}"
-    values = {"x_1": point.x1, "x_2": point.x2, "in_strict": point.strict, "in_tolerated": point.tolerated}
-    return Fact("chosen shifts", text, values)
+    return Fact("chosen shifts", text, keyed(point, "x1", "x2", "strict", "tolerated"))
 
 
 def _inside(point: ContourPoint) -> str:
@@ -198,16 +198,13 @@ def _short(name: str) -> str:
 
 def _point_values(point: ContourPoint) -> dict[str, Any]:
     """A point for programs; sliding is left out where a flank would have to begin within its base circle."""
-    pairs = {"s_na": point.tip_thickness, "theta_": point.sliding, "Y_F": point.form_factors}
-    sizes = {f"{name}{i}": value for name, both in pairs.items() for i, value in enumerate(both, 1)}
+    sliding = {key: value for key, value in components(point, "sliding", wheel="12").items() if value}
     return {
-        "x_1": point.x1,
-        "x_2": point.x2,
-        "eps_alpha": point.contact_ratio,
-        **{name: value for name, value in sizes.items() if value or not name.startswith("theta")},
-        "a_w[m]": point.distance,
-        "in_strict": point.strict,
-        "in_tolerated": point.tolerated,
+        **keyed(point, "x1", "x2", "contact_ratio"),
+        **components(point, "tip_thickness", wheel="12"),
+        **sliding,
+        **components(point, "form_factors", wheel="12"),
+        **keyed(point, "distance", "strict", "tolerated"),
     }
 
 
@@ -230,4 +227,4 @@ def _corners_view(pair: PairContour) -> View | None:
 def _corner_values(area: Area) -> list[dict[str, Any]]:
     outlines: tuple[Outline, ...] = () if area.main is None else (area.main,)
     corners = [corner for outline in outlines for corner in outline.corners]
-    return [{"x_1": corner.x1, "x_2": corner.x2, "lines": list(corner.lines)} for corner in corners]
+    return [keyed(corner) for corner in corners]

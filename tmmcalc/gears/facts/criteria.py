@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 import numpy as np
 
+from tmmcalc.core.quantity import keyed
 from tmmcalc.gears.criteria.choice import OBJECTIVES, Reason
 from tmmcalc.gears.criteria.comparison import Comparison
 from tmmcalc.gears.selection.columns import YES, chosen_columns, pair_columns
@@ -71,21 +71,14 @@ def _variant_fact(each: Weighed) -> Fact:
     lacks += [f"constraint {name} removed {count}" for name, count in each.refused.items() if count]
     text = "; ".join([f"{left} of {each.sized} tooth sets", *lacks]) if each.sized else "no tooth sets"
     key = each.title.replace(" ", "_")
-    values = {"sized": each.sized, "left": left, "weak": each.weak, "locking": each.locking}
+    values = keyed(each, "sized") | {"left": left} | keyed(each, "weak", "locking")
     return Fact(each.title, text, {key: values | ({"removed": each.refused} if each.refused else {})})
 
 
 def _winner_facts(result: Selection) -> Iterator[Fact]:
     best = result.winner
-    values = {
-        "winner": best.name,
-        "winner_row": best.place + 1,
-        "layout": best.layout,
-        "planets": best.planets,
-        "teeth": list(best.teeth),
-        "modules[m]": list(best.modules),
-        "widths[m]": list(best.widths),
-    }
+    values = keyed(best, "name") | {"winner_row": best.place + 1}
+    values |= keyed(best, "layout", "planets", "teeth", "modules", "widths")
     text = f"{best.title}: {'/'.join(map(str, best.teeth))} (row {best.place + 1})\n"
     text += f"m = {lengths(best.modules)}, b = {lengths(best.widths)}"
     yield Fact("best train", text, values)
@@ -98,7 +91,7 @@ def _winner_facts(result: Selection) -> Iterator[Fact]:
     text = f"{number(best.inertia)} kg*m^2 on its output shaft"
     if best.beyond != 1:
         text += f", {number(best.on_crank)} kg*m^2 on the crank, which turns {number(1 / best.beyond)} times as fast"
-    yield Fact("reduced inertia", text, {"J_output[kg*m^2]": best.inertia, "J_crank[kg*m^2]": best.on_crank})
+    yield Fact("reduced inertia", text, keyed(best, "inertia", "on_crank"))
 
 
 def _because(result: Selection) -> str:
@@ -197,14 +190,13 @@ def _ratios(ratios: Sequence[float]) -> str:
 
 def _pair_facts(pairs: Pairs) -> Iterator[Fact]:
     one, two = pairs.counts
-    values: dict[str, Any] = {"pairs_admitted": pairs.admitted, "pairs_tried": pairs.tried}
     if pairs.best is None:
-        yield Fact("two in series", pairs.failure, {"pairs_failure": pairs.failure})
+        yield Fact("two in series", pairs.failure, keyed(pairs, "failure"))
         return
     text = f"{SERIES}, each of i_1H near {number(float(pairs.single), DIGITS)}, {pairs.planets} planets\n"
     text += f"{one} and {two} trains, {pairs.admitted} of {pairs.tried} pairs within the tolerance\n"
     text += ", ".join(f"{_extreme(key)} {_called(key)} {_value(key, value)}" for key, value in pairs.best.items())
-    yield Fact("two in series", text, {**values, "pairs_best": pairs.best})
+    yield Fact("two in series", text, keyed(pairs, "admitted", "tried", "best"))
 
 
 def _pair_documents(pairs: Pairs, rows: int) -> Iterator[Document]:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
+from tmmcalc.core.quantity import keyed, quantities
 from tmmcalc.gears.gearing import Gearing, Way
 from tmmcalc.gears.layouts import layout_of
 from tmmcalc.gears.members import Columns, frequency_columns, member_columns, power_columns, torque_columns
@@ -44,7 +45,7 @@ def _train_facts(result: Gearing) -> Iterator[Fact]:
     if task.layout is not None:
         scheme = layout_of(task.layout)
         teeth = ", ".join(f"Z{wheel} = {z}" for wheel, z in zip(scheme.wheels, task.teeth, strict=True))
-        values = {"layout": task.layout, "teeth": dict(zip(scheme.wheels, task.teeth, strict=True))}
+        values = {**keyed(task, "layout"), "teeth": dict(zip(scheme.wheels, task.teeth, strict=True))}
         yield Fact("train", f"{task.layout}: {scheme.title}\n{teeth}", values)
     else:
         counted = f"{len(task.network.meshes)} meshes, {len(motion.members)} members that turn"
@@ -52,14 +53,14 @@ def _train_facts(result: Gearing) -> Iterator[Fact]:
     if task.locked:
         pairs = ", ".join(" and ".join(pair) for pair in task.locked)
         yield Fact("locked", pairs, {"locked": [list(pair) for pair in task.locked]})
-    yield Fact("mobility", f"W = {motion.mobility}, as many known speeds determine all", {"mobility": motion.mobility})
+    yield Fact("mobility", f"W = {motion.mobility}, as many known speeds determine all", keyed(motion, "mobility"))
     known = [f"{name} {f'at {_speed(w)}' if w else 'held'}" for name, w in task.speeds.items()]
-    yield Fact("known speeds", ", ".join(known), {"known_speeds[rad/s]": dict(task.speeds)})
+    yield Fact("known speeds", ", ".join(known), keyed(task, "speeds"))
     if result.assembly is not None:
         text = f"{number(float(result.assembly))} = whole number for {task.planets} equally spaced planets"
         if result.assembly.denominator != 1:
             text = f"{number(float(result.assembly))} is no whole number"
-        yield Fact("assembly", text, {"planets": task.planets, "assembly": float(result.assembly)})
+        yield Fact("assembly", text, keyed(task, "planets") | {"assembly": float(result.assembly)})
 
 
 def _speed(omega: float) -> str:
@@ -120,7 +121,7 @@ def _efficiency_facts(result: Gearing) -> Iterator[Fact]:
         yield _way_fact(way)
     if result.basic is not None and any(way.formula is not None for way in result.ways):
         text = f"eta_0 = {number(result.basic.efficiency)}, carrier stopped (textbook, table 4.6)"
-        yield Fact("of the inverted train", text, {"eta_0": result.basic.efficiency})
+        yield Fact("of the inverted train", text, keyed(result.basic, "efficiency"))
 
 
 def _way_fact(way: Way) -> Fact:
@@ -130,13 +131,7 @@ def _way_fact(way: Way) -> Fact:
     if way.self_locking:
         text += "\nself-locking: no load can be moved this way"
     text += f"\nrolling power up to {number(way.potential, 5)} of the power put in"
-    key = f"{way.driver}_{way.output}"
-    values = {
-        f"eta_{key}": way.efficiency,
-        f"eta_formula_{key}": way.formula,
-        f"self_locking_{key}": way.self_locking,
-        f"rolling_{key}": way.potential,
-    }
+    values = keyed(way, "efficiency", "formula", "self_locking", "potential", way=f"{way.driver}_{way.output}")
     return Fact(f"{way.driver} drives {way.output}", text, values)
 
 
@@ -145,26 +140,19 @@ def _power_facts(result: Gearing) -> Iterator[Fact]:
     flow = result.flow
     if flow is None:
         return
-    lost = float(flow.losses.sum())
-    peak = max(abs(flow.power_in), abs(lost))
-    given = (flow.power_in, flow.power_in - lost, lost)
+    peak = max(abs(flow.power_in), abs(flow.power_lost))
+    given = (flow.power_in, flow.power_in - flow.power_lost, flow.power_lost)
     text = "{} in, {} out, {} lost".format(*(_power(watts, peak) for watts in given))
     if flow.efficiency is not None and not result.ways:
         text += f"\neta = {number(flow.efficiency)}"
-    values = {
-        "power_in[W]": flow.power_in,
-        "power_lost[W]": lost,
-        "efficiency": flow.efficiency,
-        "torque_is_assumed": result.assumed,
-        "residual": {"equilibrium": flow.residual},
-        "error": result.error,
-    }
+    values = keyed(flow, "power_in", "power_lost", "efficiency") | keyed(result, "assumed")
+    values |= {"residual": {"equilibrium": flow.residual}, "error": result.error}
     yield Fact("power", text, values)
     yield _loops_fact(flow, {*result.motion.members})
     if result.task.locked:
         torques = dict(zip(map("-".join, result.task.locked), flow.lock_torques.tolist(), strict=True))
         text = ", ".join(f"{pair}: {number(abs(torque), 6)} N*m" for pair, torque in torques.items())
-        yield Fact("torque in locks", text, {"lock_torques[N*m]": torques})
+        yield Fact("torque in locks", text, {quantities(PowerFlow)["lock_torques"].key: torques})
     yield from _sharing_facts(result)
 
 
@@ -182,7 +170,7 @@ def _loops_fact(flow: PowerFlow, members: set[str]) -> Fact:
         part = f", {number(loop.power / flow.power_in, 4)} of the power put in" if flow.power_in else ""
         round_ = ", ".join(name for name in loop.path if name in members)
         lines += [f"{_power(loop.power)}{part}, round {round_}:", " > ".join((*loop.path, loop.path[0]))]
-    values = [{"power[W]": loop.power, "path": list(loop.path)} for loop in flow.loops]
+    values = [keyed(loop, "power", "path") for loop in flow.loops]
     return Fact("circulating power", "\n".join(lines) or "none", {"circulating": values})
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import Any
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.quantity import keyed
 from tmmcalc.gears.radial import (
     WITHIN,
     RadialShape,
@@ -42,11 +42,10 @@ def radial_document(request: Request, everything: bool = False) -> Document:
 
 def _shape_fact(shape: RadialShape) -> Fact:
     text = f"y = Z3/Z2 = {number(shape.y)}, t1 = {number(shape.t1)}, t2 = {number(shape.t2)}"
-    values: dict[str, Any] = {"y": shape.y, "t1": shape.t1, "t2": shape.t2}
+    values = keyed(shape, "y", "t1", "t2")
     if shape.angles is not None:
-        degrees = [math.degrees(angle) for angle in shape.angles]
-        text += f"\nof the mesh angles {', '.join(number(angle) for angle in degrees)} deg of 1-2, 2-3, 3-4"
-        values["mesh_angles[deg]"] = degrees
+        text += f"\nof the mesh angles {', '.join(number(angle) for angle in shape.degrees)} deg of 1-2, 2-3, 3-4"
+        values |= keyed(shape, "degrees")
     return Fact("parameters", text, values)
 
 
@@ -67,9 +66,9 @@ def _teeth_facts(ratio: float, planets: int, shape: RadialShape, least: int) -> 
     text = f"i_1H = {number(ratio, 10)}, k = {planets}, N = (Z1 + Z4)/k = {assembly}{chosen}"
     yield Fact("asked for", text, {"i_1H": ratio, "k": planets, "N": assembly})
     teeth = real_teeth(ratio, planets, assembly, y=shape.y, t1=shape.t1, t2=shape.t2)
-    found = {"Z1": teeth.z1, "Z2": teeth.z2, "Z3": teeth.z3, "Z4": teeth.z4}
+    found = keyed(teeth, "z1", "z2", "z3", "z4")
     text = ", ".join(f"{name} = {number(value)}" for name, value in found.items())
-    yield Fact("real-valued teeth", text, {**found, "coaxial_residual": teeth.residual})
+    yield Fact("real-valued teeth", text, found | keyed(teeth, "residual"))
 
 
 def _limits_fact(limits: RatioLimits) -> Fact:
@@ -83,15 +82,13 @@ def _limits_fact(limits: RatioLimits) -> Fact:
             lines.append(f"{side} {number(limits.second)}: neighbouring planets 3 do, B = {number(limits.bracket)} (8)")
     else:
         lines.append("no limit by neighbours: there are fewer than three pairs")
-    values = {
-        "i_min_coaxial": limits.coaxial,
-        "i_max_neighbour1": limits.first,
-        "second_bracket": limits.bracket if limits.first is not None else None,
-        "i_bound_neighbour2": limits.second,
-        "neighbour2_is_upper_bound": limits.second_is_upper if limits.second is not None else None,
-        "i_range": [limits.low] if limits.high is None else [limits.low, limits.high],
-    }
-    return Fact("limits of i_1H", "\n".join(lines), values)
+    values = keyed(limits, "coaxial", "first", "bracket", "second", "second_is_upper")
+    if limits.first is None:
+        values |= dict.fromkeys(keyed(limits, "bracket"))
+    if limits.second is None:
+        values |= dict.fromkeys(keyed(limits, "second_is_upper"))
+    ends = [limits.low] if limits.high is None else [limits.low, limits.high]
+    return Fact("limits of i_1H", "\n".join(lines), values | {"i_range": ends})
 
 
 def _ratio_notes(ratio: float, limits: RatioLimits) -> Iterator[str]:

@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.quantity import keyed, quantities
 from tmmcalc.gears.sizing import MOMENT, REDUCTION, Sized, Sizing
-from tmmcalc.gears.strength.coefficient import Coefficient
 from tmmcalc.gears.strength.columns import OUTCOMES, sized_columns, stacked
 from tmmcalc.gears.strength.explain import SPREADS, coefficients, real_width, reason, remarks
-from tmmcalc.gears.strength.results import Strength
+from tmmcalc.gears.strength.results import Coefficient, Strength
 from tmmcalc.gears.strength.series import Outcome
 from tmmcalc.gears.strength.solve import NARROWEST, WIDEST
 from tmmcalc.report.document import Document, Fact
@@ -22,7 +21,11 @@ from tmmcalc.report.numbers import number
 from tmmcalc.report.sizes import drawn, lengths, plain, quantity
 
 ROWS, FEW = 20, 5  # rows of the table; of the summary of a whole run
-CHECKED = ("sigma_H", "sigma_HP", "margin_H", "sigma_F", "sigma_FP", "margin_F")  # what a check shows first
+CHECKED = (  # what a check shows first
+    *("contact_stress", "permissible_contact", "contact_margin"),
+    *("bending_stress", "permissible_bending", "bending_margin"),
+    *("module", "width"),
+)
 LAST = ("m_H", "m_F", "governs", "psi", "sigma", "margin", "K_")  # columns that stand behind modules, widths, outcome
 
 WHENCE = {MOMENT: "of the moment that is given", REDUCTION: "of the largest reduced moment"}
@@ -63,13 +66,13 @@ def train_document(result: Sizing, title: str, row: int) -> Document:
 
 
 def _one_document(sized: Sized, title: str, at: int) -> Document:
-    found = sized.strength
+    found, told = sized.strength, quantities(Strength)
     teeth = "/".join(map(str, sized.sets.teeth[at].tolist()))
     facts = [
         Fact("train", f"{sized.title}: {teeth}", {"layout": sized.sets.layout, "teeth": sized.sets.teeth[at].tolist()}),
         Fact("outcome", reason(found, at), {"accepted": bool(found.accepted[at])}),
-        Fact("modules", lengths(found.module[at].tolist()), {"modules[m]": found.module[at].tolist()}),
-        Fact("face widths", lengths(found.width[at].tolist()), {"widths[m]": found.width[at].tolist()}),
+        Fact("modules", lengths(found.module[at].tolist()), {told["module"].key: found.module[at].tolist()}),
+        Fact("face widths", lengths(found.width[at].tolist()), {told["width"].key: found.width[at].tolist()}),
         *_stress_facts(found, at),
         *_coefficient_facts(coefficients(sized.sets, sized.task, at)),
     ]
@@ -78,21 +81,16 @@ def _one_document(sized: Sized, title: str, at: int) -> Document:
 
 def _stress_facts(found: Strength, at: int) -> Iterator[Fact]:
     """Stresses of all stages beside the permissible ones, with the unused part of these."""
-    kinds = (
-        ("contact", found.contact_stress, found.permissible_contact, found.contact_margin),
-        ("bending", found.bending_stress, found.permissible_bending, found.bending_margin),
-    )
-    for kind, stress, permissible, margin in kinds:
+    told = quantities(Strength)
+    for kind in ("contact", "bending"):
+        names = (f"{kind}_stress", f"permissible_{kind}", f"{kind}_margin")
+        stress, permissible, margin = (getattr(found, name) for name in names)
         lines = [
             f"stage {k + 1}: {quantity(stress[at, k], 'Pa')}, permissible {quantity(permissible[at, k], 'Pa')}, "
             f"margin {number(100 * margin[at, k], 4)} %"
             for k in range(stress.shape[1])
         ]
-        values = {
-            f"{kind}_stress[Pa]": stress[at].tolist(),
-            f"permissible_{kind}[Pa]": permissible[at].tolist(),
-            f"{kind}_margin": margin[at].tolist(),
-        }
+        values = {told[name].key: getattr(found, name)[at].tolist() for name in names}
         yield Fact(f"{kind} stress", "\n".join(lines), values)
 
 
@@ -109,10 +107,10 @@ def _variant_document(sized: Sized, before: int, rows: int) -> Document:
 
 def _torque_fact(sized: Sized) -> Fact:
     torque = sized.torque
-    values: dict[str, Any] = {"T1[N*m]": torque.value, "T1_source": torque.source}
+    values = keyed(torque, "value", "source")
     text = f"{number(torque.value)} N*m, as given"
     if torque.moment is not None and torque.ratio is not None:
-        values |= {"M_c_max[N*m]": torque.moment, "T1_ratio": torque.ratio}
+        values |= keyed(torque, "moment", "ratio")
         text = f"{number(torque.value)} N*m = {number(torque.moment)} N*m / {number(torque.ratio)}, "
         text += WHENCE[torque.source]
     return Fact("torque on wheel 1", text, values)
@@ -121,7 +119,7 @@ def _torque_fact(sized: Sized) -> Fact:
 def _count_facts(sized: Sized) -> Iterator[Fact]:
     """How many sets there are, how many are strong enough, and why the others are not."""
     found, held = sized.strength, len(sized.sets)
-    values = {"count": sized.count, "sized": held}
+    values = keyed(sized, "count") | {"sized": held}
     text = f"{sized.count}" if held == sized.count else f"{sized.count}, the first {held} of them sized"
     yield Fact("tooth sets", text if sized.count else "none", values)
     if not held:
@@ -142,15 +140,11 @@ def _coefficient_facts(listed: Sequence[Coefficient]) -> Iterator[Fact]:
     for of in dict.fromkeys(each.of for each in listed):
         own = tuple((each.symbol, each.value, each.unit, each.source) for each in listed if each.of == of)
         told.setdefault(own, []).append(of)
-    values = {"coefficients": [_plain(each) for each in listed]}
+    values = {"coefficients": [keyed(each) for each in listed]}
     for own, places in told.items():
         lines = [f"{symbol} = {quantity(value, unit)}: {source}" for symbol, value, unit, source in own]
         yield Fact(_together(places), "\n".join(lines), values)
         values = {}
-
-
-def _plain(each: Coefficient) -> dict[str, Any]:
-    return {"of": each.of, "symbol": each.symbol, "value": each.value, "unit": each.unit, "source": each.source}
 
 
 def _together(places: Sequence[str]) -> str:
@@ -177,7 +171,7 @@ def _ordered(sized: Sized, before: int, rows: int) -> dict[str, np.ndarray]:
 
 def _by_stages(sized: Sized, before: int, rows: int) -> dict[str, np.ndarray]:
     """Stresses, permissible ones and margins of the first sets, one row a stage k: so all of them fit on a page."""
-    columns, stages = sized_columns(sized), sized.sets.scheme.stages
+    found, stages, told = sized.strength, sized.sets.scheme.stages, quantities(Strength)
     count = min(rows, len(sized.sets))
     teeth = ["/".join(map(str, numbers)) for numbers in sized.sets.teeth[:count].tolist()]
     shown = {
@@ -185,11 +179,13 @@ def _by_stages(sized: Sized, before: int, rows: int) -> dict[str, np.ndarray]:
         "z": np.repeat(np.array(teeth), stages),
         "k": np.tile(np.arange(1, stages + 1), count),
     }
-    for symbol in (*CHECKED, "m", "b"):
-        unit = "" if symbol.startswith("margin") else "[Pa]" if symbol.startswith("sigma") else "[m]"
-        each = np.stack([columns[f"{symbol}_{k + 1}{unit}"][:count] for k in range(stages)], axis=1).ravel()
-        shown[f"{symbol}{unit or '[%]'}"] = each if unit else np.round(100 * each, 2)
-    return {**shown, "outcome": np.repeat(columns["outcome"][:count], stages)}
+    for name in CHECKED:
+        each, header = getattr(found, name)[:count].ravel(), told[name].heading.replace("_{stage}", "")
+        if told[name].unit:
+            shown[header] = each
+        else:
+            shown[f"{header}[%]"] = np.round(100 * each, 2)
+    return {**shown, "outcome": np.repeat(sized_columns(sized)["outcome"][:count], stages)}
 
 
 def _notes(sized: Sized) -> Iterator[str]:

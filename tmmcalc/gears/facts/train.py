@@ -10,7 +10,7 @@ import numpy as np
 
 from tmmcalc.gears.advice import called, remedies, removals, why_none
 from tmmcalc.gears.bounds import step_bounds
-from tmmcalc.gears.columns import set_columns, stacked
+from tmmcalc.gears.columns import ANGLE, ASSEMBLY, COPRIME, GAP, STEP, TEXTBOOK, set_columns, stacked
 from tmmcalc.gears.model import Interval, TrainTask
 from tmmcalc.gears.trains import Request, Trains, Variant
 from tmmcalc.report.document import Document, Fact, View
@@ -22,11 +22,11 @@ STEPPED = ("coaxial", "AA", "AI")  # the textbook steps through e
 
 LEGEND = {
     "m_1:m_2": "m_1:m_2 modules of the stages",
-    "assembly": "assembly the whole number of its condition",
-    "gap[module]": "gap between the tips of neighbouring planets",
-    "alpha_max[deg]": "alpha_max largest operating pressure angle",
-    "e": "Z1 + Z2 = e m_2, m_1 and m_2 in lowest terms",
-    "textbook": "textbook whether its stepping finds the set",
+    ASSEMBLY.key: "assembly the whole number of its condition",
+    GAP.key: GAP.meaning,
+    ANGLE.key: f"{ANGLE.name} {ANGLE.meaning}",
+    STEP.key: STEP.meaning,
+    TEXTBOOK.key: "textbook whether its stepping finds the set",
 }
 
 
@@ -158,7 +158,7 @@ def _set_facts(variant: Variant, rows: int) -> Iterator[Fact]:
     columns = set_columns(variant)
     of_them = "" if synthesis.complete else f" of the {held} held"
     lines = [f"{synthesis.count}"]
-    for header, words in (("coprime", "with coprime meshes"), ("textbook", "found by the textbook's stepping")):
+    for header, words in ((COPRIME.key, "with coprime meshes"), (TEXTBOOK.key, "found by the textbook's stepping")):
         if header in columns:
             values[header] = int(np.count_nonzero(columns[header]))
             lines.append(f"{values[header]}{of_them} {words}")
@@ -187,7 +187,7 @@ def _view(columns: dict[str, np.ndarray]) -> View:
 def _legend_fact(view: View, layout: str) -> Fact:
     """What stands in the table."""
     lines = [text for header, text in LEGEND.items() if header in view.headers]
-    if layout == "2A-AA" and "gap[module]" in view.headers:
+    if layout == "2A-AA" and GAP.key in view.headers:
         lines.append("gap at the operating centre distances; tested by (8) at those of the rack, which are smaller")
     return Fact("in the table", "\n".join(["error of the ratio against the one asked for", *lines]))
 

@@ -7,19 +7,20 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
-from tmmcalc.gears.involute.contour.rounding import ContourError
+from tmmcalc.gears.involute.contour.errors import ContourError
 from tmmcalc.gears.involute.rack import Rack
 from tmmcalc.gears.model import Values
 
 
 @record
 class ContourCorner:
-    """A corner, and the keys of the lines that meet in it."""
+    """A corner."""
 
-    x1: float
-    x2: float
-    lines: tuple[str, str]
+    x1: float = quantity("x_1", "profile shift of wheel 1")
+    x2: float = quantity("x_2", "profile shift of wheel 2")
+    lines: tuple[str, str] = quantity("lines", "keys of the lines that meet in it")
 
 
 @record
@@ -51,11 +52,12 @@ class Area:
 class ContourLine:
     """A line of the picture."""
 
-    number: str  # in the textbook's figures: 4, 5, 6, 7, 8, 9, 12, 14, 15, 16
-    title: str  # what is constant along it
-    value: float
-    x1: Values  # (n,)
-    x2: Values  # (n,)
+    # 4, 5, 6, 7, 8, 9, 12, 14, 15, 16
+    number: str = quantity("number", "number of the line in the textbook's figures")
+    title: str = quantity("title", "what is constant along it")
+    value: float = quantity("value", "value that is constant")
+    x1: Values = quantity("x_1", "profile shifts of wheel 1")  # (n,)
+    x2: Values = quantity("x_2", "profile shifts of wheel 2")  # (n,)
 
 
 @record
@@ -64,15 +66,15 @@ class ContourPoint:
 
     name: str  # C, D, E, "balanced", "equal strength", "chosen"
     title: str  # what is special about it
-    x1: float
-    x2: float
-    contact_ratio: float
-    tip_thickness: tuple[float, float]  # s_na, modules
-    sliding: tuple[float, float]  # theta1 at A2, theta2 at A1
-    form_factors: tuple[float, float]  # Y_F of both wheels, load at the tip
-    distance: float  # a_w [m]
-    strict: bool  # whether the strict contour holds it
-    tolerated: bool
+    x1: float = quantity("x_1", "profile shift of wheel 1")
+    x2: float = quantity("x_2", "profile shift of wheel 2")
+    contact_ratio: float = quantity("eps_alpha", "transverse contact ratio")
+    tip_thickness: tuple[float, float] = quantity("s_na{wheel}", "normal tip thickness in modules")
+    sliding: tuple[float, float] = quantity("theta_{wheel}", "specific sliding, of wheel 1 at A2, of wheel 2 at A1")
+    form_factors: tuple[float, float] = quantity("Y_F{wheel}", "form factor with the load at the tip")
+    distance: float = quantity("a_w[m]", "operating centre distance")
+    strict: bool = quantity("in_strict", "whether the strict contour holds it")
+    tolerated: bool = quantity("in_tolerated", "whether the tolerated contour holds it")
 
 
 @record
@@ -84,8 +86,8 @@ class PairContour:
     module: float  # [m], normal
     helix: float  # beta [rad]
     rack: Rack
-    contact_ratio: float  # eps_min
-    thickness: float  # s_a,min, modules
+    contact_ratio: float = quantity("eps_min", "least contact ratio")
+    thickness: float = quantity("s_a_min", "least tip thickness in modules")
     strict: Area
     tolerated: Area
     lines: tuple[ContourLine, ...]

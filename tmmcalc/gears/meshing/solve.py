@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.rack import require_tool
+from tmmcalc.gears.meshing.errors import pair_error
 from tmmcalc.gears.meshing.refusal import joined, millimetres, named
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
-from tmmcalc.gears.meshing.rounding import pair_error
 from tmmcalc.gears.meshing.task import PairsTask, PairTask
 
 if TYPE_CHECKING:

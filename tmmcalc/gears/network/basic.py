@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import prod
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.network.model import FRAME, Network
 from tmmcalc.gears.network.speeds import ratio
@@ -23,7 +24,7 @@ class BasicTrain:
     carrier: str
     last: str  # central wheel that is held, or the frame
     ratio: Fraction  # i_1H
-    efficiency: float  # eta0, of the inverted train: of all meshes one after the other [-]
+    efficiency: float = quantity("eta_0", "efficiency of the inverted train: of all meshes one after the other")
 
 
 def basic_train(network: Network, held: Sequence[str]) -> BasicTrain | None:

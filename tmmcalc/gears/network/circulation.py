@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.model import FRAME, Network
@@ -23,8 +24,9 @@ Flows = dict[str, dict[str, float]]  # node -> next node -> power [W]
 class Loop:
     """A loop of circulating power."""
 
-    path: tuple[str, ...]  # members and elements in the direction of the flow; the last one leads to the first
-    power: float  # [W]
+    # members and elements in the direction of the flow; the last one leads to the first
+    path: tuple[str, ...] = quantity("path", "way of the power")
+    power: float = quantity("power[W]", "power that circulates")
 
 
 def circulating(

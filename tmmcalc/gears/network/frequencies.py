@@ -12,6 +12,7 @@ import math
 import numpy as np
 
 from tmmcalc.core.numerics.extended import EPS
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import Integers, Values
 from tmmcalc.gears.network.model import Network
@@ -24,12 +25,16 @@ ROUNDED = 5 * EPS / 2  # of a speed, 2 pi, their quotient, teeth and their multi
 class MeshFrequencies:
     """Frequencies of the m meshes and n members of a train [Hz]."""
 
-    mesh: Values  # (m,) teeth in mesh
-    turns: Values  # (m, 2) turns of both wheels in the carrier
-    passes: Values  # (m, 2) meetings of one tooth of each wheel with all partners: frequency of a damaged tooth
-    hunting: Values  # (m,) meetings of the same two teeth
+    mesh: Values = quantity("f_mesh[Hz]", "frequency of teeth in mesh")  # (m,)
+    turns: Values = quantity("turns_{wheel}[Hz]", "turns of the wheel in the carrier")  # (m, 2)
+    passes: Values = quantity(  # (m, 2)
+        "tooth_{wheel}[Hz]", "meetings of one tooth with all partners: frequency of a damaged tooth"
+    )
+    hunting: Values = quantity("pair[Hz]", "meetings of the same two teeth")  # (m,)
     recurrence: Integers  # (m, 2) turns of each wheel between them
-    common: Integers  # (m,) greatest common divisor of the tooth numbers; 1: every tooth meets every other
+    common: Integers = quantity(  # (m,)
+        "gcd", "greatest common divisor of the tooth numbers; 1: every tooth meets every other"
+    )
     shafts: Values  # (n,) turns of the members in the frame; of a tilted planet in its carrier
 
 

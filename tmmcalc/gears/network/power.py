@@ -20,13 +20,14 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.numerics.extended import EPS, MARGIN, apart
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.circulation import Loop, circulating
 from tmmcalc.gears.network.directions import agreeing_directions
 from tmmcalc.gears.network.equilibrium import Statics, equilibrium, residual
+from tmmcalc.gears.network.errors import FlowError, corrected
 from tmmcalc.gears.network.model import FRAME, Network
-from tmmcalc.gears.network.rounding import FlowError, corrected
 from tmmcalc.gears.network.speeds import Locks, Motion, solve_speeds
 
 
@@ -38,20 +39,31 @@ class PowerFlow:
     """
 
     motion: Motion
-    torques: Values  # (n,) [N*m] outside torque on each member
-    powers: Values  # (n,) [W] put in from outside
-    mesh_torques: Values  # (m, 3) [N*m] that the mesh puts on members
-    mesh_powers: Values  # (m, 3) [W] that the mesh gives to members, in the frame
-    branch_torques: Values  # (m, 2) [N*m] size on both wheels of the most loaded planet's mesh
-    rolling: Values  # (m,) [W] power that the first wheel gives to the second in the carrier's frame, at its source
-    losses: Values  # (m,) [W]
-    lock_torques: Values  # (l,) [N*m] on the first of the locked members
-    power_in: float  # [W] sum of what is put in
-    efficiency: float | None  # power given out to power put in; None if no power is put in
+    torques: Values = quantity("torque[N*m]", "outside torque on the member")  # (n,)
+    powers: Values = quantity("power[W]", "power put in from outside")  # (n,)
+    mesh_torques: Values = quantity("T_{member}[N*m]", "torque that the mesh puts on the member")  # (m, 3)
+    mesh_powers: Values = quantity("P_{member}[W]", "power that the mesh gives to the member, in the frame")  # (m, 3)
+    branch_torques: Values = quantity(  # (m, 2)
+        "T_{member}_planet[N*m]", "size of the torque on the wheel in the most loaded planet's mesh"
+    )
+    rolling: Values = quantity(  # (m,)
+        "P_roll[W]", "power that the first wheel gives to the second in the carrier's frame, at its source"
+    )
+    losses: Values = quantity("loss[W]", "power lost in the mesh")  # (m,)
+    lock_torques: Values = quantity("lock_torques[N*m]", "torque on the first of the locked members")  # (l,)
+    power_in: float = quantity("power_in[W]", "sum of the powers put in")
+    efficiency: float | None = quantity(  # None if no power is put in
+        "efficiency", "power given out to power put in"
+    )
     self_locking: bool  # all power put in is lost
     loops: tuple[Loop, ...]  # power that circulates between members
     residual: float  # largest of an equilibrium, relative to its terms
     error: FlowError
+
+    @derived("power_lost[W]", "power lost in all meshes")
+    def power_lost(self) -> float:
+        """Sum of the losses [W]."""
+        return float(self.losses.sum())
 
     def torque(self, member: str) -> float:
         """Outside torque on a member [N*m]."""

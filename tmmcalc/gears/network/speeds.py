@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from math import isfinite
+from math import isfinite, pi
 
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.elimination import Reduced, reduce
@@ -33,11 +34,22 @@ class Motion:
     transfer: tuple[tuple[Fraction, ...], ...]  # (n, g) speed of a member for unit speed of each given one, exact
     exact: tuple[Fraction, ...]  # (n,) the speeds
     exact_rolling: tuple[tuple[Fraction, Fraction], ...]  # (m, 2)
-    speeds: Values  # (n,) [rad/s]; of a tilted planet relative to its carrier
-    relative: Values  # (n,) [rad/s], relative to the member's own carrier
+    # (n,); of a tilted planet relative to its carrier
+    speeds: Values = quantity("omega[rad/s]", "speed of the member")
+    relative: Values = quantity("omega_rel[rad/s]", "speed of the member relative to its own carrier")  # (n,)
     rolling: Values  # (m, 2) [rad/s], both wheels relative to the carrier of the mesh
-    mobility: int  # degrees of freedom before speeds are given
+    mobility: int = quantity("mobility", "degrees of freedom before speeds are given", symbol="W")
     redundant: tuple[str, ...]  # meshes that others imply
+
+    @derived("n[rpm]", "speed of the member")
+    def turns(self) -> Values:
+        """The speeds (n,) in turns a minute."""
+        return self.speeds / (pi / 30)
+
+    @derived("n_rel[rpm]", "speed of the member relative to its own carrier")
+    def relative_turns(self) -> Values:
+        """The same relative to the carriers."""
+        return self.relative / (pi / 30)
 
     def speed(self, member: str) -> float:
         """Speed of a member [rad/s]."""

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.quantity import components, headed
 from tmmcalc.gears.joined import joined
 from tmmcalc.gears.selection.results import Pairs, Selection, Weighed
 
 NO, YES = "no", "yes"
+BOTH = ("I", "II")  # trains in series
 
 
 def chosen_columns(result: Selection) -> dict[str, np.ndarray]:
@@ -24,19 +26,14 @@ def chosen_columns(result: Selection) -> dict[str, np.ndarray]:
 def columns_of(each: Weighed) -> dict[str, np.ndarray]:
     """Teeth, modules, widths and criteria of the trains of one variant."""
     sets, found = each.sets, each.criteria
-    stages = range(sets.scheme.stages)
+    stages = range(1, sets.scheme.stages + 1)
     return {
         "layout": np.full(len(sets), sets.layout),
         "K": np.full(len(sets), sets.planets),
-        **{f"z_{wheel}": sets.of(wheel) for wheel in sets.scheme.wheels},
-        **{f"m_{k + 1}[m]": each.module[:, k] for k in stages},
-        **{f"b_{k + 1}[m]": each.width[:, k] for k in stages},
-        "mass[kg]": found.mass,
-        "inertia[kg*m^2]": found.inertia,
-        "size[m]": found.size,
-        "envelope[m]": found.envelope,
-        "efficiency": found.efficiency,
-        "error": found.error,
+        **components(sets, "teeth", wheel=sets.scheme.wheels),
+        **components(each, "module", stage=stages),
+        **components(each, "width", stage=stages),
+        **headed(found, "mass", "inertia", "size", "envelope", "efficiency", "error"),
     }
 
 
@@ -44,26 +41,14 @@ def pair_columns(pairs: Pairs) -> dict[str, np.ndarray]:
     """The pairs of trains in series that are on their Pareto front."""
     if pairs.front is None or pairs.first is None or pairs.second is None:
         return {}
-    assert pairs.modules is not None
-    assert pairs.widths is not None
     teeth = {
-        f"z_{wheel} {name}": sets.of(wheel)
-        for name, sets in (("I", pairs.first), ("II", pairs.second))
-        for wheel in sets.scheme.wheels
+        f"{header} {name}": column
+        for name, sets in zip(BOTH, (pairs.first, pairs.second), strict=True)
+        for header, column in components(sets, "teeth", wheel=sets.scheme.wheels).items()
     }
-    sizes = {
-        f"{symbol}_{name}[m]": values[:, k]
-        for symbol, values in (("m", pairs.modules), ("b", pairs.widths))
-        for k, name in enumerate(("I", "II"))
-    }
-    found = pairs.front
     return {
         **teeth,
-        **sizes,
-        "i": found.ratio,
-        "mass[kg]": found.mass,
-        "inertia[kg*m^2]": found.inertia,
-        "size[m]": found.size,
-        "efficiency": found.efficiency,
-        "error": found.error,
+        **components(pairs, "modules", train=BOTH),
+        **components(pairs, "widths", train=BOTH),
+        **headed(pairs.front, "ratio", "mass", "inertia", "size", "efficiency", "error"),
     }

@@ -8,11 +8,12 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.choice import Ranking, Reason
 from tmmcalc.gears.criteria.comparison import Comparison
+from tmmcalc.gears.criteria.errors import CriteriaError
 from tmmcalc.gears.criteria.evaluate import Criteria
-from tmmcalc.gears.criteria.rounding import CriteriaError
 from tmmcalc.gears.criteria.series import Series
 from tmmcalc.gears.model import Integers, ToothSets, Values
 from tmmcalc.gears.split import Split
@@ -24,12 +25,12 @@ class Weighed:
 
     title: str
     sets: ToothSets
-    module: Values  # [m] (n, stages)
-    width: Values  # [m] (n, stages)
+    module: Values = quantity("m_{stage}[m]", "normal module")  # (n, stages)
+    width: Values = quantity("b_{stage}[m]", "face width")  # (n, stages)
     criteria: Criteria
-    sized: int  # sets whose strength was found
-    weak: int  # of them not strong enough
-    locking: int  # of them self-locking: no power passes
+    sized: int = quantity("sized", "sets whose strength was found")
+    weak: int = quantity("weak", "of them not strong enough")
+    locking: int = quantity("locking", "of them self-locking: no power passes")
     unseen: int  # sets of the variant whose strength was not found
     refused: dict[str, int] = field(default_factory=dict)  # that break a constraint of the user's, by its name
     error: CriteriaError | None = None  # None: no trains
@@ -72,17 +73,17 @@ class Winner:
     place: int  # row among all trains
     variant: int
     title: str
-    layout: str
-    planets: int
-    teeth: tuple[int, ...]
-    modules: tuple[float, ...]  # [m]
-    widths: tuple[float, ...]  # [m]
+    layout: str = quantity("layout", "key of the layout")
+    planets: int = quantity("planets", "number of planets or layshafts")
+    teeth: tuple[int, ...] = quantity("teeth", "numbers of teeth")
+    modules: tuple[float, ...] = quantity("modules[m]", "normal modules of the stages")
+    widths: tuple[float, ...] = quantity("widths[m]", "face widths of the stages")
     ratio: Fraction  # input over output speed, exact, with its sign
-    inertia: float  # [kg*m^2] reduced to the output shaft
+    inertia: float = quantity("J_output[kg*m^2]", "inertia reduced to the output shaft")
     values: dict[str, float]  # of all criteria
     beyond: float = 1.0  # speed of the output shaft over that of the crank
 
-    @property
+    @derived("winner", "layout and teeth")
     def name(self) -> str:
         """Layout and teeth.
 
@@ -91,9 +92,9 @@ class Winner:
         """
         return f"{self.layout} {'/'.join(map(str, self.teeth))}"
 
-    @property
+    @derived("J_crank[kg*m^2]", "inertia reduced to the crank")
     def on_crank(self) -> float:
-        """Inertia reduced to the crank [kg*m^2]."""
+        """The same by the square of the speeds' ratio."""
         return self.inertia * self.beyond**2
 
     @property
@@ -119,15 +120,18 @@ class Pairs:
     planets: int
     single: Fraction  # ratio i_1H asked of each
     counts: tuple[int, int]  # sets of each that are strong enough
-    admitted: int = 0  # pairs whose product of ratios is within the tolerance
-    tried: int = 0
-    best: dict[str, float] | None = None  # least (or largest) value of every objective; None: no pair
+    admitted: int = quantity("pairs_admitted", "pairs whose product of ratios is within the tolerance", default=0)
+    tried: int = quantity("pairs_tried", "all pairs", default=0)
+    best: dict[str, float] | None = quantity(  # None: no pair
+        "pairs_best", "least (or largest) value of every objective", default=None
+    )
     front: Series | None = None
     first: ToothSets | None = None  # of the pairs of the front, the first trains
     second: ToothSets | None = None
-    modules: Values | None = None  # [m] (n, 2) of both
-    widths: Values | None = None  # [m] (n, 2)
-    failure: str = ""  # why there is no pair
+    # (n, 2) of both
+    modules: Values | None = quantity("m_{train}[m]", "normal module", default=None)
+    widths: Values | None = quantity("b_{train}[m]", "face width", default=None)
+    failure: str = quantity("pairs_failure", "why there is no pair", default="")
 
 
 @record

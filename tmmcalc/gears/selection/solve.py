@@ -16,8 +16,8 @@ from tmmcalc.gears.columns import ratios
 from tmmcalc.gears.criteria.choice import Measured, Ranking, Reason, front, least, minima, ranked
 from tmmcalc.gears.criteria.comparison import Comparison, compare
 from tmmcalc.gears.criteria.efficiency import efficiency
+from tmmcalc.gears.criteria.errors import criteria_error
 from tmmcalc.gears.criteria.evaluate import Basis, evaluate
-from tmmcalc.gears.criteria.rounding import criteria_error
 from tmmcalc.gears.criteria.speeds import CARRIER, speeds
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.selection.guides import guides

@@ -11,11 +11,14 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy as np
+
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.layouts import Layout, Mesh
-from tmmcalc.gears.strength.coefficient import Coefficient
+from tmmcalc.gears.model import Values
 from tmmcalc.gears.strength.endurance import GIVEN, Endurance, endurance
 from tmmcalc.gears.strength.material import Material
+from tmmcalc.gears.strength.results import Coefficient
 from tmmcalc.gears.strength.tables import Arrangement, WidthRange, table
 from tmmcalc.gears.strength.task import WHERE, StageTask, StrengthTask, stage_tasks
 
@@ -40,6 +43,10 @@ class Basis(NamedTuple):
 
     wheels: tuple[Endurance, ...]  # in the order of the layout's wheels
     stages: tuple[StageBasis, ...]
+
+    def of_stages(self, name: str) -> Values:
+        """A number of every stage (stages,)."""
+        return np.array([getattr(stage, name) for stage in self.stages])
 
     @property
     def coefficients(self) -> tuple[Coefficient, ...]:

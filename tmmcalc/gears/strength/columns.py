@@ -1,23 +1,19 @@
-"""The columns of sized tooth sets: wheels, required and standard modules, face widths, stresses, the outcome.
-
-m_H m_F         modules that contact and bending ask for
-governs         which of the two decides
-m psi b         standard (or given) module, width coefficient psi*, face width
-sigma_H sigma_F stresses at this module and width; sigma_HP, sigma_FP the permissible ones, margin_H, margin_F the
-                unused part of them, negative where a stage is overloaded
-K_Hbeta K_Fbeta load distribution of these stresses
-"""
+"""The columns of sized tooth sets: wheels, required and standard modules, face widths, stresses, the outcome."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 
+from tmmcalc.core.quantity import components
 from tmmcalc.gears.joined import joined
 from tmmcalc.gears.sizing import Sized, Sizing
 from tmmcalc.gears.strength.series import Outcome
 
+STAGE = (  # of every stage, in the order of its columns
+    *("contact_module", "bending_module", "contact_governs", "module", "psi", "width"),
+    *("contact_stress", "permissible_contact", "contact_margin"),
+    *("bending_stress", "permissible_bending", "bending_margin", "contact_spread", "bending_spread"),
+)
 OUTCOMES = {
     Outcome.ACCEPTED: "accepted",
     Outcome.NO_MODULE: "no module",
@@ -33,30 +29,18 @@ def sized_columns(sized: Sized) -> dict[str, np.ndarray]:
     columns = {
         "layout": np.full(len(sets), sets.layout),
         "K": np.full(len(sets), sets.planets),
-        **{f"z_{wheel}": sets.of(wheel) for wheel in sets.scheme.wheels},
+        **components(sets, "teeth", wheel=sets.scheme.wheels),
     }
-    for stage in range(sets.scheme.stages):
-        columns |= dict(_of_stage(sized, stage))
+    stages = range(1, sets.scheme.stages + 1)
+    for of_stage in zip(*(components(found, name, stage=stages).items() for name in STAGE), strict=True):
+        columns |= {header: _in_words(column) for header, column in of_stage}
     words = np.array([OUTCOMES[outcome] for outcome in Outcome])
     return {**columns, "outcome": words[found.outcome]}
 
 
-def _of_stage(sized: Sized, k: int) -> Iterator[tuple[str, np.ndarray]]:
-    found, stage = sized.strength, k + 1
-    yield f"m_H_{stage}[m]", found.contact_module[:, k]
-    yield f"m_F_{stage}[m]", found.bending_module[:, k]
-    yield f"governs_{stage}", np.where(found.contact_governs[:, k], "contact", "bending")
-    yield f"m_{stage}[m]", found.module[:, k]
-    yield f"psi_{stage}", found.psi[:, k]
-    yield f"b_{stage}[m]", found.width[:, k]
-    yield f"sigma_H_{stage}[Pa]", found.contact_stress[:, k]
-    yield f"sigma_HP_{stage}[Pa]", found.permissible_contact[:, k]
-    yield f"margin_H_{stage}", found.contact_margin[:, k]
-    yield f"sigma_F_{stage}[Pa]", found.bending_stress[:, k]
-    yield f"sigma_FP_{stage}[Pa]", found.permissible_bending[:, k]
-    yield f"margin_F_{stage}", found.bending_margin[:, k]
-    yield f"K_Hbeta_{stage}", found.contact_spread[:, k]
-    yield f"K_Fbeta_{stage}", found.bending_spread[:, k]
+def _in_words(column: np.ndarray) -> np.ndarray:
+    """What governs a stage by its name; every other column as it is."""
+    return np.where(column, "contact", "bending") if column.dtype == np.bool_ else column
 
 
 def stacked(sizing: Sizing) -> dict[str, np.ndarray]:

@@ -5,6 +5,7 @@
 
 with T on the pinion of Z teeth and b = psi m Z_1; in the textbook Z_1 = Z. Both are written as m^3 = C K/psi, so that
 the share of the permissible stress at any module and width is C K/(psi m^3): its root in contact, itself in bending.
+K = 1 + beta psi grows with the width.
 The constants are for N*m, MPa and mm. The tooth of every wheel is checked in bending; the tooth of a ring is taken as
 that of a rack, which is thinner at its root.
 """
@@ -35,6 +36,8 @@ class Demand(NamedTuple):
     bending: Values  # m_F^3 psi/K_F [m^3]
     permissible_contact: Values  # of the mesh with the largest C_H [Pa]
     permissible_bending: Values  # of the wheel with the largest C_F [Pa]
+    contact_module: Values  # m_H at psi_bd [m]
+    bending_module: Values  # m_F at psi_bd [m]
 
 
 def form_factor(teeth: Values) -> Values:
@@ -58,36 +61,33 @@ def demand(sets: ToothSets, torque: float, basis: Basis, loads: MeshLoads) -> De
     of_stage = [mesh.stage for mesh in layout.meshes]
     reference = loads.reference[:, of_stage]
     pinion_torque = torque * loads.q / sets.planets
-    sigma_HP = _contact_stress(basis, loads)
-    C_H = K_D3 * pinion_torque * loads.factor / (reference * loads.teeth**2 * sigma_HP**2)
-    weakness, sigma_FP = _weaker_tooth(form_factors(sets, layout), basis, loads)
-    C_F = K_M3 * pinion_torque * weakness / (reference * loads.teeth)
-    contact = [_worst(C_H, sigma_HP, of_stage, k) for k in range(layout.stages)]
-    bending = [_worst(C_F, sigma_FP, of_stage, k) for k in range(layout.stages)]
-    columns = (part for side in (contact, bending) for part in zip(*side, strict=True))
-    C_H, sigma_HP, C_F, sigma_FP = (np.stack(column, axis=1) for column in columns)
-    return Demand(C_H, C_F, sigma_HP, sigma_FP)
 
-
-def _contact_stress(basis: Basis, loads: MeshLoads) -> Values:
-    """The flanks of both wheels of a mesh bear one stress; the softer decides."""
+    # the flanks of both wheels bear one stress, and the softer decides (4.38)
     permissible = np.array([wheel.permissible_contact for wheel in basis.wheels])
-    return np.minimum(permissible[loads.pinion], permissible[loads.wheel])
+    sigma_HP = np.minimum(permissible[loads.pinion], permissible[loads.wheel])
+    C_H = K_D3 * pinion_torque * loads.factor / (reference * loads.teeth**2 * sigma_HP**2)
 
-
-def _weaker_tooth(forms: Values, basis: Basis, loads: MeshLoads) -> tuple[Values, Values]:
-    """Largest Y_F/sigma_FP (n, meshes) of the two wheels of every mesh, and the sigma_FP of that wheel."""
+    # of the teeth in mesh the one with the larger Y_F/sigma_FP decides (4.41)
     permissible = np.array([wheel.permissible_bending for wheel in basis.wheels])
-    pinion, wheel = (
-        np.take_along_axis(forms / permissible, columns, axis=1) for columns in (loads.pinion, loads.wheel)
-    )
-    weaker = np.where(pinion >= wheel, loads.pinion, loads.wheel)
-    return np.maximum(pinion, wheel), permissible[weaker]
+    weakness = form_factors(sets, layout) / permissible
+    pinion, wheel = (np.take_along_axis(weakness, columns, axis=1) for columns in (loads.pinion, loads.wheel))
+    sigma_FP = permissible[np.where(pinion >= wheel, loads.pinion, loads.wheel)]
+    C_F = K_M3 * pinion_torque * np.maximum(pinion, wheel) / (reference * loads.teeth)
+
+    C_H, sigma_HP = _worst(C_H, sigma_HP, of_stage)
+    C_F, sigma_FP = _worst(C_F, sigma_FP, of_stage)
+    psi = basis.of_stages("psi_bd")
+    m_H = np.cbrt(C_H * (1 + basis.of_stages("beta_contact") * psi) / psi)
+    m_F = np.cbrt(C_F * (1 + basis.of_stages("beta_bending") * psi) / psi)
+    return Demand(C_H, C_F, sigma_HP, sigma_FP, m_H, m_F)
 
 
-def _worst(demands: Values, permissible: Values, of_stage: list[int], stage: int) -> tuple[Values, Values]:
-    """Largest demand (n,) of the meshes of a stage, and the permissible stress there."""
-    meshes = [k for k, own in enumerate(of_stage) if own == stage]
-    worst = demands[:, meshes].argmax(axis=1)
-    rows = np.arange(len(demands))
-    return demands[:, meshes][rows, worst], permissible[:, meshes][rows, worst]
+def _worst(demands: Values, permissible: Values, of_stage: list[int]) -> tuple[Values, Values]:
+    """Largest demand (n, stages) of the meshes of every stage, and the permissible stress there."""
+    rows, columns = np.arange(len(demands)), []
+    for stage in range(max(of_stage) + 1):
+        meshes = [k for k, own in enumerate(of_stage) if own == stage]
+        worst = demands[:, meshes].argmax(axis=1)
+        columns.append((demands[:, meshes][rows, worst], permissible[:, meshes][rows, worst]))
+    largest, beside = (np.stack(column, axis=1) for column in zip(*columns, strict=True))
+    return largest, beside

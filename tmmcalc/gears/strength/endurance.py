@@ -14,9 +14,9 @@ from typing import NamedTuple
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
-from tmmcalc.gears.strength.coefficient import Coefficient
 from tmmcalc.gears.strength.hardness import Hardness
 from tmmcalc.gears.strength.material import Material
+from tmmcalc.gears.strength.results import Coefficient
 from tmmcalc.gears.strength.steels import check_steel, known, latin, steel_key
 from tmmcalc.gears.strength.tables import (
     ANY,

@@ -47,6 +47,7 @@ def mesh_loads(sets: ToothSets) -> MeshLoads:
     internal = np.array([mesh.internal for mesh in layout.meshes])
     _check_rings(layout, z1, z2)
     u = large / small
+    stages = [[k for k, mesh in enumerate(layout.meshes) if mesh.stage == stage] for stage in range(layout.stages)]
     return MeshLoads(
         pinion=np.where(swapped, second, first),
         wheel=np.where(swapped, first, second),
@@ -54,7 +55,7 @@ def mesh_loads(sets: ToothSets) -> MeshLoads:
         u=u,
         factor=np.where(internal, u - 1, u + 1) / u,
         q=_on_first(sets, layout) * small / z1,
-        reference=_reference(layout, small),
+        reference=np.stack([small[:, meshes].min(axis=1) for meshes in stages], axis=1),
     )
 
 
@@ -117,8 +118,3 @@ def _on_first_of_three(sets: ToothSets) -> Values:
 
 def _shaft(wheel: str) -> str:
     return wheel.rstrip("'")
-
-
-def _reference(layout: Layout, small: Values) -> Values:
-    stages = [[k for k, mesh in enumerate(layout.meshes) if mesh.stage == stage] for stage in range(layout.stages)]
-    return np.stack([small[:, meshes].min(axis=1) for meshes in stages], axis=1)

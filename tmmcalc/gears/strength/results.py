@@ -4,10 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import Integers, Values
-from tmmcalc.gears.strength.coefficient import Coefficient
 from tmmcalc.gears.strength.series import Flags, Outcome
+
+
+@record
+class Coefficient:
+    """A number of the calculation with the place that it is taken from: every one can be shown with its origin."""
+
+    of: str = quantity("of", 'what it belongs to, such as "wheel 2\'", "stage 1", "mesh 1-2"')
+    symbol: str = quantity("symbol", "symbol of the textbook")
+    value: float = quantity("value", "its value")
+    unit: str = quantity("unit", "its SI unit; - without dimension")
+    source: str = quantity("source", "table and row, formula, or given")
 
 
 @record
@@ -21,17 +32,27 @@ class Strength:
     layout: str  # key
     torque: float  # T1 on wheel 1, of all branches [N*m]
     checked: bool  # modules were given
-    contact_module: Values  # module that contact asks for at psi_bd [m]
-    bending_module: Values  # module that bending asks for at psi_bd [m]
-    module: Values  # standard (or given) module; of a train without one the smallest that is enough [m]
-    psi: Values  # psi* = b/d_1 that uses the governing limit fully; of given modules that of their width [-]
-    width: Values  # face width b [m]
-    contact_spread: Values  # K_Hbeta of the stresses [-]
-    bending_spread: Values  # K_Fbeta of the stresses [-]
-    contact_stress: Values  # contact stress at this module and width [Pa]
-    bending_stress: Values  # bending stress [Pa]
-    permissible_contact: Values  # permissible contact stress [Pa]
-    permissible_bending: Values  # permissible bending stress [Pa]
+    contact_module: Values = quantity("m_H_{stage}[m]", "module that contact asks for at psi_bd")
+    bending_module: Values = quantity("m_F_{stage}[m]", "module that bending asks for at psi_bd")
+    # of a train without a standard (or given) module the smallest that is enough
+    module: Values = quantity("modules[m]", "normal module", header="m_{stage}[m]")
+    # of given modules that of their width
+    psi: Values = quantity("psi_{stage}", "b/d_1 that uses the governing limit fully", symbol="psi^*")
+    width: Values = quantity("widths[m]", "face width", header="b_{stage}[m]")
+    contact_spread: Values = quantity("K_Hbeta_{stage}", "load distribution of the contact stress")
+    bending_spread: Values = quantity("K_Fbeta_{stage}", "load distribution of the bending stress")
+    contact_stress: Values = quantity(
+        "contact_stress[Pa]", "contact stress at this module and width", header="sigma_H_{stage}[Pa]"
+    )
+    bending_stress: Values = quantity(
+        "bending_stress[Pa]", "bending stress at this module and width", header="sigma_F_{stage}[Pa]"
+    )
+    permissible_contact: Values = quantity(
+        "permissible_contact[Pa]", "permissible contact stress", header="sigma_HP_{stage}[Pa]"
+    )
+    permissible_bending: Values = quantity(
+        "permissible_bending[Pa]", "permissible bending stress", header="sigma_FP_{stage}[Pa]"
+    )
     outcome: Integers  # (n,) an `Outcome` each
     psi_unusual: Flags  # psi outside D.4.2
     width_unusual: Flags  # b/m outside 6 to 40
@@ -49,19 +70,19 @@ class Strength:
         """Module (n, stages) that the governing limit asks for [m]."""
         return np.maximum(self.contact_module, self.bending_module)
 
-    @property
+    @derived("governs_{stage}", "whether contact or bending decides the module")
     def contact_governs(self) -> Flags:
         """Stages (n, stages) whose module contact decides; else bending does."""
         return self.contact_module >= self.bending_module
 
-    @property
+    @derived("contact_margin", "unused part of the permissible contact stress", header="margin_H_{stage}")
     def contact_margin(self) -> Values:
-        """Unused part (n, stages) of the permissible contact stress; negative: overloaded [-]."""
+        """Negative (n, stages): overloaded."""
         return 1 - self.contact_stress / self.permissible_contact
 
-    @property
+    @derived("bending_margin", "unused part of the permissible bending stress", header="margin_F_{stage}")
     def bending_margin(self) -> Values:
-        """Unused part (n, stages) of the permissible bending stress; negative: overloaded [-]."""
+        """Negative (n, stages): overloaded."""
         return 1 - self.bending_stress / self.permissible_bending
 
     def __len__(self) -> int:

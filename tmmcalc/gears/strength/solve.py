@@ -12,26 +12,16 @@ import numpy as np
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.layouts import Layout
 from tmmcalc.gears.model import Integers, ToothSets, Values
-from tmmcalc.gears.strength.basis import basis_of
+from tmmcalc.gears.strength.basis import Basis, basis_of
 from tmmcalc.gears.strength.demand import LEAST_TEETH, Demand, demand
 from tmmcalc.gears.strength.loads import MeshLoads, mesh_loads
 from tmmcalc.gears.strength.results import Strength
 from tmmcalc.gears.strength.series import EIGHTHS, Flags, Outcome, choose, choose_tied, eighths, tied
-from tmmcalc.gears.strength.task import WHERE, StrengthTask
-from tmmcalc.gears.strength.widths import adapted, face_width
+from tmmcalc.gears.strength.task import WHERE, Rounding, StrengthTask
 
 NARROWEST, WIDEST = 6.0, 40.0  # usual b/m
-SLACK = 1e-9  # relative: a limit that is met exactly counts as kept
-
-
-class _Stages(NamedTuple):
-    """Numbers of the stages, each (stages,)."""
-
-    psi: Values
-    low: Values
-    high: Values
-    beta_contact: Values
-    beta_bending: Values
+SLACK = 1e-9  # relative: a limit that is met exactly counts as kept, a width in whole millimetres stays
+PER_MM = 1000  # millimetres in a metre
 
 
 class _Sizes(NamedTuple):
@@ -55,21 +45,18 @@ def solve_strength(sets: ToothSets, task: StrengthTask) -> Strength:
     basis = basis_of(layout, task)
     loads = mesh_loads(sets)
     asked = demand(sets, task.torque, basis, loads)
-    stages = _Stages(*(np.array([getattr(stage, name) for stage in basis.stages]) for name in _FIELDS))
-    m_H = np.cbrt(asked.contact * (1 + stages.beta_contact * stages.psi) / stages.psi)
-    m_F = np.cbrt(asked.bending * (1 + stages.beta_bending * stages.psi) / stages.psi)
-    sizes = (_checked if task.checks else _designed)(sets, task, stages, asked, np.maximum(m_H, m_F), loads)
+    sizes = (_checked if task.checks else _designed)(sets, task, basis, asked, loads)
     actual = sizes.width / (sizes.module * loads.reference)
-    psi_K = actual if task.checks or task.iterate else np.broadcast_to(stages.psi, actual.shape)
-    K_H, K_F = 1 + stages.beta_contact * psi_K, 1 + stages.beta_bending * psi_K
+    psi_K = actual if task.checks or task.iterate else np.broadcast_to(basis.of_stages("psi_bd"), actual.shape)
+    K_H, K_F = 1 + basis.of_stages("beta_contact") * psi_K, 1 + basis.of_stages("beta_bending") * psi_K
     borne = actual * sizes.module * sizes.module * sizes.module
     share_H, share_F = asked.contact * K_H / borne, asked.bending * K_F / borne
     return Strength(
         layout=sets.layout,
         torque=task.torque,
         checked=task.checks,
-        contact_module=m_H,
-        bending_module=m_F,
+        contact_module=asked.contact_module,
+        bending_module=asked.bending_module,
         module=sizes.module,
         psi=sizes.psi,
         width=sizes.width,
@@ -80,7 +67,7 @@ def solve_strength(sets: ToothSets, task: StrengthTask) -> Strength:
         permissible_contact=asked.permissible_contact,
         permissible_bending=asked.permissible_bending,
         outcome=_overloaded(sizes.outcome, share_H, share_F) if task.checks else sizes.outcome,
-        psi_unusual=_outside(sizes.psi, stages.low, stages.high),
+        psi_unusual=_outside(sizes.psi, basis.of_stages("low"), basis.of_stages("high")),
         width_unusual=_outside(sizes.width / sizes.module, NARROWEST, WIDEST),
         few_teeth=_few_teeth(sets, layout),
         coefficients=basis.coefficients,
@@ -88,39 +75,51 @@ def solve_strength(sets: ToothSets, task: StrengthTask) -> Strength:
     )
 
 
-_FIELDS = ("psi_bd", "low", "high", "beta_contact", "beta_bending")
-
-
-def _designed(
-    sets: ToothSets, task: StrengthTask, stages: _Stages, asked: Demand, required: Values, loads: MeshLoads
-) -> _Sizes:
+def _designed(sets: ToothSets, task: StrengthTask, basis: Basis, asked: Demand, loads: MeshLoads) -> _Sizes:
     """Standard modules, and the widths that bring the governing stress to its limit."""
+    required = np.maximum(asked.contact_module, asked.bending_module)
     if tied(sets.scheme):
         scale = task.on_overload == "scale"
         module, outcome = choose_tied(required, _proportion(sets), task.rows, task.underrun, scale=scale)
     else:
         module, outcome = choose(required, task.rows, task.underrun)
-    psi = adapted(stages.psi, required, module)
+    psi = adapted(basis.of_stages("psi_bd"), required, module)
     if task.iterate:
-        psi = _iterated(stages, asked, module, psi)
+        psi = _iterated(basis, asked, module, psi)
     width = face_width(psi, module if task.width_rule == "consistent" else required, loads.reference, task.rounding)
     return _Sizes(module, psi, width, outcome)
 
 
-def _iterated(stages: _Stages, asked: Demand, module: Values, psi: Values) -> Values:
+def adapted(psi: Values | float, required: Values, module: Values) -> Values:
+    """Coefficient psi* with which ``module`` is as strong as ``required`` is with ``psi``. Textbook (4.42)."""
+    return psi * (required / module) ** 3
+
+
+def face_width(psi: Values | float, module: Values, teeth: Values, rounding: Rounding = "ceil") -> Values:
+    """Face width b = psi m Z [m] in whole millimetres; arrays of one shape.
+
+    "ceil" rounds up; "floor1", as the textbook's program, adds a whole millimetre to a whole number too.
+
+    >>> float(face_width(0.6, np.array(2e-3), np.array(20.0))), float(face_width(0.6, 2e-3, 20.0, "floor1"))
+    (0.024, 0.025)
+    """
+    width = psi * module * teeth * PER_MM
+    whole = np.ceil(width * (1 - SLACK)) if rounding == "ceil" else np.floor(width * (1 + SLACK)) + 1
+    return whole / PER_MM
+
+
+def _iterated(basis: Basis, asked: Demand, module: Values, psi: Values) -> Values:
     """The fixed point psi = C (1 + beta psi)/m^3 of K_beta at psi*; ``psi`` itself where the module is too small."""
-    found = []
-    for C, beta in ((asked.contact, stages.beta_contact), (asked.bending, stages.beta_bending)):
+    betas, found = (basis.of_stages("beta_contact"), basis.of_stages("beta_bending")), []
+    for C, beta in zip((asked.contact, asked.bending), betas, strict=True):
         room = module**3 - C * beta
         found.append(np.where(room > 0, C / np.where(room > 0, room, 1.0), psi))
     return np.maximum(*found)
 
 
-def _checked(
-    sets: ToothSets, task: StrengthTask, stages: _Stages, asked: Demand, required: Values, loads: MeshLoads
-) -> _Sizes:
+def _checked(sets: ToothSets, task: StrengthTask, basis: Basis, asked: Demand, loads: MeshLoads) -> _Sizes:
     """Given modules with their given widths, or those of psi_bd as they are."""
-    module = np.broadcast_to(_spread(task.modules, sets, "modules"), required.shape)
+    module = np.broadcast_to(_spread(task.modules, sets, "modules"), asked.contact.shape)
     outcome = np.full(len(sets), Outcome.ACCEPTED, dtype=np.int64)
     if tied(sets.scheme):
         proportion = _proportion(sets)
@@ -128,7 +127,7 @@ def _checked(
         module = in_proportion if len(task.modules) == 1 else module
         outcome[(abs(module - in_proportion) > SLACK * module).any(axis=1)] = Outcome.PROPORTION
     if not task.widths:
-        psi = np.broadcast_to(stages.psi, module.shape)
+        psi = np.broadcast_to(basis.of_stages("psi_bd"), module.shape)
         return _Sizes(module, psi, psi * module * loads.reference, outcome)
     width = np.broadcast_to(_spread(task.widths, sets, "face widths"), module.shape)
     return _Sizes(module, width / (module * loads.reference), width, outcome)

@@ -12,7 +12,7 @@ import pytest
 from bounding import assert_bounds
 
 from tmmcalc.gears.involute.contour.contour import Contour, contour, contours
-from tmmcalc.gears.involute.contour.rounding import contour_error
+from tmmcalc.gears.involute.contour.errors import contour_error
 from tmmcalc.gears.involute.contour.task import Task
 from tmmcalc.gears.involute.wheel import Wheel
 
