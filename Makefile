@@ -9,7 +9,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 export PYTHONDONTWRITEBYTECODE :=
 PYTEST := $(BIN)/python -m pytest -n 2 --dist worksteal
 
-.PHONY: demo test slow estimates lint bench accuracy format schema clean
+.PHONY: demo test slow estimates lint bench accuracy format laws schema clean
 
 demo: $(VENV)/.run
 	$(BIN)/tmmcalc run configs/shaper.toml -o $(DEMO) --quiet
@@ -43,6 +43,10 @@ accuracy: $(VENV)/.dev
 format: $(VENV)/.dev
 	$(BIN)/ruff check --fix --quiet .
 	$(BIN)/ruff format .
+
+# the laws of motion in docs/spec.md
+laws: $(VENV)/.run
+	$(BIN)/python docs/make_laws.py
 
 # the schema that editors follow from the #:schema line of the ready specs
 schema: $(VENV)/.run

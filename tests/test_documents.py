@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from runpy import run_path
 from typing import Any
 
 from tmmcalc.project.schema import json_schema, schema_text
@@ -30,3 +31,9 @@ def test_every_key_is_documented() -> None:
 
 def test_the_schema_beside_the_configs_is_current() -> None:
     assert (ROOT / "configs" / "tmmcalc.schema.json").read_text() == schema_text(), "run make schema"
+
+
+def test_the_laws_of_motion_in_the_documents_are_current() -> None:
+    text = (ROOT / "docs" / "spec.md").read_text()
+    found = run_path(str(ROOT / "docs" / "make_laws.py"))
+    assert found["written"](text) == text, "run make laws"
