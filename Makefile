@@ -44,9 +44,10 @@ format: $(VENV)/.dev
 	$(BIN)/ruff check --fix --quiet .
 	$(BIN)/ruff format .
 
-# the tables of keys in docs/spec.md from the models of the spec, docs/results.md from the fields of the results
+# the tables of keys and the laws of cams in docs/spec.md, docs/results.md from the fields of results
 docs: $(VENV)/.run
 	$(BIN)/python docs/make_spec.py
+	$(BIN)/python docs/make_laws.py
 	$(BIN)/python docs/make_results.py
 
 # the schema that editors follow from the #:schema line of the ready specs

@@ -26,6 +26,7 @@ FORMS: Mapping[tuple[str, str], float] = {
     ("rad", "deg"): 180 / pi,
     ("", "%"): 100,
     ("Pa", "MPa"): 1e-6,
+    ("N/m", "N/mm"): 1e-3,
 }
 
 

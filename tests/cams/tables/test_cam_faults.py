@@ -9,9 +9,7 @@ from faults import HOSTILE, Faults, check_fault
 from sparing import sparing
 
 from tmmcalc.cams import follower, task
-from tmmcalc.cams.laws.catalogue import LAWS as CATALOGUE
 from tmmcalc.cams.tables.cam import CLOSURES, FOLLOWERS
-from tmmcalc.cams.tables.cam_law import LAWS
 from tmmcalc.cams.tables.cam_spring import SPRING_KEYS
 from tmmcalc.core.errors import Fault, SpecError
 from tmmcalc.project import parse_spec
@@ -672,7 +670,6 @@ def test_nothing_inside_breaks_a_check(line: str) -> None:
 
 
 def test_words_are_those_of_the_cams() -> None:
-    assert tuple(CATALOGUE) == LAWS
     assert get_args(follower.FollowerKind) == FOLLOWERS
     assert get_args(follower.Closure) == CLOSURES
     assert set(get_args(get_type_hints(task.Spring)["method"])) == SPRING_KEYS.keys()

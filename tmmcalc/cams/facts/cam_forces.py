@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from math import degrees, pi
-from typing import Any
 
 from tmmcalc.cams.facts.rows import with_rows
+from tmmcalc.cams.follower import along
 from tmmcalc.cams.forces.columns import force_columns
 from tmmcalc.cams.forces.results import CamForces, ForceExtreme, Governing, SpringFound
+from tmmcalc.core.quantity import keyed
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import angle, number
 from tmmcalc.report.sizes import quantity
@@ -49,15 +50,15 @@ def document(
 
 
 def _facts(result: CamForces) -> Iterator[Fact]:
-    yield Fact("verdict", VERDICTS[result.verdict], {"verdict": result.verdict, "method": result.spring.method})
+    yield Fact("verdict", VERDICTS[result.verdict], keyed(result, "verdict") | keyed(result.spring, "method"))
     text = f"{number(result.speed)} rad/s ({number(result.speed * 30 / pi)} rpm)"
-    yield Fact("speed of the cam", text, {"omega[rad/s]": result.speed})
+    yield Fact("speed of the cam", text, keyed(result, "speed"))
     yield from _spring_facts(result)
     if result.guide is not None:
         guide = result.guide
         heights = f"edges at H1 = {quantity(guide.lower, 'm')} and H2 = {quantity(guide.top, 'm')}"
-        values = {"H1[m]": guide.lower, "H2[m]": guide.top, "l[m]": guide.length}
-        yield Fact("guide", f"l = {quantity(guide.length, 'm')}, {heights}", values)
+        text = f"l = {quantity(guide.length, 'm')}, {heights}"
+        yield Fact("guide", text, keyed(guide, "lower", "top", "length"))
     for extreme in result.extremes:
         yield _extreme_fact(extreme)
     yield _reserve_fact(result)
@@ -71,31 +72,26 @@ def _spring_facts(result: CamForces) -> Iterator[Fact]:
     if found.method == "none" or not (found.stiffness or found.preload):
         yield Fact("spring", "none", {"c": 0.0, "Q0": 0.0})
         return
-    force, letter = ("N*m", "M") if turns else ("N", "Q")
-    unit = "N*m/rad" if turns else "N/m"
+    places = along(turns)
+    force, letter = places["force"], places["spring"]
     lines = [
         f"{METHODS[found.method]}: c = {_stiffness(found.stiffness, turns)}",
         f"{letter}0 = {number(found.preload)} {force} at the lowest, {number(found.highest)} {force} at the highest",
     ]
-    values: dict[str, Any] = {
-        f"c[{unit}]": found.stiffness,
-        f"{letter}0[{force}]": found.preload,
-        f"{letter}_max[{force}]": found.highest,
-    }
-    yield Fact("spring", "\n".join(lines), values)
+    yield Fact("spring", "\n".join(lines), keyed(found, "stiffness", "preload", "highest", **places))
     if found.lifting is None:
         yield Fact("lifting force", "none: nothing lifts the follower off")
     elif found.phi is not None and found.lift is not None:
-        yield _lifting_fact(found, turns, force)
+        yield _lifting_fact(found, turns)
     if found.governing is not None:
         yield _governing_fact(found.governing, turns, force)
     if found.reached is not None and found.reached_phi is not None:
         asked = "" if found.asked is None else f", asked K1 = {number(found.asked)}"
         text = f"{number(found.reached)} at phi = {angle(degrees(found.reached_phi))} deg{asked}"
-        values = {"K1": found.asked, "K_min": found.reached, "K_min_at_phi[deg]": degrees(found.reached_phi)}
+        values = keyed(found, "asked", "reached", "reached_phi[deg]")
         if found.exact is not None:
             text += f"\nc = {_stiffness(found.exact, turns)} keeps it all over the turn"
-            values[f"c_exact[{unit}]"] = found.exact
+            values |= keyed(found, "exact", **places)
         yield Fact("safety of the contact", text, values)
     if found.wire is not None:
         wire = found.wire
@@ -103,23 +99,22 @@ def _spring_facts(result: CamForces) -> Iterator[Fact]:
             f"D/d = {number(wire.index, 5)}, {number(wire.coils, 5)} working coils, k_w = {number(wire.factor, 5)}\n"
             f"tau from {quantity(wire.stress_low, 'Pa')} to {quantity(wire.stress, 'Pa')}"
         )
-        values = {"coils": wire.coils, "k_w": wire.factor, "tau_max[Pa]": wire.stress, "tau_min[Pa]": wire.stress_low}
-        yield Fact("wire of the spring", text, values)
+        yield Fact("wire of the spring", text, keyed(wire, "coils", "factor", "stress", "stress_low"))
 
 
 def _stiffness(value: float, turns: bool) -> str:
     return f"{number(value)} N*m/rad" if turns else f"{number(1e-3 * value)} N/mm"
 
 
-def _lifting_fact(found: SpringFound, turns: bool, force: str) -> Fact:
+def _lifting_fact(found: SpringFound, turns: bool) -> Fact:
     """The force that the spring has to beat, and where."""
     lift, phi, value = found.lift or 0.0, found.phi or 0.0, found.lifting or 0.0
-    letter, place = ("M_M", "dpsi_M") if turns else ("P_M", "dS_M")
+    places = along(turns)
+    values = keyed(found, "lifting", "lift", "phi[deg]", **places)
+    letter, place, _ = (key.partition("[")[0] for key in values)
     shown = f"{angle(degrees(lift))} deg" if turns else quantity(lift, "m")
-    text = (
-        f"{letter} = {number(value)} {force} on the {found.phase}, {place} = {shown}, phi = {angle(degrees(phi))} deg"
-    )
-    values = {f"{letter}[{force}]": value, f"{place}[{'rad' if turns else 'm'}]": lift, "phi_M[deg]": degrees(phi)}
+    text = f"{letter} = {number(value)} {places['force']} on the {found.phase}"
+    text += f", {place} = {shown}, phi = {angle(degrees(phi))} deg"
     return Fact("lifting force" if value > 0 else "place of the tangent", text, values)
 
 
@@ -130,34 +125,28 @@ def _governing_fact(found: Governing, turns: bool, force: str) -> Fact:
         f"by the {found.phase}: {number(found.force)} {force} at {shown}, phi = {angle(degrees(found.phi))} deg\n"
         f"by the largest force alone (5.57): c = {_stiffness(found.rule, turns)}"
     )
-    unit = "N*m/rad" if turns else "N/m"
-    values = {"c_by": found.phase, f"c_rule[{unit}]": found.rule, "c_by_phi[deg]": degrees(found.phi)}
-    return Fact("stiffness", text, values)
+    return Fact("stiffness", text, keyed(found, "phase", "rule", "phi[deg]", **along(turns)))
 
 
 def _extreme_fact(extreme: ForceExtreme) -> Fact:
-    lines, values = [], {}
+    lines = []
     peak = extreme.size
     pairs = (("min", extreme.least, extreme.least_phi), ("max", extreme.largest, extreme.largest_phi))
     for word, value, phi in pairs:
-        values[f"{extreme.name}_{word}[{extreme.unit}]"] = value
-        values[f"{extreme.name}_{word}_at_phi[deg]"] = degrees(phi)
         lines.append(f"{word} {number(value, peak=peak)} {extreme.unit} at phi = {angle(degrees(phi))} deg")
     labels = {
         "P_c": "resultant P_c", "M_c": "resultant M_c", "R": "force of the cam R", "N1": "lower edge N1",
         "N2": "upper edge N2", "T": "torque on the cam T", "M_drive": "driving torque",
     }  # fmt: skip
+    ends = ("least", "least_phi[deg]", "largest", "largest_phi[deg]")
+    values = keyed(extreme, *ends, name=extreme.name, unit=extreme.unit)
     return Fact(labels[extreme.name], "\n".join(lines), values)
 
 
 def _reserve_fact(result: CamForces) -> Fact:
     """How near the follower is to jamming."""
     reserve = result.reserve
-    values = {
-        "friction_part": reserve.eaten,
-        "friction_part_at_phi[deg]": degrees(reserve.phi),
-        "theta_critical[deg]": None if reserve.critical is None else degrees(reserve.critical),
-    }
+    values = keyed(reserve, "eaten", "phi[deg]", "critical[deg]")
     if not reserve.eaten:
         return Fact("jamming", "none: nothing rubs", values)
     text = f"friction takes at most {number(100 * reserve.eaten, 4)} % at phi = {angle(degrees(reserve.phi))} deg"
@@ -177,11 +166,7 @@ def _contact_fact(result: CamForces) -> Fact:
         text += ", ".join(angle(degrees(phi)) for phi in result.reversals) + " deg"
     else:
         text = "on one wall all over the turn"
-    values = {
-        "lost[deg]": [[degrees(a), degrees(b)] for a, b in result.lost],
-        "reversals[deg]": [degrees(phi) for phi in result.reversals],
-    }
-    return Fact("contact", text, values)
+    return Fact("contact", text, keyed(result, "lost[deg]", "reversals[deg]"))
 
 
 def _work_facts(result: CamForces) -> Iterator[Fact]:
@@ -191,10 +176,5 @@ def _work_facts(result: CamForces) -> Iterator[Fact]:
         f"friction takes {number(work.friction)} J, the technological force gives {number(work.force)} J\n"
         f"mean torque {number(work.mean)} N*m, mean power {number(work.power)} W"
     )
-    values = {
-        "W_drive[J]": work.driving, "W_given[J]": work.given, "W_back[J]": work.returned,
-        "W_friction[J]": work.friction, "W_Q[J]": work.force,
-        "M_mean[N*m]": work.mean, "P_mean[W]": work.power, "work_error": work.error,
-    }  # fmt: skip
-    yield Fact("work of the camshaft", text, values)
+    yield Fact("work of the camshaft", text, keyed(work))
     yield Fact("error of its balance", f"{work.error:.1e}")

@@ -17,7 +17,7 @@ from tmmcalc.cams.lawresult import (
     PhaseMotion,
     law_columns,
 )
-from tmmcalc.cams.laws.catalogue import TITLES
+from tmmcalc.cams.laws.catalogue import NAMES, title_of
 from tmmcalc.cams.laws.constants import LawConstants
 from tmmcalc.core.quantity import keyed
 from tmmcalc.report.document import Document, Fact
@@ -95,7 +95,7 @@ def _phase_fact(phase: PhaseMotion) -> Fact:
 
 
 def _law_name(name: str) -> str:
-    return f"; law {name}, {TITLES[name]}" if name in TITLES else f"; law of its own, {name}"
+    return f"; law {name}, {title_of(name)}" if name in NAMES else f"; law of its own, {name}"
 
 
 def _constants_fact(kind: str, found: LawConstants) -> Fact:

@@ -7,15 +7,18 @@ from math import degrees
 from typing import Any
 
 from tmmcalc.cams.facts.design_game import game_document, game_facts, option_values
-from tmmcalc.cams.optimum.border import Outline
+from tmmcalc.cams.optimum.border import Corner, Outline
 from tmmcalc.cams.optimum.contour import Contour
 from tmmcalc.cams.optimum.margins import NAMES
 from tmmcalc.cams.optimum.results import CamOptimum, Check, Choice, Relaxation
+from tmmcalc.core.quantity import Quantity, keyed, keys, quantity_of, table
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
 from tmmcalc.report.sizes import quantity
 
 EXAMINED = {"turn": "the whole turn, dwells included", "rise": "the rise alone, as in the textbook"}
+SIZES = ("height", "start", "roller", "length")
+LEAST_MARGIN = Quantity("margin_least", "margin of the lowest mechanism of any sizes")
 FEW = 12  # step points that are listed
 
 
@@ -47,11 +50,6 @@ def _sizes(choice: Choice) -> str:
     return f"H2 = {height} with S0 = {start}{roller}; guide l = {length}"
 
 
-def _values(choice: Choice, kind: str) -> dict[str, Any]:
-    sizes = {"H2": choice.height, "S0": choice.start, "r2": choice.roller, "l": choice.length}
-    return {f"{name}_{kind}[m]": value for name, value in sizes.items()}
-
-
 def _named(numbers: tuple[int, ...]) -> str:
     return ", ".join(f"{key} {NAMES[key]}" for key in numbers)
 
@@ -59,21 +57,21 @@ def _named(numbers: tuple[int, ...]) -> str:
 def _lowest_facts(result: CamOptimum) -> Iterator[Fact]:
     chosen, least, worst = result.chosen, result.least, result.chosen.worst
     if result.refused:
-        yield Fact("as asked", f"no solution: {result.refused}", {"refused": result.refused})
-        yield Fact("option shown", ", ".join(result.shown), {"option_shown": list(result.shown)})
+        yield Fact("as asked", f"no solution: {result.refused}", keyed(result, "refused"))
+        yield Fact("option shown", ", ".join(result.shown), keyed(result, "shown"))
     text = f"{_sizes(chosen)}\nleast margin {number(100 * worst.margin, 4)} %: {worst.number} {worst.name}"
-    yield Fact("lowest in whole steps", text, _values(chosen, "steps") | {"least_margin": worst.margin})
+    yield Fact("lowest in whole steps", text, keyed(chosen, *SIZES, kind="steps") | {"least_margin": worst.margin})
     active = _named(least.active) or "none"
     yield Fact(
         "lowest of any sizes",
         f"{_sizes(least)}\nactive: {active}",
-        _values(least, "least") | {"active": list(least.active)},
+        keyed(least, *SIZES, "active", kind="least"),
     )
     if result.offset is not None and result.theta is not None:
-        yield Fact("offset", f"e = {quantity(result.offset, 'm')}, of all these sizes", {"e[m]": result.offset})
+        yield Fact("offset", f"e = {quantity(result.offset, 'm')}, of all these sizes", keyed(result, "offset"))
         rise, back = (degrees(value) for value in result.theta)
         text = f"up to {angle(rise)} deg on the rise, {angle(back)} deg on the return, in whole steps"
-        yield Fact("pressure angle", text, {"theta_rise[deg]": rise, "theta_return[deg]": back})
+        yield Fact("pressure angle", text, keyed(result, "theta_rise[deg]", "theta_return[deg]"))
     if result.flat is not None:
         chart = result.flat
         text = (
@@ -82,11 +80,11 @@ def _lowest_facts(result: CamOptimum) -> Iterator[Fact]:
             f"phi = {angle(degrees(chart.length_phi))} deg\n"
             f"H2_min = S0_min + h + l* = {quantity(chart.least_height, 'm')}"
         )
-        values = {"S0_min[m]": chart.least_start, "F_min[m]": chart.convexity, "l_min[m]": chart.least_length}
-        yield Fact("chart of H2 and S0", text, values | {"H2_min[m]": chart.least_height})
-    yield Fact("examined", EXAMINED[result.phases], {"phases": result.phases})
+        values = keyed(chart, "least_start", "convexity", "least_length", "least_height")
+        yield Fact("chart of H2 and S0", text, values)
+    yield Fact("examined", EXAMINED[result.phases], keyed(result, "phases"))
     spring = f"c = {number(1e-3 * result.stiffness, 6)} N/mm, Q0 = {number(result.preload, 6)} N"
-    yield Fact("spring", spring, {"c[N/m]": result.stiffness, "Q0[N]": result.preload})
+    yield Fact("spring", spring, keyed(result, "stiffness", "preload"))
 
 
 def _searched_facts(result: CamOptimum) -> Iterator[Fact]:
@@ -95,15 +93,16 @@ def _searched_facts(result: CamOptimum) -> Iterator[Fact]:
     lines = [_point(*row) for row in rows[:FEW]]
     if len(rows) > FEW:
         lines.append(f"and {len(rows) - FEW} more")
-    values = [{"S0[m]": s, "r2[m]": r, "least_margin": m} for s, r, m in rows]
+    names = keys(CamOptimum, "start", "roller", "margin")
+    values = [dict(zip(names, row, strict=True)) for row in rows]
     yield Fact("feasible step points", "\n".join(lines), {"step_points": values})
     text = (
         f"{result.examined} step points of {quantity(result.step, 'm')} looked at, {result.excluded} of them fit no "
         f"height\nno height below {quantity(result.chosen.height, 'm')} in steps of "
         f"{quantity(result.height_step, 'm')} has a feasible one"
     )
-    values_of = {"examined": result.examined, "excluded": result.excluded}
-    yield Fact("search", text, values_of | {"left_by": {str(key): count for key, count in result.passed}})
+    passed = {str(key): count for key, count in result.passed}
+    yield Fact("search", text, keyed(result, "examined", "excluded") | {"left_by": passed})
 
 
 def _point(start: float, roller: float, margin: float) -> str:
@@ -115,17 +114,7 @@ def _relaxed_facts(result: CamOptimum) -> Iterator[Fact]:
     if not result.relaxations:
         return
     lines = [_relaxed(each) for each in result.relaxations]
-    values = [
-        {
-            "constraint": each.number,
-            "key": each.key,
-            "from": each.before,
-            "to": each.after,
-            "H2[m]": each.height,
-            "gain[m]": each.gain,
-        }
-        for each in result.relaxations
-    ]
+    values = [keyed(each, "number", "key", "before", "after", "height", "gain") for each in result.relaxations]
     yield Fact("relaxing would buy", "\n".join(lines), {"relaxations": values})
 
 
@@ -142,7 +131,8 @@ def _checks_view(result: CamOptimum) -> View:
     """One row a constraint: at the step point, and the margins of the lowest of any sizes beside it."""
     least = {each.number: each for each in result.least.checks}
     rows = [_cells(each, least[each.number]) for each in result.chosen.checks]
-    headers = ["no.", "constraint", "value", "limit", "margin[%]", "margin_least[%]"]
+    margins = [each.shown("%")[0] for each in (quantity_of(Check, "margin"), LEAST_MARGIN)]
+    headers = ["no.", "constraint", "value", "limit", *margins]
     return View(headers, [list(column) for column in zip(*rows, strict=True)])
 
 
@@ -159,12 +149,10 @@ def _percent(margin: float) -> str:
 
 
 def _check_values(each: Check) -> dict[str, Any]:
-    found = {"constraint": each.number, "name": each.name, "judged": each.judged, "margin": each.margin}
+    found = keyed(each, "number", "name", "judged", "margin")
     if each.judged:
-        found |= {f"{each.symbol}[{each.unit}]": each.value, "relation": each.relation}
-    if each.limit is not None:
-        found["limit"] = each.limit
-    return found
+        found |= keyed(each, "value", "relation", symbol=each.symbol, unit=each.unit)
+    return found | (keyed(each, "limit") if each.limit is not None else {})
 
 
 def _contour_part(contour: Contour) -> Document:
@@ -174,16 +162,11 @@ def _contour_part(contour: Contour) -> Document:
     for outline in contour.outlines:
         ends = [quantity(float(v), "m", 5) for v in _ends(outline)]
         text = f"S0 from {ends[0]} to {ends[1]}, r2 from {ends[2]} to {ends[3]}, area {outline.area * 1e6:.5g} mm^2"
-        facts.append(Fact("region", text, {"area[m^2]": outline.area}))
+        facts.append(Fact("region", text, keyed(outline, "area")))
     corners = [corner for outline in contour.outlines for corner in outline.corners]
-    view = View(
-        ["S0[mm]", "r2[mm]", "between"],
-        [
-            [round(1e3 * corner.start, 6) for corner in corners],
-            [round(1e3 * corner.roller, 6) for corner in corners],
-            [" and ".join(_named((key,)) for key in corner.numbers) for corner in corners],
-        ],
-    )
+    places = table(corners, Corner, "start[mm]", "roller[mm]")
+    between = [" and ".join(_named((key,)) for key in corner.numbers) for corner in corners]
+    view = View([*places, "between"], [*([round(mm, 6) for mm in row] for row in places.values()), between])
     return Document(title, tuple(facts), (), view if corners else None)
 
 
@@ -194,19 +177,8 @@ def _ends(outline: Outline) -> tuple[float, float, float, float]:
 
 def _contour_values(contour: Contour) -> dict[str, Any]:
     return {
-        "H2[m]": contour.height,
-        "area[m^2]": contour.area,
-        "borders": [
-            {"S0[m]": each.start.tolist(), "r2[m]": each.roller.tolist(), "constraint": each.edge.tolist()}
-            for each in contour.outlines
-        ],
-        "corners": [
-            {"S0[m]": corner.start, "r2[m]": corner.roller, "constraints": list(corner.numbers)}
-            for each in contour.outlines
-            for corner in each.corners
-        ],
-        "curves": [
-            {"constraint": each.number, "S0[m]": each.start.tolist(), "r2[m]": each.roller.tolist()}
-            for each in contour.curves
-        ],
+        **keyed(contour, "height", "area"),
+        "borders": [keyed(each, "start", "roller", "edge") for each in contour.outlines],
+        "corners": [keyed(corner) for each in contour.outlines for corner in each.corners],
+        "curves": [keyed(each, "number", "start", "roller") for each in contour.curves],
     }

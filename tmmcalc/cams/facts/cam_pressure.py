@@ -6,19 +6,21 @@ People read degrees; programs get the same under headers that say so, as everywh
 from __future__ import annotations
 
 from math import degrees
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.cams.pressure.angle import Reached
 from tmmcalc.cams.pressure.solve import Pressure, pressure_columns
-from tmmcalc.core.quantity import keyed
+from tmmcalc.core.quantity import Quantity, keyed, quantity_of
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
 
 ROWS = 40  # of the table for people
 STEPS = (1.0, 2.0, 5.0, 10.0, 15.0)  # [deg] of its rows
 STILL, NEAR = 1e-12, 1e-6
+AT = Quantity("{what}_at_phi[deg]", "angle of the cam where {what} stands")
 EXTREMES = (
     *("theta_min[deg]", "theta_min_phi[deg]", "theta_max[deg]", "theta_max_phi[deg]"),
     *("limit[deg]", "gamma_min", "exceeded[deg]"),
@@ -64,6 +66,12 @@ def _facts(result: Pressure) -> tuple[Fact, ...]:
     if result.follower.kind == "flat":
         return (*facts, Fact("pressure angle", "0 everywhere: the force on a flat face is along the follower"))
     return (*facts, reached_fact("rise", result.rise), reached_fact("return", result.back))
+
+
+def extreme_values(of: object, name: str) -> dict[str, Any]:
+    """An extreme value that is a field of a record by its key, and the angle of the cam where it stands."""
+    told, extreme = quantity_of(type(of), name), getattr(of, name)
+    return {told.key: extreme.value, AT.of(what=told.name).key: degrees(extreme.phi)}
 
 
 def reached_fact(phase: str, on: Reached) -> Fact:

@@ -7,10 +7,12 @@ from math import degrees, tau
 
 import numpy as np
 
+from tmmcalc.cams.facts.cam_pressure import extreme_values
 from tmmcalc.cams.facts.pivot import pivot_fact
 from tmmcalc.cams.facts.rows import with_rows
-from tmmcalc.cams.profile.columns import profile_columns
-from tmmcalc.cams.profile.results import WALLS, Place, Profile, Reach, Wall
+from tmmcalc.cams.profile.columns import BEND, profile_columns
+from tmmcalc.cams.profile.results import WALLS, Profile, Reach, Wall
+from tmmcalc.core.quantity import keyed, keys, quantity_of
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import angle
 from tmmcalc.report.sizes import quantity
@@ -52,7 +54,7 @@ def _with_radii(result: Profile, columns: dict[str, np.ndarray], named: bool) ->
             straight = np.abs(bend) * result.follower.base < STRAIGHT
             radii = 1e3 / np.where(straight, 1.0, bend)
             cells = ["straight" if flat else radius for radius, flat in zip(radii.tolist(), straight, strict=True)]
-            kept[f"rho_{index}[mm]"] = np.array(cells, object) if straight.any() else radii
+            kept[BEND.of(curve=index).shown("mm")[0]] = np.array(cells, object) if straight.any() else radii
     first = ("i", "phi", "x_c", "y_c", "x_w", "y_w", "rho_c", "rho_w")
     order = sorted(kept, key=lambda header: _rank(header.partition("[")[0], first))
     return {header: kept[header] for header in order}
@@ -64,11 +66,10 @@ def _rank(name: str, first: Sequence[str]) -> int:
 
 def _facts(result: Profile) -> Iterator[Fact]:
     follower = result.follower
-    values = {"R0[m]": follower.base, "r2[m]": follower.roller}
     text = f"R0 = {quantity(follower.base, 'm')}"
     if not result.flat:
         text += f", roller r2 = {quantity(follower.roller, 'm')}" if follower.roller else ", knife edge"
-    yield Fact("base circle", text, values)
+    yield Fact("base circle", text, keyed(follower, "base", "roller"))
     yield from _bend_facts(result)
     if not result.flat:
         yield _reach_fact("largest roller", "roller", result.inner_reach)
@@ -77,15 +78,14 @@ def _facts(result: Profile) -> Iterator[Fact]:
     yield _tool_fact(result)
     near = result.nearest
     said = f"{quantity(near.value, 'm')} at phi = {angle(degrees(near.phi))} deg"
-    yield Fact("nearest to the axis", said, {"r_min[m]": near.value, "r_min_at_phi[deg]": degrees(near.phi)})
+    yield Fact("nearest to the axis", said, extreme_values(result, "nearest"))
     if result.pivot is not None:
         yield pivot_fact(result.pivot)
     if result.face is not None:
         face = result.face
         said = f"{quantity(face.left, 'm')} to the left, {quantity(face.right, 'm')} to the right of its axis; "
         said += f"length {quantity(face.length, 'm')} with margins of {quantity(face.margin, 'm')}"
-        each = {"face_left[m]": face.left, "face_right[m]": face.right, "face_length[m]": face.length}
-        yield Fact("flat face", said, each)
+        yield Fact("flat face", said, keyed(face, "left", "right", "length"))
     for wall in result.walls:
         if not wall.sound:
             yield _fault_fact(wall)
@@ -93,35 +93,35 @@ def _facts(result: Profile) -> Iterator[Fact]:
 
 def _bend_facts(result: Profile) -> Iterator[Fact]:
     if result.flat:
-        yield _radius_fact("least radius", "rho_min", result.sharpest.value, result.sharpest)
+        yield _radius_fact("least radius", result, "flat_least")
         return
-    place = result.sharpest
-    yield _radius_fact("convex, rho2", "rho2", 1 / place.value, place)
-    if result.hollowest is not None:
-        yield _radius_fact("concave, rho1", "rho1", -1 / result.hollowest.value, result.hollowest)
+    yield _radius_fact("convex, rho2", result, "convex")
+    if result.concave is not None:
+        yield _radius_fact("concave, rho1", result, "concave")
     least = f"convex {quantity(result.least_convex, 'm')}"
-    values = {"rho_w_convex[m]": result.least_convex}
+    values = keyed(result, "least_convex")
     if result.least_concave is None:
         least += ", nowhere concave"
     else:
         least += f", concave {quantity(result.least_concave, 'm')}"
-        values["rho_w_concave[m]"] = result.least_concave
+        values |= keyed(result, "least_concave")
     yield Fact("least radii of the working profile", least, values)
 
 
-def _radius_fact(label: str, key: str, radius: float, place: Place) -> Fact:
+def _radius_fact(label: str, result: Profile, name: str) -> Fact:
+    told, place = quantity_of(Profile, name), getattr(result, name)
     side = {-1: "just before ", 0: "at ", 1: "just after "}[place.side]
-    text = f"{quantity(radius, 'm')} {side}phi = {angle(degrees(place.phi))} deg"
-    return Fact(label, text, {f"{key}[m]": radius, f"{key}_at_phi[deg]": degrees(place.phi), f"{key}_side": place.side})
+    text = f"{quantity(place.value, 'm')} {side}phi = {angle(degrees(place.phi))} deg"
+    return Fact(label, text, extreme_values(result, name) | {f"{told.name}_side": place.side})
 
 
 def _reach_fact(label: str, key: str, limit: Reach | None) -> Fact:
     if limit is None:
-        return Fact(label, "any", {f"{key}_max[m]": None})
+        return Fact(label, "any", dict.fromkeys(keys(Reach, "distance", part=key)))
     places = [degrees(phi) for phi in limit.at]
     where = " and ".join(f"{angle(phi)} deg" for phi in places)
     why = f"a point at phi = {where}" if limit.cause == "cusp" else f"a neck between phi = {where}"
-    values = {f"{key}_max[m]": limit.distance, f"{key}_max_cause": limit.cause, f"{key}_max_at_phi[deg]": places}
+    values = keyed(limit, "distance", "cause", "at[deg]", part=key)
     return Fact(label, f"below {quantity(limit.distance, 'm')}: {why}", values)
 
 
@@ -130,16 +130,13 @@ def _tool_fact(result: Profile) -> Fact:
     text = "any, the profile is convex" if most is None else quantity(most, "m")
     if result.tool_radius is not None:
         text += f"; given {quantity(result.tool_radius, 'm')}"
-    return Fact("largest tool", text, {"tool_max[m]": most, "tool[m]": result.tool_radius})
+    return Fact("largest tool", text, keyed(result, "largest_tool", "tool_radius"))
 
 
 def _fault_fact(wall: Wall) -> Fact:
     lines = [f"runs backwards for phi from {_deg(a)} to {_deg(b)} deg" for a, b in wall.loops]
     lines += [f"crosses itself at phi = {_deg(each.first)} and {_deg(each.second)} deg" for each in wall.crossings]
-    values = {
-        f"{wall.name}_loops[deg]": [[degrees(a), degrees(b)] for a, b in wall.loops],
-        f"{wall.name}_crossings[deg]": [[degrees(each.first), degrees(each.second)] for each in wall.crossings],
-    }
+    values = keyed(wall, "loops[deg]", "crossed[deg]", wall=wall.name)
     return Fact(WALLS[wall.name], "\n".join(lines) or "touches itself", values)
 
 

@@ -8,6 +8,7 @@ from math import degrees
 from tmmcalc.cams.facts.rows import with_rows
 from tmmcalc.cams.strength.columns import margin_rows, strength_columns
 from tmmcalc.cams.strength.results import CamStrength, Margin
+from tmmcalc.core.quantity import keyed, quantity_of
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
 from tmmcalc.report.sizes import quantity
@@ -53,7 +54,7 @@ def turn_document(
 
 def _verdict_fact(result: CamStrength) -> Fact:
     least = result.governing
-    values = {"verdict": result.verdict, "judged": len(result.judged)}
+    values = keyed(result, "verdict") | {"judged": len(result.judged)}
     text = "all that is judged is kept" if result.verdict == "ok" else VERDICTS[result.verdict]
     if not result.judged:
         text = "nothing is judged"
@@ -66,7 +67,9 @@ def _verdict_fact(result: CamStrength) -> Fact:
 def _margins_view(result: CamStrength) -> View:
     """One row a requirement."""
     rows = [_cells(each) for each in result.margins]
-    headers = ["requirement", "value", "limit", "margin[%]", "phi[deg]", "verdict"]
+    units = {"margin": "%", "phi": "deg"}
+    told = {name: quantity_of(Margin, name) for name in ("name", "value", "limit", "margin", "phi", "verdict")}
+    headers = [each.shown(units[name])[0] if name in units else each.key for name, each in told.items()]
     return View(headers, [list(column) for column in zip(*rows, strict=True)])
 
 
@@ -97,38 +100,37 @@ def _made_facts(result: CamStrength) -> Iterator[Fact]:
     if unit is not None:
         source = "given" if unit.given else "by the pressure on it (5.83)"
         text = f"r0 = {quantity(unit.pin, 'm')}, {source}; least roller r2* = {quantity(unit.least, 'm')}"
-        yield Fact("pin of the roller", text, {"r0[m]": unit.pin, "r0_given": unit.given, "r2_least[m]": unit.least})
+        yield Fact("pin of the roller", text, keyed(unit, "pin", "given", "least"))
     if rolling is not None:
         text = (
             f"C1 = {number(rolling.resisting)}, C2 = {number(rolling.driving)} N/m (J = {rolling.inertia:.5g} kg*m^2)"
         )
         for a, b in rolling.slipping:
             text += f"\nslips for phi from {angle(degrees(a))} to {angle(degrees(b))} deg"
-        slipping = [[degrees(a), degrees(b)] for a, b in rolling.slipping]
-        values = {"C1": rolling.resisting, "C2[N/m]": rolling.driving, "J_roller[kg*m^2]": rolling.inertia}
-        yield Fact("slip function", text, values | {"slipping[deg]": slipping})
+        yield Fact("slip function", text, keyed(rolling, "resisting", "driving", "inertia", "slipping[deg]"))
     if shaft is not None:
         parts = [f"r1* = {quantity(shaft.radius, 'm')}, rounded up to a whole mm"]
-        values = {"r1[m]": shaft.radius}
+        values = keyed(shaft, "radius")
         if shaft.strength is not None and shaft.moment is not None:
             parts.append(f"strength r1' = {quantity(shaft.strength, 'm')} from M_E = {number(shaft.moment)} N*m")
-            values |= {"r1_strength[m]": shaft.strength, "M_E_max[N*m]": shaft.moment}
-            values |= {"M_E_max_friction[N*m]": shaft.moment_rubbed or shaft.moment}
+            values |= keyed(shaft, "strength", "moment", "moment_with_friction")
         if shaft.stiffness is not None:
             parts.append(f"stiffness r1'' = {quantity(shaft.stiffness, 'm')}")
-            values["r1_stiffness[m]"] = shaft.stiffness
+            values |= keyed(shaft, "stiffness")
         yield Fact("camshaft", "\n".join(parts), values)
 
 
 def _radius_facts(result: CamStrength) -> Iterator[Fact]:
     """rho2 and rho1, or the least radius under a flat face."""
     flat = result.follower.kind == "flat"
-    for label, key, radius, phi in (
-        ("least radius" if flat else "convex parts", "rho_min" if flat else "rho2", result.convex, result.convex_phi),
-        ("concave parts", "rho1", result.concave, result.concave_phi),
+    for label, name, radius, phi in (
+        ("least radius" if flat else "convex parts", "convex", result.convex, result.convex_phi),
+        ("concave parts", "concave", result.concave, result.concave_phi),
     ):
+        values = keyed(result, name, f"{name}_phi[deg]", radius="rho_min" if flat else "rho2")
+        key = next(iter(values))
         if radius is not None:
-            text = f"{key} = {quantity(radius, 'm')} at phi = {angle(degrees(phi))} deg"
-            yield Fact(label, text, {f"{key}[m]": radius, f"{key}_at_phi[deg]": degrees(phi)})
+            text = f"{key.partition('[')[0]} = {quantity(radius, 'm')} at phi = {angle(degrees(phi))} deg"
+            yield Fact(label, text, values)
         elif not flat:
-            yield Fact(label, "none", {f"{key}[m]": None})
+            yield Fact(label, "none", {key: None})

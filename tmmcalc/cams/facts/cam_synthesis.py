@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from math import degrees
 from typing import Any
 
-from tmmcalc.cams.facts.cam_pressure import reached_fact
+from tmmcalc.cams.facts.cam_pressure import extreme_values, reached_fact
 from tmmcalc.cams.facts.pivot import pivot_fact
 from tmmcalc.cams.synthesis.results import Convexity, Design, Region, RollerChoice, Size, Synthesis, region_columns
+from tmmcalc.core.quantity import Quantity, keyed, quantity_of
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
 
@@ -51,13 +52,13 @@ def _facts(result: Synthesis) -> Iterator[Fact]:
     for size in result.sizes:
         yield _size_fact(size)
     designs = [_design_values(result, design) for design in result.designs]
-    yield Fact("decided by", result.governs, {"governs": result.governs, "designs": designs})
+    yield Fact("decided by", result.governs, keyed(result, "governs") | {"designs": designs})
     if result.rise is not None and result.back is not None:
         yield reached_fact("rise", result.rise)
         yield reached_fact("return", result.back)
         if result.governs == "pressure angle":
             text = f"{max(degrees(result.residual), ROUNDING):.0e} deg of the limit that they reach"
-            yield Fact("sizes are exact to", text, {"residual[deg]": degrees(result.residual)})
+            yield Fact("sizes are exact to", text, keyed(result, "residual[deg]"))
     if result.convexity is not None:
         yield from _face_facts(result.convexity)
     if result.pivot is not None:
@@ -73,7 +74,7 @@ def _facts(result: Synthesis) -> Iterator[Fact]:
 def _kind_fact(result: Synthesis) -> Fact:
     turns = "clockwise" if result.follower.sense > 0 else "counter-clockwise"
     text = f"{KINDS[result.kind]}, the cam turns {turns}"
-    values: dict[str, Any] = {"follower": result.kind, "rotation": turns}
+    values = keyed(result, "kind") | {"rotation": turns}
     if result.kind == "oscillating":
         turn = "with" if result.follower.assembly > 0 else "against"
         text += f", the rocker rises {turn} it"
@@ -83,19 +84,13 @@ def _kind_fact(result: Synthesis) -> Fact:
 
 def _size_fact(size: Size) -> Fact:
     unit, shown = ("rad", f"{angle(degrees(size.value))} deg") if size.symbol == "psi0" else ("m", _mm(size.value))
-    values = {f"{size.symbol}[{unit}]": size.value, f"{size.symbol}_given": size.given}
+    values = keyed(size, "value", "given", symbol=size.symbol, unit=unit)
     return Fact(TITLES[size.symbol], f"{shown}, {size.how}", values)
 
 
 def _face_facts(found: Convexity) -> Iterator[Fact]:
     at = angle(degrees(found.least.phi))
-    values = {
-        "F_min[m]": found.least.value,
-        "F_min_at_phi[deg]": degrees(found.least.phi),
-        "r_m[m]": found.limit,
-        "S0_min[m]": found.needed,
-        "rho_min[m]": found.radius,
-    }
+    values = extreme_values(found, "least") | keyed(found, "limit", "needed", "radius")
     text = f"F_min = min(dS + S'') = {_mm(found.least.value)} at phi = {at} deg\n"
     text += f"S0 >= r_m - F_min = {_mm(found.needed)} with r_m = {_mm(found.limit)}\n"
     text += f"least radius of the profile {_mm(found.radius)}"
@@ -103,19 +98,21 @@ def _face_facts(found: Convexity) -> Iterator[Fact]:
     text = f"{_mm(found.left)} to the left of the axis, {_mm(found.right)} to the right"
     if found.margin:
         text += f"\n(of these {_mm(found.margin)} are margin)"
-    yield Fact("reach of the face", text, {"face_left[m]": found.left, "face_right[m]": found.right})
+    yield Fact("reach of the face", text, keyed(found, "left", "right"))
 
 
 def _roller_facts(found: RollerChoice) -> Iterator[Fact]:
     lines = [f"{rule.name} = {_mm(rule.value)}" for rule in found.rules]
-    values: dict[str, Any] = {f"r2_max: {rule.name}[m]": rule.value for rule in found.rules}
-    yield Fact("roller at most", "\n".join(lines), {**values, "r2_governs": found.governs})
+    values: dict[str, Any] = {}
+    for rule in found.rules:
+        values |= keyed(rule, "value", rule=rule.name)
+    yield Fact("roller at most", "\n".join(lines), values | keyed(found, "governs"))
     at = angle(degrees(found.convex.phi))
     lines = [f"rho2 = {_mm(found.convex.value)} at phi = {at} deg, convex"]
-    values = {"rho2[m]": found.convex.value, "rho2_at_phi[deg]": degrees(found.convex.phi)}
+    values = extreme_values(found, "convex")
     if found.concave is not None:
         lines.append(f"rho1 = {_mm(found.concave.value)} at phi = {angle(degrees(found.concave.phi))} deg, concave")
-        values |= {"rho1[m]": found.concave.value, "rho1_at_phi[deg]": degrees(found.concave.phi)}
+        values |= extreme_values(found, "concave")
     yield Fact("least radii, pitch curve", "\n".join(lines), values)
 
 
@@ -148,13 +145,16 @@ def _designs_view(result: Synthesis) -> View | None:
 
 
 def _row(result: Synthesis, design: Design) -> dict[str, float]:
-    sizes = {
-        f"{name}[{'deg' if name == 'psi0' else 'mm'}]": degrees(value) if name == "psi0" else 1e3 * value
-        for name, value in _sizes(result, design).items()
-    }
-    worst = (max(map(abs, ends)) for ends in (design.rise, design.back))
-    angles = {f"{name}[deg]": degrees(value) for name, value in zip(("rise", "return"), worst, strict=True)}
-    return {**sizes, **angles, "beyond[deg]": max(degrees(design.excess), 0.0)}
+    row = {}
+    for name, value in _sizes(result, design).items():
+        turned = name == "psi0"
+        header, factor = _size_quantity(name).shown("deg" if turned else "mm")
+        row[header] = factor * value
+    worst = (max(map(abs, design.rise)), max(map(abs, design.back)), max(design.excess, 0.0))
+    for name, value in zip(("rise", "back", "excess"), worst, strict=True):
+        header, factor = quantity_of(Design, name).shown("deg")
+        row[header] = factor * value
+    return row
 
 
 def _sizes(result: Synthesis, design: Design) -> dict[str, float]:
@@ -167,13 +167,13 @@ def _sizes(result: Synthesis, design: Design) -> dict[str, float]:
 
 
 def _design_values(result: Synthesis, design: Design) -> dict[str, Any]:
-    sizes = {f"{name}[{'rad' if name == 'psi0' else 'm'}]": v for name, v in _sizes(result, design).items()}
-    angles = {
-        "theta_rise[deg]": [degrees(value) for value in design.rise],
-        "theta_return[deg]": [degrees(value) for value in design.back],
-        "beyond_limit[deg]": degrees(design.excess),
-    }
-    return {"name": design.name, **sizes, **(angles if result.kind != "flat" else {})}
+    sizes = {_size_quantity(name).key: value for name, value in _sizes(result, design).items()}
+    angles = keyed(design, "rise[deg]", "back[deg]", "excess[deg]") if result.kind != "flat" else {}
+    return keyed(design, "name") | sizes | angles
+
+
+def _size_quantity(symbol: str) -> Quantity:
+    return quantity_of(Size, "value", symbol=symbol, unit="rad" if symbol == "psi0" else "m")
 
 
 def _largest(design: Design) -> float:

@@ -5,10 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from tmmcalc.cams.optimum.results import CamOptimum, Option
+from tmmcalc.cams.optimum.results import CamOptimum, Option, Relaxation
+from tmmcalc.core.quantity import keyed, quantity_of, table
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.sizes import quantity
 
+GAIN = quantity_of(Relaxation, "gain")
+FOUND = (
+    *("height", "start", "roller", "least", "active", "stress", "contact", "torque", "driving"),
+    *("stiffness", "preload"),
+)
 NOTHING = 1e-8  # [m] a difference of two least heights that is none
 
 
@@ -17,7 +23,7 @@ def game_facts(result: CamOptimum) -> Iterator[Fact]:
     if not result.options:
         return
     base, best = result.options[0], _best_first(result)[0]
-    values: dict[str, Any] = {"option": list(best.changes), "H2_least[m]": best.least}
+    values = keyed(best, "changes", "least")
     if base.refused:
         text = f"{best.name}: least H2 = {quantity(best.least, 'm')}; as asked there is no solution"
         yield Fact("option that buys most", text, values)
@@ -30,7 +36,7 @@ def game_facts(result: CamOptimum) -> Iterator[Fact]:
         )
     else:
         text = f"none of {len(result.options) - 1} options is lower than what is asked"
-    yield Fact("option that buys most", text, values | {"gain[m]": gain})
+    yield Fact("option that buys most", text, values | {GAIN.key: gain})
 
 
 def game_document(result: CamOptimum) -> Document:
@@ -45,45 +51,26 @@ def _best_first(result: CamOptimum) -> list[Option]:
 
 def _view(result: CamOptimum) -> View:
     rows, base = _best_first(result), result.options[0]
-    lengths = {
-        "H2_least[mm]": [each.least for each in rows],
-        "gain[mm]": [base.least - each.least for each in rows],
-        "H2[mm]": [each.height for each in rows],
-        "S0[mm]": [each.start for each in rows],
-        "r2[mm]": [each.roller for each in rows],
-    }
-    if base.refused:
-        del lengths["gain[mm]"]
+    lengths = table(rows, Option, "least[mm]")
+    if not base.refused:
+        gain, millimetres = GAIN.shown("mm")
+        lengths[gain] = [millimetres * (base.least - each.least) for each in rows]
+    lengths |= table(rows, Option, "height[mm]", "start[mm]", "roller[mm]")
+    sizes = table(rows, Option, "stress[MPa]", "contact", "torque", "driving", "stiffness[N/mm]", "preload")
     columns: dict[str, list[Any]] = {
         "option": [each.name for each in rows],
-        **{header: [round(1e3 * value, 6) for value in column] for header, column in lengths.items()},
+        **{header: [round(value, 6) for value in column] for header, column in lengths.items()},
         "active": [" ".join(map(str, each.active)) for each in rows],
-        "sigma_H[MPa]": [round(each.stress * 1e-6, 4) for each in rows],
-        "R_max[N]": [round(each.contact, 4) for each in rows],
-        "T_max[N*m]": [round(each.torque, 6) for each in rows],
-        "M_drive[N*m]": [round(each.driving, 6) for each in rows],
-        "c[N/mm]": [round(1e-3 * each.stiffness, 6) for each in rows],
-        "Q0[N]": [round(each.preload, 4) for each in rows],
+        **{
+            header: [round(value, places) for value in column]
+            for (header, column), places in zip(sizes.items(), (4, 4, 6, 6, 6, 4), strict=True)
+        },
     }
     return View(list(columns), list(columns.values()))
 
 
 def option_values(each: Option) -> dict[str, Any]:
     """One option for programs, in SI."""
-    kept = {"option": list(each.changes), "law": each.law, "K1": each.safety, "contact[Pa]": each.allowed}
-    said = {key: value for key, value in (kept | {"roller_ratio": each.ratio}).items() if value is not None}
-    if each.refused:
-        return said | {"refused": each.refused}
-    return said | {
-        "H2[m]": each.height,
-        "S0[m]": each.start,
-        "r2[m]": each.roller,
-        "H2_least[m]": each.least,
-        "active": list(each.active),
-        "sigma_H[Pa]": each.stress,
-        "R_max[N]": each.contact,
-        "T_max[N*m]": each.torque,
-        "M_drive_max[N*m]": each.driving,
-        "c[N/m]": each.stiffness,
-        "Q0[N]": each.preload,
-    }
+    asked = keyed(each, "changes", "law", "safety", "allowed", "ratio")
+    said = {key: value for key, value in asked.items() if value is not None}
+    return said | keyed(each, *(["refused"] if each.refused else FOUND))

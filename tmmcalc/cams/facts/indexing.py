@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from math import degrees
-from typing import Any
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from tmmcalc.cams.facts.rows import with_rows
 from tmmcalc.cams.indexing.columns import indexing_columns
 from tmmcalc.cams.indexing.results import LARGEST, Cam, FlankTable, Indexing, PressureReached
 from tmmcalc.cams.indexing.rollers import RollerLimit
+from tmmcalc.core.quantity import keyed, quantity_of
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import angle, number
 from tmmcalc.report.sizes import quantity
@@ -51,11 +51,11 @@ def document(
 def _readable(cam: Cam, columns: dict[str, np.ndarray], named: bool) -> dict[str, np.ndarray]:
     kept = {header: column for header, column in columns.items() if named or header.partition("[")[0] not in HIDDEN}
     for flank in (cam.a, cam.b):
-        header = f"rho_{flank.name}[m]"
-        if header in kept:
-            cells = _radii(flank)
-            kept = {name if name != header else f"rho_{flank.name}[mm]": column for name, column in kept.items()}
-            kept[f"rho_{flank.name}[mm]"] = cells
+        told = quantity_of(FlankTable, "bend", flank=flank.name)
+        if told.key in kept:
+            shown, _ = told.shown("mm")
+            kept = {name if name != told.key else shown: column for name, column in kept.items()}
+            kept[shown] = _radii(flank)
     return kept
 
 
@@ -72,11 +72,7 @@ def _facts(result: Indexing) -> Iterator[Fact]:
     yield _law_fact(result)
     yield _ratio_fact(result)
     yield _step_fact(result)
-    values = {
-        "R0[m]": result.base,
-        "delta_0[deg]": degrees(result.start_angle),
-        "theta_1m[deg]": degrees(result.start_pressure),
-    }
+    values = keyed(result, "base", "start_angle[deg]", "start_pressure[deg]")
     text = f"R0 = {quantity(result.base, 'm')}, delta_0 = {_deg(result.start_angle)}, "
     yield Fact("dwell", f"{text}theta_1m = {_deg(result.start_pressure)}", values)
     if result.cam is not None:
@@ -84,21 +80,13 @@ def _facts(result: Indexing) -> Iterator[Fact]:
 
 
 def _drive_fact(result: Indexing) -> Fact:
-    pitch = 360 / result.rollers
-    text = f"z2 = {result.rollers} rollers in two rows; the wheel turns by {angle(pitch)} deg while the cams turn by "
-    text += f"{_deg(result.step)}, and dwells for {_deg(result.dwell)}"
-    values = {
-        "rollers": result.rollers,
-        "pitch[deg]": pitch,
-        "phi_p[deg]": degrees(result.step),
-        "dwell[deg]": degrees(result.dwell),
-        "l_k[m]": result.wheel,
-    }
-    return Fact("drive", text, values)
+    text = f"z2 = {result.rollers} rollers in two rows; the wheel turns by {angle(result.pitch)} deg while the cams "
+    text += f"turn by {_deg(result.step)}, and dwells for {_deg(result.dwell)}"
+    return Fact("drive", text, keyed(result, "rollers", "pitch", "step[deg]", "dwell[deg]", "wheel"))
 
 
 def _law_fact(result: Indexing) -> Fact:
-    return Fact("law", f"{result.law}, B = {number(result.peak)}", {"law": result.law, "B": result.peak})
+    return Fact("law", f"{result.law}, B = {number(result.peak)}", keyed(result, "law", "peak"))
 
 
 def _ratio_fact(result: Indexing) -> Fact:
@@ -106,21 +94,14 @@ def _ratio_fact(result: Indexing) -> Fact:
     most = "any" if limits.ratio_max is None else number(limits.ratio_max, 6)
     text = f"{number(result.ratio, 6)} ({result.ratio_how}), a = {quantity(result.centres, 'm')}, "
     text += f"l_k = {quantity(result.wheel, 'm')}\nlambda_min = {number(limits.ratio_min, 6)}, lambda_max = {most}"
-    values: dict[str, Any] = {
-        "lambda": result.ratio,
-        "lambda_how": result.ratio_how,
-        "a[m]": result.centres,
-        "lambda_min": limits.ratio_min,
-        "lambda_max": limits.ratio_max,
-        "a_min[m]": limits.ratio_min * result.wheel,
-    }
+    values = keyed(result, "ratio", "ratio_how", "centres") | keyed(limits, "ratio_min", "ratio_max")
+    values |= keyed(result, "least_centres")
     return Fact("lambda", text, values)
 
 
 def _step_fact(result: Indexing) -> Fact:
-    low, high = result.bounds.step_min or 0.0, result.bounds.step_max or 0.0
-    values = {"phi_p_min[deg]": degrees(low), "phi_p_max[deg]": degrees(high)}
-    return Fact("step angle", f"{_deg(result.step)}, within {_deg(low)} and {_deg(high)}", values)
+    text = f"{_deg(result.step)}, within {_deg(result.step_min)} and {_deg(result.step_max)}"
+    return Fact("step angle", text, keyed(result, "step_min[deg]", "step_max[deg]"))
 
 
 def _cam_facts(result: Indexing, cam: Cam) -> Iterator[Fact]:
@@ -129,51 +110,35 @@ def _cam_facts(result: Indexing, cam: Cam) -> Iterator[Fact]:
         f"k_m = {number(end.part, 6)}, R = {quantity(end.radius, 'm')}; B takes over with theta_2 = {_deg(end.angle)}"
     )
     text += f"\nthe printed tables would have {_deg(end.source_angle)}, with +beta' in place of -beta'"
-    values = {
-        "k_m": end.part,
-        "R_m[m]": end.radius,
-        "theta2[deg]": degrees(end.angle),
-        "theta2_source[deg]": degrees(end.source_angle),
-    }
-    yield Fact("tip of the lobe", text, values)
+    yield Fact("tip of the lobe", text, keyed(end, "part", "radius", "angle[deg]", "source_angle[deg]"))
     text = f"A ends at k = {number(cam.working_part, 6)}, R = {quantity(cam.working_tip, 'm')}; "
     text += f"B takes over with {_deg(cam.working_angle)}; nearest to O1 {quantity(cam.nearest, 'm')}"
     room = result.wheel_room or 0.0
     text += f"\nabout O2 the lobe leaves {quantity(room, 'm') if room > 0 else 'no room'}"
-    values = {
-        "k_w": cam.working_part,
-        "R_w[m]": cam.working_tip,
-        "theta2_working[deg]": degrees(cam.working_angle),
-        "r_min[m]": cam.nearest,
-        "wheel_room[m]": room,
-    }
-    yield Fact("working profile", text, values)
+    values = keyed(cam, "working_part", "working_tip", "working_angle[deg]", "nearest")
+    yield Fact("working profile", text, values | keyed(result, "wheel_room"))
     yield from (_pressure_fact(name, each) for name, each in (("run-up", cam.run_up), ("run-out", cam.run_out)))
     text = f"{quantity(cam.bottom, 'm')} at k = 0.5, concave; of the working profile "
     text += quantity((result.roller or 0.0) - cam.bottom, "m")
-    yield Fact("bottom of the groove", text, {"rho_B_mid[m]": cam.bottom})
+    yield Fact("bottom of the groove", text, keyed(cam, "bottom"))
     yield _roller_fact(result, cam.roller_limits)
     yield _efficiency_fact(result, cam)
 
 
 def _pressure_fact(name: str, reached: PressureReached) -> Fact:
     text = f"{_deg(reached.largest)} on {reached.flank} at k = {number(reached.part, 4)}, limit {_deg(reached.limit)}"
-    values = {
-        f"{name}_max[deg]": degrees(reached.largest),
-        f"{name}_at_k": reached.part,
-        "limit[deg]": degrees(reached.limit),
-    }
+    values = keyed(reached, "largest[deg]", "part", "limit[deg]", part=name)
     return Fact(f"pressure angle, {name}", text, values)
 
 
 def _roller_fact(result: Indexing, limits: tuple[RollerLimit, ...]) -> Fact:
     lines = [f"r_r = {quantity(result.roller or 0.0, 'm')} ({result.roller_how}); it has to be below"]
-    values: dict[str, Any] = {"r_r[m]": result.roller}
+    values = keyed(result, "roller")
     for limit in limits:
         said = "any" if limit.radius is None else quantity(limit.radius, "m")
         place = "" if limit.part is None or limit.radius is None else f" at k = {number(limit.part, 4)}"
         lines.append(f"{said}: {limit.name}{place}")
-        values[f"r_max: {limit.name}[m]"] = limit.radius
+        values |= keyed(limit, "radius", limit=limit.name)
     return Fact("roller", "\n".join(lines), values)
 
 
@@ -184,16 +149,8 @@ def _efficiency_fact(result: Indexing, cam: Cam) -> Fact:
     )
     text += f"the load along it\n{number(found.mean_paper, 4)} against it up to k_m, along it while the wheel runs out"
     text += f"\nf1 = {number(f1, 4)}, f2 = {number(f2, 4)}"
-    values = {
-        "eta_against": found.mean_against,
-        "eta_aiding": found.mean_aiding,
-        "eta_mixed": found.mean_paper,
-        "cut_off_against": found.against_share,
-        "cut_off_aiding": found.aiding_share,
-        "f1": f1,
-        "f2": f2,
-    }
-    return Fact("efficiency", text, values)
+    values = keyed(found, "mean_against", "mean_aiding", "mean_paper", "against_share", "aiding_share")
+    return Fact("efficiency", text, values | keyed(result, "first_friction", "second_friction"))
 
 
 def _deg(value: float) -> str:

@@ -5,27 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from tmmcalc.cams.indexing.compare import Compared, compared_columns
+from tmmcalc.cams.indexing.compare import Compared, at_ratio, compared_columns
 from tmmcalc.core.columns import picked
 from tmmcalc.report.document import Document, View
 from tmmcalc.report.numbers import number
 
-AT = {  # columns at one lambda, by their names in all columns
-    "lambda": "lambda_{}",
-    "theta1m[deg]": "theta1m_{}[deg]",
-    "k_m": "k_m_{}",
-    "theta2[deg]": "theta2_{}[deg]",
-    "source2[deg]": "source2_{}[deg]",
-}
-LIMITS = {
-    "lambda from": "lambda_min",
-    "to": "lambda_max",
-    "phi_p from[deg]": "least_step_max[deg]",
-    "to [deg]": "largest_step_max[deg]",
-    "z2_max": "z2_max",
-    "fits": "possible",
-}
-STEPS = {"phi_p from[deg]": "least_step_given[deg]", "to [deg]": "largest_step_given[deg]"}
+MECHANISM = ("ratio", "start", "tip", "takeover", "source")  # columns of the mechanism at one lambda
+LIMITS = {"z2_max": "z2_max", "fits": "possible"}
 SOURCE = (
     "note: source2 is theta2 as the printed tables have it, with +beta' in place of -beta': too large where cams and "
     "wheel turn oppositely"
@@ -49,12 +35,22 @@ def comparison_document(
 def _parts(rows: tuple[Compared, ...], columns: Mapping[str, Sequence[Any]]) -> Iterator[Document]:
     ends = {"min": "at lambda_min", "max": "at lambda_max, where theta1m reaches its limit"}
     for end, title in ends.items():
-        yield _part(title, columns, {"B": "B", **{header: name.format(end) for header, name in AT.items()}})
+        yield _part(title, columns, {"B": "B", **_named(end, MECHANISM)})
     given = rows[0].given
     if given is not None:
-        own = {header: name.format("given") for header, name in AT.items() if header != "lambda"}
-        yield _part(f"at lambda = {number(given.ratio, 6)}", columns, own | STEPS)
-    yield _part("limits, those of phi_p at lambda_max", columns, LIMITS)
+        yield _part(f"at lambda = {number(given.ratio, 6)}", columns, _named("given", MECHANISM[1:]) | _steps("given"))
+    ratios = {"lambda from": at_ratio("ratio", "_min")[0], "to": at_ratio("ratio", "_max")[0]}
+    yield _part("limits, those of phi_p at lambda_max", columns, ratios | _steps("max") | LIMITS)
+
+
+def _named(end: str, names: Sequence[str]) -> dict[str, str]:
+    """Columns at one lambda by what they are called in a table that has no other."""
+    return {at_ratio(name, "")[0]: at_ratio(name, f"_{end}")[0] for name in names}
+
+
+def _steps(end: str) -> dict[str, str]:
+    low, high = (at_ratio(name, f"_{end}")[0] for name in ("step_min", "step_max"))
+    return {"phi_p from[deg]": low, "to [deg]": high}
 
 
 def _part(title: str, columns: Mapping[str, Sequence[Any]], chosen: Mapping[str, str]) -> Document:

@@ -7,11 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from tmmcalc.cams.program import Positions
 from tmmcalc.core.columns import picked
+from tmmcalc.core.quantity import quantity_of
 from tmmcalc.report.document import Document, View
 from tmmcalc.report.positions import more
 from tmmcalc.report.sizes import drawn, plain
 
+PHI = quantity_of(Positions, "degrees")
 ROWS = 40  # of the table for people
 STEPS = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0)  # [deg] of its rows
 NEAR = 1e-6
@@ -50,7 +53,7 @@ def _view(
     chosen = picked(columns, patterns)
     view = plain(chosen) if everything else drawn(chosen)
     if rows is None:
-        rows = range(len(columns["i"])) if everything else _told(columns["phi[deg]"], ends)
+        rows = range(len(columns["i"])) if everything else _told(columns[PHI.key], ends)
     peaks = [max((abs(v) for v in column if isinstance(v, float)), default=0.0) for column in view.columns]
     return View(view.headers, [[column[k] for k in rows] for column in view.columns], () if everything else peaks)
 

@@ -6,10 +6,26 @@ import numpy as np
 
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.laws.law import Values
+from tmmcalc.core.quantity import Quantity
 from tmmcalc.report.outlinefiles import MM, places_of
 
 DEGREES = 6  # decimals of angles
-HEAD = ("phi[deg]", "X[mm]", "Y[mm]", "R[mm]", "alpha[deg]", "N_x", "N_y")
+HEAD = tuple(
+    told.key
+    for told in (
+        Quantity("phi[deg]", "angle of the cam"),
+        Quantity("X[mm]", "X of the point"),
+        Quantity("Y[mm]", "Y of the point"),
+        Quantity("R[mm]", "distance of the point from the axis of the cam"),
+        Quantity("alpha[deg]", "polar angle of the point"),
+        Quantity("N_x", "normal out of the cam along X"),
+        Quantity("N_y", "normal out of the cam along Y"),
+    )
+)
+BESIDE = (  # of a table that follows the tool's path
+    Quantity("X_w[mm]", "X of the point on the working profile").key,
+    Quantity("Y_w[mm]", "Y of the point on the working profile").key,
+)
 
 
 def point_texts(phi: Values, points: Complex, polar: Values, normal: Complex, tolerance: float) -> list[list[str]]:

@@ -10,7 +10,7 @@ import csv
 from collections.abc import Sequence
 from io import StringIO
 
-from tmmcalc.cams.files.machinetool import HEAD, place_texts, point_texts
+from tmmcalc.cams.files.machinetool import BESIDE, HEAD, place_texts, point_texts
 from tmmcalc.cams.profile.columns import polar_angle
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.outline import adaptive, outline
@@ -38,7 +38,7 @@ def nc_table(found: Profile, program: Program, tolerance: float) -> bytes:
     buffer = StringIO()
     writer = csv.writer(buffer, lineterminator="\n")
     tooled = found.tool is not None
-    writer.writerow(["curve", *HEAD, *(["X_w[mm]", "Y_w[mm]"] if tooled else [])])
+    writer.writerow(["curve", *HEAD, *(BESIDE if tooled else ())])
     for path, wall in _paths(found):
         _check(found, path)
         writer.writerows(_rows(found, program, tolerance, path, wall if tooled else None))

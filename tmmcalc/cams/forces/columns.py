@@ -11,29 +11,19 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.cams.follower import along
 from tmmcalc.cams.forces.results import CamForces
+from tmmcalc.core.quantity import columns
 
 
 def force_columns(result: CamForces) -> dict[str, np.ndarray]:
     """Columns of all rows by their headers."""
-    turns = result.follower.kind == "oscillating"
-    unit, letter = ("N*m", "M") if turns else ("N", "P")
-    columns = {
-        "i": np.array(result.positions.labels),
-        "phi[deg]": np.degrees(result.positions.phi),
-        "dpsi[rad]" if turns else "dS[m]": result.lift,
-        f"{letter}_in[{unit}]": result.inertia,
-        f"{'M' if turns else 'Q'}_spring[{unit}]": result.elastic,
-        f"{'M_Q' if turns else 'Q'}[{unit}]": result.force,
-        f"{letter}_c[{unit}]": result.load,
-        "theta[deg]": np.degrees(result.theta),
-        "mu": result.ratio,
-        "R[N]": result.contact,
-    }
+    shown = ["lift", "inertia", "elastic", "force", "load", "theta[deg]", "ratio", "contact"]
     if result.protrusion is not None:
-        columns["q[m]"] = result.protrusion
+        shown.append("protrusion")
     if result.lower is not None and result.upper is not None:
-        columns |= {"N1[N]": result.lower, "N2[N]": result.upper}
+        shown += ["lower", "upper"]
     if result.pivot is not None:
-        columns |= {"R_A_x[N]": result.pivot[0], "R_A_y[N]": result.pivot[1], "R_A[N]": np.hypot(*result.pivot)}
-    return columns | {"T[N*m]": result.torque, "M_drive[N*m]": result.driving}
+        shown += ["pivot_x", "pivot_y", "pivot_force"]
+    rows = {"i": np.array(result.positions.labels), **columns(result.positions, "phi[deg]")}
+    return rows | columns(result, *shown, "torque", "driving", **along(result.follower.kind == "oscillating"))

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from tmmcalc.cams.follower import Closure, Follower
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import Errors
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 
@@ -14,41 +17,45 @@ class Wire:
     """A compression spring wound of round wire."""
 
     index: float  # D/d
-    coils: float  # n, that work
-    factor: float  # k_w, stress at the inside of the coils (Wahl)
-    stress: float  # tau [Pa] at the highest position
-    stress_low: float  # tau [Pa] at the lowest
+    coils: float = quantity("coils", "number of working coils", symbol="n")
+    factor: float = quantity("k_w", "factor of the stress at the inside of the coils (Wahl)")
+    stress: float = quantity("tau_max[Pa]", "shear stress at the highest position")
+    stress_low: float = quantity("tau_min[Pa]", "shear stress at the lowest position")
 
 
 @record
 class Governing:
     """The phase that asks for the stiffness, where that is not the phase of the largest lifting force."""
 
-    phase: str  # "rise" or "return"
+    phase: str = quantity("c_by", "phase that asks for the stiffness: rise or return")
     force: float  # largest force that lifts off in it
     lift: float  # dS [m or rad] there
-    phi: float  # [rad]
-    rule: float  # c by the largest lifting force alone (5.57)
+    phi: float = quantity("c_by_phi[rad]", "angle of the cam where the stiffness is asked for")
+    rule: float = quantity("c_rule[{rate}]", "stiffness by the largest lifting force alone", source="(5.57)")
 
 
 @record
 class SpringFound:
     """The return spring; forces and stiffness of RK are moments [N*m] and [N*m/rad]."""
 
-    method: str
-    stiffness: float  # c [N/m]
-    preload: float  # Q0 [N] or M0 at the lowest position
-    highest: float  # Q0 + c dS at the largest dS
-    asked: float | None  # K1 that was asked for
-    lifting: float | None  # P_M, the largest force of inertia and weight that lifts off; None: nothing does
-    phi: float | None  # [rad] where it stands, or where the tangent touches
-    lift: float | None  # dS_M [m or rad] there
+    method: str = quantity("method", "how the spring is found: none, given, safety or preload")
+    stiffness: float = quantity("c[{rate}]", "stiffness of the return spring")
+    preload: float = quantity("{spring}0[{force}]", "preload of the spring at the lowest position")
+    highest: float = quantity("{spring}_max[{force}]", "force of the spring at the highest position")
+    asked: float | None = quantity("K1", "safety of the contact that is asked for", symbol="K_1")
+    lifting: float | None = quantity(  # None: nothing lifts off
+        "{load}_M[{force}]", "largest force of inertia and weight that lifts off"
+    )
+    phi: float | None = quantity("phi_M[rad]", "angle of the largest lifting force, or where the tangent touches")
+    lift: float | None = quantity("d{coordinate}_M[{size}]", "displacement there")
     phase: str  # "rise" or "return"; "" if nothing lifts off
     governing: Governing | None  # of the method safety, where a smaller P_M asks for the stiffer spring
-    exact: float | None  # least stiffness that keeps K1 all over the turn with this preload; None: there is none
+    exact: float | None = quantity(  # None: there is none
+        "c_exact[{rate}]", "least stiffness that keeps K1 all over the turn with this preload"
+    )
     exact_phi: float | None  # [rad] where it is needed
-    reached: float | None  # least |Q_spring|/P where P > 0
-    reached_phi: float | None  # [rad]
+    reached: float | None = quantity("K_min", "least |Q_spring|/P where P > 0")
+    reached_phi: float | None = quantity("K_min_at_phi[rad]", "angle of the least safety")
     wire: Wire | None
 
 
@@ -56,9 +63,9 @@ class SpringFound:
 class GuideFound:
     """The guide of a stem; heights above O [m]."""
 
-    lower: float  # H1
-    top: float  # H2
-    length: float  # l
+    lower: float = quantity("H1[m]", "height of the guide's lower edge", symbol="H_1")
+    top: float = quantity("H2[m]", "height of the guide's upper edge", symbol="H_2")
+    length: float = quantity("l[m]", "length of the guide")
 
 
 @record
@@ -67,10 +74,10 @@ class ForceExtreme:
 
     name: str  # header of its column without the unit
     unit: str
-    least: float
-    least_phi: float
-    largest: float
-    largest_phi: float
+    least: float = quantity("{name}_min[{unit}]", "least {name} over the turn")
+    least_phi: float = quantity("{name}_min_at_phi[rad]", "angle of the least {name}")
+    largest: float = quantity("{name}_max[{unit}]", "largest {name} over the turn")
+    largest_phi: float = quantity("{name}_max_at_phi[rad]", "angle of the largest {name}")
 
     @property
     def size(self) -> float:
@@ -88,24 +95,26 @@ class Reserve:
     """The place nearest to jamming; angles [rad]."""
 
     useful: float  # cos(theta) - mu, at or below 0 the follower jams
-    eaten: float  # mu/cos(theta), 1: it jams
-    phi: float
+    eaten: float = quantity("friction_part", "mu/cos(theta); at 1 the follower jams")
+    phi: float = quantity("friction_part_at_phi[rad]", "angle of the cam nearest to jamming")
     theta: float
-    critical: float | None  # |theta| at which it would jam there; None: without friction, and for a flat face
+    critical: float | None = quantity(  # None: without friction, and for a flat face
+        "theta_critical[rad]", "|theta| at which the follower would jam there"
+    )
 
 
 @record
 class CamWork:
     """Energy of a turn [J]; driving + force = friction."""
 
-    driving: float  # that the camshaft gives
-    given: float  # its positive part
-    returned: float  # its negative part, that the follower gives back
-    friction: float  # lost in guide or pivot
-    force: float  # that the technological force gives
-    mean: float  # mean driving torque [N*m]
-    power: float  # mean power [W]
-    error: float  # of the balance, relative to what is given and returned
+    driving: float = quantity("W_drive[J]", "work of the camshaft in a turn")
+    given: float = quantity("W_given[J]", "its positive part")
+    returned: float = quantity("W_back[J]", "its negative part, that the follower gives back")
+    friction: float = quantity("W_friction[J]", "work lost by friction in guide or pivot")
+    force: float = quantity("W_Q[J]", "work of the technological force")
+    mean: float = quantity("M_mean[N*m]", "mean driving torque")
+    power: float = quantity("P_mean[W]", "mean power")
+    error: float = quantity("work_error", "error of the balance over what is given and returned")
 
 
 @record
@@ -116,32 +125,54 @@ class CamForces:
     closure: Closure
     positions: Positions  # (n,)
     ends: tuple[float, ...]  # of the phases [rad], from 0 to the end of the turn
-    speed: float  # omega [rad/s]
+    speed: float = quantity("omega[rad/s]", "speed of the cam")
     stroke: float  # h [m] or psi_m [rad]
-    lift: Values  # (n,) dS [m] or dpsi [rad]
-    inertia: Values  # (n,) P or its moment along the lift
-    elastic: Values  # (n,) of the spring, -(Q0 + c dS)
-    force: Values  # (n,) technological force and weight
-    load: Values  # (n,) P_c or M_c; closed where negative
-    theta: Values  # (n,) [rad]
-    ratio: Values  # (n,) mu
-    contact: Values  # (n,) R [N], positive on the inner wall
-    protrusion: Values | None  # (n,) q [m]
-    lower: Values | None  # (n,) N1 [N] of the lower edge on the stem
-    upper: Values | None  # (n,) N2 [N] of the upper edge
+    # (n,) each; along the lift forces, of a rocker moments
+    lift: Values = quantity("d{coordinate}[{size}]", "displacement from the lowest position")
+    inertia: Values = quantity("{load}_in[{force}]", "inertia along the lift")
+    elastic: Values = quantity("{spring}_spring[{force}]", "force of the spring along the lift")
+    force: Values = quantity("{given}[{force}]", "technological force with the weight along the lift")
+    load: Values = quantity("{load}_c[{force}]", "resultant along the lift; it presses on the cam where negative")
+    theta: Values = quantity("theta[rad]", "pressure angle")
+    ratio: Values = quantity("mu", "friction in guide or pivot over the force of the cam")
+    contact: Values = quantity("R[N]", "force of the cam, positive on the inner wall")
+    protrusion: Values | None = quantity("q[m]", "length of the stem out of the guide")
+    lower: Values | None = quantity("N1[N]", "force of the guide's lower edge on the stem", symbol="N_1")
+    upper: Values | None = quantity("N2[N]", "force of the guide's upper edge on the stem", symbol="N_2")
     pivot: Values | None  # (2, n) force of the frame on the rocker [N] in the pivot, OX from O to it
-    torque: Values  # (n,) T = P_c S' [N*m] on the camshaft, without friction (5.75)
-    driving: Values  # (n,) [N*m] that the camshaft has to give, with friction
+    torque: Values = quantity("T[N*m]", "torque P_c S' on the camshaft, without friction", source="(5.75)")
+    driving: Values = quantity("M_drive[N*m]", "torque that the camshaft has to give, with friction")
     guide: GuideFound | None
     spring: SpringFound
     extremes: tuple[ForceExtreme, ...]
-    lost: tuple[tuple[float, float], ...]  # from phi to phi [rad], nothing presses the follower on the cam
-    reversals: tuple[float, ...]  # phi [rad] where the roller goes from wall to wall of a groove
+    lost: tuple[tuple[float, float], ...] = quantity(
+        "lost[rad]", "angles of the cam between which nothing presses the follower on it"
+    )
+    reversals: tuple[float, ...] = quantity(
+        "reversals[rad]", "angles of the cam at which the roller goes from wall to wall of a groove"
+    )
     reserve: Reserve
     work: CamWork
-    verdict: str  # "ok" or "loss_of_contact"
+    verdict: str = quantity("verdict", "ok or loss_of_contact")
     notes: tuple[str, ...]
     error: Errors  # estimates, relative: of load, contact, guide, pivot, torques, extremes, spring, work
+
+    @derived("R_A_x[N]", "force of the frame on the rocker along x")
+    def pivot_x(self) -> Values:
+        """(n,) of a rocker."""
+        assert self.pivot is not None
+        return self.pivot[0]
+
+    @derived("R_A_y[N]", "force of the frame on the rocker along y")
+    def pivot_y(self) -> Values:
+        """(n,) of a rocker."""
+        assert self.pivot is not None
+        return self.pivot[1]
+
+    @derived("R_A[N]", "force of the frame on the rocker")
+    def pivot_force(self) -> Values:
+        """(n,) of a rocker."""
+        return np.hypot(self.pivot_x, self.pivot_y)
 
     @property
     def labels(self) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from math import atan2, cos, pi, sin
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 TOLERATED = 1.015  # lambda_min/lambda_max that the author of the method still takes
@@ -22,8 +23,10 @@ TOLERATED = 1.015  # lambda_min/lambda_max that the author of the method still t
 class Bounds:
     """The limits for one number of rollers, step and law; lambda of the last two is that of the mechanism."""
 
-    ratio_min: float  # lambda_min
-    ratio_max: float | None  # lambda_max; None: any, because theta_1m stays below theta_d
+    ratio_min: float = quantity("lambda_min", "least lambda")
+    ratio_max: float | None = quantity(  # None: any, because theta_1m stays below theta_d
+        "lambda_max", "largest lambda"
+    )
     step_min: float | None = None  # phi_p,min [rad]; None: lambda is not known
     step_max: float | None = None  # phi_p,max [rad], recommended; pi is the hard limit
 

@@ -6,34 +6,33 @@ import numpy as np
 
 from tmmcalc.cams.indexing.results import FlankTable, Indexing
 from tmmcalc.core.columns import degrees
+from tmmcalc.core.quantity import Quantity, columns, quantity_of
+
+PHI = Quantity("phi[deg]", "angle of the cams")
+BETA = (
+    Quantity("beta[deg]", "angle of the wheel"),
+    Quantity("beta1", "derivative of beta by the angle of the cams", symbol="beta'"),
+    Quantity("beta2", "second derivative of beta by the angle of the cams", symbol="beta''"),
+)
+FLANK = ("theta", "radius", "polar", "pressure", "source", "bend", "x", "y", "working_x", "working_y")
 
 
 def indexing_columns(result: Indexing) -> dict[str, np.ndarray]:
     """Columns of all rows by their headers; of a law that is known by its B alone only the heads."""
-    k = result.k
-    columns = {"i": np.array(result.labels), "k": k, "phi[deg]": degrees(result.step * k)}
+    found = {"i": np.array(result.labels), **columns(result, "k"), PHI.key: degrees(result.step * result.k)}
     if result.cam is None:
-        return columns
+        return found
     y, y1, y2, _ = result.motion
-    columns |= {"beta[deg]": degrees(y), "beta1": y1, "beta2": y2}
+    found |= {told.key: row for told, row in zip(BETA, (degrees(y), y1, y2), strict=True)}
     for flank in (result.cam.a, result.cam.b):
-        columns |= _flank_columns(flank)
-    table = result.cam.efficiency
-    cut = np.where(table.against_cut, 1, 0) + np.where(table.aiding_cut, 2, 0)
-    return {**columns, "eta_against": table.against, "eta_aiding": table.aiding, "eta_cut": cut}
+        found |= _flank_columns(flank)
+    return found | columns(result.cam.efficiency, "against", "aiding", "cut")
 
 
 def _flank_columns(flank: FlankTable) -> dict[str, np.ndarray]:
-    name = flank.name
-    return {
-        f"theta_{name}[deg]": degrees(flank.theta),
-        f"R_{name}[m]": flank.radius,
-        f"delta_{name}[deg]": degrees(flank.polar),
-        f"vartheta_{name}[deg]": degrees(flank.pressure),
-        f"source_{name}[deg]": degrees(flank.source),
-        f"rho_{name}[m]": flank.bend,
-        f"x_{name}[m]": flank.pitch.real,
-        f"y_{name}[m]": flank.pitch.imag,
-        f"xw_{name}[m]": flank.working.real,
-        f"yw_{name}[m]": flank.working.imag,
-    }
+    found = {}
+    for name in FLANK:
+        told, values = quantity_of(FlankTable, name, flank=flank.name), getattr(flank, name)
+        turned = told.unit == "rad"
+        found[told.shown("deg")[0] if turned else told.key] = degrees(values) if turned else values
+    return found

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from math import degrees
 from typing import Any
 
 from tmmcalc.cams.indexing.bounds import TOLERATED, bounds, largest_step, least_step, start_pressure
@@ -16,8 +15,10 @@ from tmmcalc.cams.indexing.handover import Handover, handover
 from tmmcalc.cams.indexing.laws import StepLaw, step_law, symmetric_laws
 from tmmcalc.cams.indexing.solve import drive_of
 from tmmcalc.cams.indexing.task import IndexingTask
+from tmmcalc.core.quantity import derived, quantity, quantity_of, table
 from tmmcalc.core.records import record
 
+AT_RATIO = ("ratio", "start", "tip", "takeover", "source", "step_min", "step_max")
 CODES = ("0010",)  # laws of the printed tables beside the catalogue; 0000 is linear, 0050 is const
 TABLED = StepLaw("2.9 (its B alone)", 1.625)  # of the printed tables, not identified: poly5 has all its values but one
 
@@ -26,24 +27,39 @@ TABLED = StepLaw("2.9 (its B alone)", 1.625)  # of the printed tables, not ident
 class AtRatio:
     """What a mechanism would be at one lambda."""
 
-    ratio: float
-    start: float  # theta_1m [rad]
-    step_min: float  # phi_p,min [rad]: for a smaller step lambda_min is above this lambda
-    step_max: float  # phi_p,max [rad]
+    ratio: float = quantity("lambda{at}", "centre distance over the radius of the wheel")
+    start: float = quantity("theta1m{at}[rad]", "pressure angle at the start of the step", symbol="theta_1m")
+    step_min: float = quantity("least_step{at}[rad]", "step below which lambda_min is above this lambda")
+    step_max: float = quantity("largest_step{at}[rad]", "largest angle of the step that is recommended")
     handover: Handover | None  # None: no such mechanism, or the law is known by its B alone
+
+    @derived("k_m{at}", "part of the step at which B takes over")
+    def tip(self) -> float | None:
+        """None: no tip."""
+        return None if self.handover is None else self.handover.part
+
+    @derived("theta2{at}[rad]", "pressure angle with which B takes over", symbol="theta_2")
+    def takeover(self) -> float | None:
+        """None: no tip."""
+        return None if self.handover is None else self.handover.angle
+
+    @derived("source2{at}[rad]", "theta_2 as the printed tables have it")
+    def source(self) -> float | None:
+        """None: no tip."""
+        return None if self.handover is None else self.handover.source_angle
 
 
 @record
 class Compared:
     """One law with one number of rollers."""
 
-    law: str
-    peak: float  # B
-    rollers: int
+    law: str = quantity("law", "law of motion of the wheel")
+    peak: float = quantity("B", "largest s' of the law")
+    rollers: int = quantity("z2", "number of rollers", symbol="z_2")
     low: AtRatio  # at lambda_min
     high: AtRatio | None  # at lambda_max; None: lambda is not limited
     given: AtRatio | None  # at the lambda of the task; None: it is left open
-    most: int | None  # z2_max of the law
+    most: int | None = quantity("z2_max", "largest number of rollers of the law")
     possible: bool  # a lambda lies between the limits, a miss of 1.5 % tolerated, and the lobe has a tip
 
 
@@ -91,31 +107,29 @@ def _at(task: IndexingTask, ratio: float) -> AtRatio:
 
 def compared_columns(rows: tuple[Compared, ...]) -> dict[str, list[Any]]:
     """Columns by their headers, angles in degrees; an empty cell where there is no such value."""
-    columns: dict[str, list[Any]] = {
-        "law": [row.law for row in rows],
-        "z2": [row.rollers for row in rows],
-        "B": [row.peak for row in rows],
-    }
+    columns = table(rows, Compared, "law", "rollers", "peak")
     for end, places in (("min", [row.low for row in rows]), ("max", [row.high for row in rows])):
         columns |= _end_columns(end, places)
     if rows[0].given is not None:
         columns |= _end_columns("given", [row.given for row in rows])
     return {
         **columns,
-        "z2_max": ["" if row.most is None else row.most for row in rows],
+        quantity_of(Compared, "most").key: ["" if row.most is None else row.most for row in rows],
         "possible": ["yes" if row.possible else "no" for row in rows],
     }
 
 
 def _end_columns(end: str, places: Sequence[AtRatio | None]) -> dict[str, list[Any]]:
     """The columns at one lambda."""
-    tips = [None if place is None else place.handover for place in places]
-    return {
-        f"lambda_{end}": ["" if place is None else place.ratio for place in places],
-        f"theta1m_{end}[deg]": ["" if place is None else degrees(place.start) for place in places],
-        f"k_m_{end}": ["" if tip is None else tip.part for tip in tips],
-        f"theta2_{end}[deg]": ["" if tip is None else degrees(tip.angle) for tip in tips],
-        f"source2_{end}[deg]": ["" if tip is None else degrees(tip.source_angle) for tip in tips],
-        f"least_step_{end}[deg]": ["" if place is None else degrees(place.step_min) for place in places],
-        f"largest_step_{end}[deg]": ["" if place is None else degrees(place.step_max) for place in places],
-    }
+    found = {}
+    for name in AT_RATIO:
+        values = (None if place is None else getattr(place, name) for place in places)
+        header, factor = at_ratio(name, f"_{end}")
+        found[header] = ["" if value is None else factor * value for value in values]
+    return found
+
+
+def at_ratio(name: str, end: str) -> tuple[str, float]:
+    """The header of a column at one lambda, angles in degrees, and the factor of its values."""
+    told = quantity_of(AtRatio, name, at=end)
+    return told.shown("deg") if told.unit else (told.key, 1.0)

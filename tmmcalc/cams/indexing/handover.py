@@ -14,6 +14,7 @@ import numpy as np
 from tmmcalc.cams.indexing.flanks import Drive, Flank
 from tmmcalc.cams.indexing.signs import changes
 from tmmcalc.cams.laws.law import Values
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 BESIDE = 1e-3  # of the step: how far from the bottom of the groove its halves are sought to meet
@@ -24,10 +25,10 @@ ROUNDING = 1e-12  # [rad] an angle that is none, of the step a part
 class Handover:
     """The end of flank A, where B takes over."""
 
-    part: float  # k_m
-    radius: float  # [m] from O1 to the tip
-    angle: float  # theta_2 [rad] at k_m on B: pressure angle with which B takes over
-    source_angle: float  # the same as the printed tables have it
+    part: float = quantity("k_m", "part of the step at which B takes over")
+    radius: float = quantity("R_m[m]", "distance of the tip of the lobe from O1")
+    angle: float = quantity("theta2[rad]", "pressure angle with which B takes over", symbol="theta_2")
+    source_angle: float = quantity("theta2_source[rad]", "theta_2 as the printed tables have it")
 
 
 def tip(drive: Drive) -> float | None:

@@ -11,8 +11,9 @@ from tmmcalc.cams.indexing.bounds import Bounds
 from tmmcalc.cams.indexing.efficiency import Flags
 from tmmcalc.cams.indexing.handover import Handover
 from tmmcalc.cams.indexing.rollers import RollerLimit
-from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.rounding import Errors
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 LARGEST = 1e12  # of l_k: a radius of curvature that stands for a straight line
@@ -23,22 +24,43 @@ class FlankTable:
     """A flank at n parts of the step, beyond its end as well."""
 
     name: str  # A or B
-    theta: Values  # (n,) [rad] angle of its roller on the wheel from O2O1
-    polar: Values  # (n,) [rad] delta, polar angle of the pitch curve in the axes of the cam
-    pressure: Values  # (n,) [rad] vartheta
-    source: Values  # (n,) [rad] the same as the printed tables have it
+    # (n,) each
+    theta: Values = quantity("theta_{flank}[rad]", "angle of its roller on the wheel from O2O1")
+    polar: Values = quantity("delta_{flank}[rad]", "polar angle of the pitch curve in the axes of the cam")
+    pressure: Values = quantity("vartheta_{flank}[rad]", "pressure angle")
+    source: Values = quantity("source_{flank}[rad]", "pressure angle as the printed tables have it")
     curvature: Values  # (n,) [1/m] of the pitch curve, positive where it bulges outwards
     pitch: Complex  # (n,) [m]
     working: Complex  # (n,) [m] inner equidistant
 
-    @property
+    @derived("x_{flank}[m]", "x of the pitch curve")
+    def x(self) -> Values:
+        """(n,)."""
+        return self.pitch.real
+
+    @derived("y_{flank}[m]", "y of the pitch curve")
+    def y(self) -> Values:
+        """(n,)."""
+        return self.pitch.imag
+
+    @derived("xw_{flank}[m]", "x of the working profile", symbol="x_w")
+    def working_x(self) -> Values:
+        """(n,)."""
+        return self.working.real
+
+    @derived("yw_{flank}[m]", "y of the working profile", symbol="y_w")
+    def working_y(self) -> Values:
+        """(n,)."""
+        return self.working.imag
+
+    @derived("R_{flank}[m]", "distance of the pitch curve from O1")
     def radius(self) -> Values:
-        """R (n,) [m], from O1 to the pitch curve."""
+        """(n,)."""
         return np.abs(self.pitch)
 
-    @property
+    @derived("rho_{flank}[m]", "radius of curvature of the pitch curve")
     def bend(self) -> Values:
-        """rho (n,) [m], radius of curvature of the pitch curve; a straight line has a very large one."""
+        """(n,); a straight line has a very large one."""
         least = 1 / (LARGEST * float(np.max(self.radius)))
         return 1 / np.where(np.abs(self.curvature) < least, least, self.curvature)
 
@@ -48,9 +70,9 @@ class PressureReached:
     """The pressure angle on the flank that drives, both ends included."""
 
     flank: str  # A from k = 0 to k_m, B from k_m to 1
-    largest: float  # |vartheta| [rad]
-    part: float  # k
-    limit: float  # theta_d [rad]
+    largest: float = quantity("{part}_max[rad]", "largest pressure angle of the {part}")
+    part: float = quantity("{part}_at_k", "k at the largest pressure angle of the {part}")
+    limit: float = quantity("limit[rad]", "allowed pressure angle", symbol="theta_d")
 
     @property
     def exceeded(self) -> bool:
@@ -62,15 +84,26 @@ class PressureReached:
 class EfficiencyTable:
     """Efficiency of the driving flank, A up to k_m and B after it, at n parts of the step."""
 
-    against: Values  # (n,) load against the motion (12)
-    aiding: Values  # (n,) load along the motion (13)
+    against: Values = quantity("eta_against", "efficiency with the load against the motion", source="(12)")  # (n,)
+    aiding: Values = quantity("eta_aiding", "efficiency with the load along the motion", source="(13)")  # (n,)
     against_cut: Flags  # (n,) cut off at 0 or 1
     aiding_cut: Flags  # (n,)
-    mean_against: float  # over the step
-    mean_aiding: float
-    mean_paper: float  # (12) up to k_m, (13) while the wheel runs out
-    against_share: float  # part of the step over which it is cut off
-    aiding_share: float
+    mean_against: float = quantity("eta_against", "mean efficiency of the step with the load against the motion")
+    mean_aiding: float = quantity("eta_aiding", "mean efficiency of the step with the load along the motion")
+    mean_paper: float = quantity(
+        "eta_mixed", "mean efficiency with the load against the motion up to k_m, along it while the wheel runs out"
+    )
+    against_share: float = quantity(
+        "cut_off_against", "part of the step over which the efficiency against the load is cut off"
+    )
+    aiding_share: float = quantity(
+        "cut_off_aiding", "part of the step over which the efficiency along the load is cut off"
+    )
+
+    @derived("eta_cut", "where the efficiency is cut off at 0 or 1: 1 against the load, 2 along it, 3 both")
+    def cut(self) -> Indices:
+        """(n,)."""
+        return np.where(self.against_cut, 1, 0) + np.where(self.aiding_cut, 2, 0)
 
 
 @record
@@ -80,11 +113,13 @@ class Cam:
     a: FlankTable
     b: FlankTable
     handover: Handover  # of the pitch curve
-    working_part: float  # k_w, where the working profile of A ends
-    working_tip: float  # [m] from O1 to the tip of the working profile
-    working_angle: float  # [rad] pressure angle of B at k_w
-    nearest: float  # [m] from O1 to the working profile, at the bottom of the groove
-    bottom: float  # rho of the pitch curve at the bottom of the groove [m], negative: concave
+    working_part: float = quantity("k_w", "part of the step at which the working profile of A ends")
+    working_tip: float = quantity("R_w[m]", "distance of the tip of the working profile from O1")
+    working_angle: float = quantity("theta2_working[rad]", "pressure angle of B at k_w")
+    nearest: float = quantity("r_min[m]", "least distance of the working profile from O1, at the bottom of the groove")
+    bottom: float = quantity(
+        "rho_B_mid[m]", "radius of curvature of the pitch curve at the bottom of the groove; negative: concave"
+    )
     roller_limits: tuple[RollerLimit, ...]
     run_up: PressureReached
     run_out: PressureReached
@@ -95,41 +130,71 @@ class Cam:
 class Indexing:
     """Stage ``indexing``: an indexing drive at n parts k of its step."""
 
-    rollers: int  # z2
-    step: float  # phi_p [rad]
-    wheel: float  # l_k [m]
-    ratio: float  # lambda
-    ratio_how: str  # given, or how it was chosen
-    roller: float | None  # r_r [m]; None: the law is known by its B alone
+    rollers: int = quantity("rollers", "number of rollers", symbol="z_2")
+    step: float = quantity("phi_p[rad]", "angle of the cams while the wheel turns")
+    wheel: float = quantity("l_k[m]", "radius of the wheel to the axes of its rollers")
+    ratio: float = quantity("lambda", "centre distance over the radius of the wheel")
+    ratio_how: str = quantity("lambda_how", "given, or how lambda was chosen")
+    roller: float | None = quantity("r_r[m]", "radius of the rollers")  # None: the law is known by its B alone
     roller_how: str
     limit: float  # theta_d [rad]
     frictions: tuple[float, float]  # f1, f2
-    law: str
-    peak: float  # B
+    law: str = quantity("law", "law of motion of the wheel")
+    peak: float = quantity("B", "largest s' of the law")
     bounds: Bounds
-    base: float  # R_0 [m] of the pitch curve in the dwells
-    start_angle: float  # delta_0 [rad]
-    start_pressure: float  # theta_1m [rad]
-    k: Values  # (n,)
+    base: float = quantity("R0[m]", "radius of the pitch curve in the dwells", symbol="R_0")
+    start_angle: float = quantity("delta_0[rad]", "polar angle of a roller at O1 in the dwell")
+    start_pressure: float = quantity("theta_1m[rad]", "pressure angle at the start of the step")
+    k: Values = quantity("k", "part of the step")  # (n,)
     motion: Values  # (4, n) beta [rad] and its derivatives by the angle of the cams
     cam: Cam | None  # None: the law is known by its B alone
     notes: tuple[str, ...]
     error: Errors  # estimates, relative: of points, curvature, pressure, limits; of efficiency and ends absolute
 
-    @property
+    @derived("a[m]", "centre distance")
     def centres(self) -> float:
-        """a [m]."""
+        """By lambda."""
         return self.ratio * self.wheel
 
-    @property
+    @derived("a_min[m]", "least centre distance")
+    def least_centres(self) -> float:
+        """By lambda_min."""
+        return self.bounds.ratio_min * self.wheel
+
+    @derived("pitch[deg]", "angle by which the wheel turns")
+    def pitch(self) -> float:
+        """In a step."""
+        return 360 / self.rollers
+
+    @derived("phi_p_min[rad]", "least angle of the step")
+    def step_min(self) -> float:
+        """0 where there is none."""
+        return self.bounds.step_min or 0.0
+
+    @derived("phi_p_max[rad]", "largest angle of the step that is recommended")
+    def step_max(self) -> float:
+        """0 where there is none."""
+        return self.bounds.step_max or 0.0
+
+    @derived("wheel_room[m]", "what the lobe leaves about O2 for a shaft of the wheel; negative: it sweeps over O2")
     def wheel_room(self) -> float | None:
-        """What the lobe leaves about O2 [m] for a shaft of the wheel, negative if it sweeps over O2; None: no cam."""
+        """None: no cam."""
         return None if self.cam is None else self.centres - self.cam.working_tip
 
-    @property
+    @derived("dwell[rad]", "angle of the cams during each of the two dwells of a turn")
     def dwell(self) -> float:
-        """Angle of the cams [rad] during each of the two dwells of a turn."""
+        """What the step leaves of half a turn."""
         return pi - self.step
+
+    @derived("f1", "friction of the roller on its axle", symbol="f_1")
+    def first_friction(self) -> float:
+        """Of both."""
+        return self.frictions[0]
+
+    @derived("f2", "friction in the bearings of the wheel", symbol="f_2")
+    def second_friction(self) -> float:
+        """Of both."""
+        return self.frictions[1]
 
     @property
     def labels(self) -> tuple[str, ...]:

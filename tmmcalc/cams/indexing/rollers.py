@@ -15,6 +15,7 @@ import numpy as np
 from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName
 from tmmcalc.cams.indexing.signs import sampled
 from tmmcalc.cams.laws.law import Values
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 USUAL = 0.7, 0.8  # of the least convex radius: what is chosen, what is usual at most
@@ -26,7 +27,7 @@ class RollerLimit:
     """The radius [m] below which a roller works; None: any."""
 
     name: str
-    radius: float | None
+    radius: float | None = quantity("r_max: {limit}[m]", "radius below which a roller works")
     part: float | None = None  # k, where it is that of one place
 
 

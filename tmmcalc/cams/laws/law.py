@@ -96,6 +96,16 @@ def polynomial(name: str, *pieces: tuple[float, Sequence[float]]) -> Law:
     return Law(name, np.array([*(start for start, _ in pieces), 1.0]), rows, still, still, still)
 
 
+def harmonic(name: str, coefficients: Sequence[float], amplitude: float, frequency: float, phase: float) -> Law:
+    """A law of one piece: a polynomial of k and A sin(w k + p).
+
+    >>> harmonic("cosine", [0.5], -0.5, np.pi, np.pi / 2).at(np.array([0.5]))[0].round(9).tolist()
+    [0.5]
+    """
+    wave = (np.array([value]) for value in (amplitude, frequency, phase))
+    return Law(name, np.array([0.0, 1.0]), np.array([coefficients]), *wave)
+
+
 @record
 class Acceleration:
     """A piece of s'': polynomial of t and a harmonic A sin(w t + p)."""

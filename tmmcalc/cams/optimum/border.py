@@ -17,6 +17,7 @@ from tmmcalc.cams.optimum.curves import between
 from tmmcalc.cams.optimum.march import crossed
 from tmmcalc.cams.optimum.margins import NUMBERS
 from tmmcalc.cams.optimum.plane import Plane, guessed, tamed
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 NEAREST = 1e-6  # of a cell, to the outside of a root: there the constraint that binds is seen
@@ -31,9 +32,9 @@ EDGE = 0  # number of a border of the plane itself
 class Corner:
     """Where two constraints bind."""
 
-    start: float  # S0 [m]
-    roller: float  # r2 [m]
-    numbers: tuple[int, int]  # before it and after it along the border
+    start: float = quantity("S0[m]", "start distance", symbol="S_0")
+    roller: float = quantity("r2[m]", "radius of the roller", symbol="r_2")
+    numbers: tuple[int, int] = quantity("constraints", "constraints before and after the corner along the border")
 
     @property
     def turned(self) -> Corner:
@@ -45,11 +46,13 @@ class Corner:
 class Outline:
     """A closed border of the region, counter-clockwise; the last point is the first."""
 
-    start: Values  # (n,) [m]
-    roller: Values  # (n,) [m]
-    edge: Indices  # (n - 1,) number of the constraint from a point to the next; 0: border of the plane
+    start: Values = quantity("S0[m]", "start distance", symbol="S_0")  # (n,)
+    roller: Values = quantity("r2[m]", "radius of the roller", symbol="r_2")  # (n,)
+    edge: Indices = quantity(  # (n - 1,)
+        "constraint", "number of the constraint from a point to the next; 0: border of the plane"
+    )
     corners: tuple[Corner, ...]
-    area: float  # [m^2]; negative: a hole
+    area: float = quantity("area[m^2]", "area of the region; negative: a hole")
 
 
 def outlines_of(plane: Plane, x: Values, y: Values, least: Values) -> Iterator[Outline]:

@@ -12,6 +12,7 @@ from tmmcalc.cams.optimum.border import Outline, outlines_of
 from tmmcalc.cams.optimum.curves import Curve, curves
 from tmmcalc.cams.optimum.plane import Plane
 from tmmcalc.cams.optimum.scene import Scene
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 FINE = 27  # nodes a side that show its border
@@ -22,14 +23,14 @@ WINDOW = 0.45  # of the region's size that the picture shows beyond it
 class Contour:
     """The region at one height; no outlines if it is empty."""
 
-    height: float  # H2 [m]
+    height: float = quantity("H2[m]", "height of the mechanism", symbol="H_2")
     outlines: tuple[Outline, ...]
     curves: tuple[Curve, ...]
     window: tuple[float, float, float, float]  # S0 from, to, r2 from, to [m]
 
-    @property
+    @derived("area[m^2]", "area of the region")
     def area(self) -> float:
-        """Of the region [m^2]."""
+        """Of all its parts, less the holes."""
         return sum(outline.area for outline in self.outlines)
 
 

@@ -16,6 +16,7 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.march import crossed
 from tmmcalc.cams.optimum.margins import NUMBERS
 from tmmcalc.cams.optimum.plane import Plane, guessed, tamed
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 
 MET = 5e-3  # margin on a curve
@@ -32,9 +33,9 @@ AWAY = 0.5  # of a chord: no point between lies farther from it
 class Curve:
     """A stretch of the line on which one constraint is just met."""
 
-    number: int
-    start: Values  # (n,) [m]
-    roller: Values  # (n,) [m]
+    number: int = quantity("constraint", "number of the constraint")
+    start: Values = quantity("S0[m]", "start distance", symbol="S_0")  # (n,)
+    roller: Values = quantity("r2[m]", "radius of the roller", symbol="r_2")  # (n,)
 
 
 def curves(plane: Plane, x: Values, y: Values, held: Values) -> Iterator[Curve]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.contour import Contour
 from tmmcalc.cams.rounding import Errors
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 
@@ -12,16 +13,16 @@ from tmmcalc.core.records import record
 class Check:
     """One constraint at one choice of sizes."""
 
-    number: int  # of table 5.5
-    name: str
+    number: int = quantity("constraint", "number of the constraint in table 5.5")
+    name: str = quantity("name", "name of the constraint")
     symbol: str  # of the value
-    value: float | None  # None: not judged, for want of data
-    relation: str  # "<=" or ">="
-    limit: float | None  # None: nothing limits it
+    value: float | None = quantity("{symbol}[{unit}]", "value that is judged")  # None: not judged, for want of data
+    relation: str = quantity("relation", "<= or >=")
+    limit: float | None = quantity("limit", "its limit")  # None: nothing limits it
     unit: str
-    margin: float  # relative; 0 at the limit
+    margin: float = quantity("margin", "relative margin; 0 at the limit")
 
-    @property
+    @derived("judged", "there are data by which it is judged")
     def judged(self) -> bool:
         """Whether there were data."""
         return self.value is not None
@@ -31,15 +32,15 @@ class Check:
 class Choice:
     """Sizes and how they keep the constraints."""
 
-    start: float  # S0 [m]
-    roller: float  # r2 [m]
-    height: float  # H2 [m]
-    length: float  # l of the guide [m]
+    start: float = quantity("S0_{kind}[m]", "start distance", symbol="S_0")
+    roller: float = quantity("r2_{kind}[m]", "radius of the roller", symbol="r_2")
+    height: float = quantity("H2_{kind}[m]", "height of the mechanism", symbol="H_2")
+    length: float = quantity("l_{kind}[m]", "length of the guide")
     checks: tuple[Check, ...]
 
-    @property
+    @derived("active", "numbers of the constraints that are just met")
     def active(self) -> tuple[int, ...]:
-        """Numbers of the constraints that are just met."""
+        """By table 5.5."""
         return tuple(each.number for each in self._sized if abs(each.margin) < ACTIVE)
 
     @property
@@ -60,37 +61,37 @@ ACTIVE = 1e-7  # a margin this small is none
 class Relaxation:
     """What a looser limit of an active constraint buys."""
 
-    number: int
-    key: str  # what is changed, as in the spec
+    number: int = quantity("constraint", "number of the constraint in table 5.5")
+    key: str = quantity("key", "what is changed, as in the spec")
     unit: str
-    before: float
-    after: float
+    before: float = quantity("from", "limit before")
+    after: float = quantity("to", "limit after")
     preferred: bool  # to the next preferred number, else by 1 %
-    height: float  # least H2 then [m]
-    gain: float  # by which H2 falls [m]
+    height: float = quantity("H2[m]", "least height of the mechanism then", symbol="H_2")
+    gain: float = quantity("gain[m]", "by how much the height falls")
 
 
 @record
 class Option:
     """One mechanism of the design game; lengths 0 where it has no solution."""
 
-    changes: tuple[str, ...]  # against what is asked, as "law sine"; none: that itself
-    law: str  # of rise and return; both names where they differ
-    safety: float | None  # K1 by which the spring is sized; None: it is not
-    allowed: float | None  # [sigma_H] [Pa]
-    ratio: float | None  # alpha0; None: no roller
-    height: float  # least H2 in whole steps [m]
-    start: float  # S0 [m]
-    roller: float  # r2 [m]
-    least: float  # least H2 of any sizes [m]
-    active: tuple[int, ...]  # there
-    stress: float  # largest sigma_H at the step point [Pa]
-    contact: float  # largest R [N]
-    torque: float  # largest |T| on the camshaft, without friction [N*m]
-    driving: float  # largest driving torque, with friction [N*m]
-    stiffness: float  # c [N/m]
-    preload: float  # Q0 [N]
-    refused: str  # why there is no solution; empty if there is
+    changes: tuple[str, ...] = quantity("option", 'changes against what is asked, as "law sine"; none: that itself')
+    law: str = quantity("law", "law of rise and return; both names where they differ")
+    safety: float | None = quantity("K1", "safety of the contact by which the spring is sized")  # None: it is not
+    allowed: float | None = quantity("contact[Pa]", "allowed contact stress", symbol="[sigma_H]")
+    ratio: float | None = quantity("roller_ratio", "radius of the roller over that of its pin", symbol="alpha_0")
+    height: float = quantity("H2[m]", "least height of the mechanism in whole steps", symbol="H_2")
+    start: float = quantity("S0[m]", "start distance", symbol="S_0")
+    roller: float = quantity("r2[m]", "radius of the roller", symbol="r_2")
+    least: float = quantity("H2_least[m]", "least height of the mechanism of any sizes")
+    active: tuple[int, ...] = quantity("active", "numbers of the constraints that are just met there")
+    stress: float = quantity("sigma_H[Pa]", "largest contact stress at the step point")
+    contact: float = quantity("R_max[N]", "largest force of the cam")
+    torque: float = quantity("T_max[N*m]", "largest torque on the camshaft, without friction")
+    driving: float = quantity("M_drive_max[N*m]", "largest driving torque, with friction", header="M_drive[N*m]")
+    stiffness: float = quantity("c[N/m]", "stiffness of the spring")
+    preload: float = quantity("Q0[N]", "preload of the spring", symbol="Q_0")
+    refused: str = quantity("refused", "why there is no solution; empty if there is")
 
     @property
     def name(self) -> str:
@@ -115,12 +116,12 @@ class Section:
 class FlatChart:
     """The chart of a flat-faced follower (fig. 5.37): H2_min = S0_min + h + l*."""
 
-    least_start: float  # S0_min by convexity [m]
-    convexity: float  # F_min = min (dS + S'') [m]
+    least_start: float = quantity("S0_min[m]", "least start distance by convexity")
+    convexity: float = quantity("F_min[m]", "least dS + S''")
     phi: float  # [rad] where it stands
-    least_length: float  # l* of the guide by its pressure [m]
+    least_length: float = quantity("l_min[m]", "least length of the guide by its pressure", symbol="l^*")
     length_phi: float  # [rad] where the pressure is largest then
-    least_height: float  # H2_min [m]
+    least_height: float = quantity("H2_min[m]", "least height of the mechanism")
     stroke: float  # h [m]
     gap: float  # [m]
 
@@ -130,20 +131,21 @@ class CamOptimum:
     """Stage ``cam_optimum``: the lowest mechanism, and what keeps it from being lower."""
 
     kind: str  # of the follower
-    phases: str  # "turn" or "rise": what was examined
+    phases: str = quantity("phases", "turn or rise: what was examined")
     step: float  # of S0 and r2 [m]
     height_step: float  # of H2 [m]
-    stiffness: float  # of the spring c [N/m]
-    preload: float  # Q0 [N]
+    stiffness: float = quantity("c[N/m]", "stiffness of the spring")
+    preload: float = quantity("Q0[N]", "preload of the spring", symbol="Q_0")
     safety: float | None  # what the spring reaches of K1; None: nothing lifts off
-    offset: float | None  # e [m], in the user's sense: of all the mechanisms here; None: a flat face
+    offset: float | None = quantity("e[m]", "offset of all the mechanisms, in the user's sense")  # None: a flat face
     theta: tuple[float, float] | None  # largest |theta| on rise and return at the chosen sizes [rad]
     chosen: Choice  # in whole steps
-    start: Values  # S0 (n,) [m] of all feasible step points at its height, the best first
-    roller: Values  # r2 (n,) [m]
-    margin: Values  # least margin (n,)
-    examined: int  # step points that were looked at
-    excluded: int  # of those, how many no height suits
+    # (n,) of all feasible step points at its height, the best first
+    start: Values = quantity("S0[m]", "start distance", symbol="S_0")
+    roller: Values = quantity("r2[m]", "radius of the roller", symbol="r_2")
+    margin: Values = quantity("least_margin", "least margin of the constraints")
+    examined: int = quantity("examined", "step points that were looked at")
+    excluded: int = quantity("excluded", "how many of them no height suits")
     passed: tuple[tuple[int, int], ...]  # constraint, how many step points it alone leaves
     least: Choice  # of any sizes
     asked: float | None  # H2 of the spec [m]
@@ -154,5 +156,16 @@ class CamOptimum:
     flat: FlatChart | None
     notes: tuple[str, ...]
     error: Errors  # estimates: of the margins, and of the least H2 relative to it
-    refused: str = ""  # why what is asked has no solution: all but ``options`` is then of the lowest of them
-    shown: tuple[str, ...] = ()  # the changes of that option
+    # where what is asked has no solution, all but ``options`` is of the lowest of them
+    refused: str = quantity("refused", "why what is asked has no solution", default="")
+    shown: tuple[str, ...] = quantity("option_shown", "the changes of the option that is shown", default=())
+
+    @derived("theta_rise[rad]", "largest |theta| on the rise")
+    def theta_rise(self) -> float | None:
+        """At the chosen sizes; None: a flat face."""
+        return None if self.theta is None else self.theta[0]
+
+    @derived("theta_return[rad]", "largest |theta| on the return")
+    def theta_return(self) -> float | None:
+        """At the chosen sizes; None: a flat face."""
+        return None if self.theta is None else self.theta[1]

@@ -13,8 +13,13 @@ import numpy as np
 from tmmcalc.cams.follower import Complex, Follower
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.profile.results import Profile
-from tmmcalc.core.columns import degrees as degrees_of
+from tmmcalc.core.quantity import Quantity, columns
 
+X = Quantity("x_{curve}[m]", "x of the curve {curve}")
+Y = Quantity("y_{curve}[m]", "y of the curve {curve}")
+RADIUS = Quantity("R_{curve}[m]", "distance of the curve {curve} from the axis of the cam")
+POLAR = Quantity("alpha_{curve}[deg]", "polar angle of the curve {curve}, from OY counter-clockwise")
+BEND = Quantity("rho_{curve}[m]", "radius of curvature of the curve {curve}")
 NAMES = {"inner": "w", "outer": "o", "tool": "t", "outer tool": "to"}
 
 
@@ -29,16 +34,14 @@ def curves_of(result: Profile) -> Iterator[tuple[str, Complex]]:
 def profile_columns(result: Profile) -> dict[str, np.ndarray]:
     """Columns of all rows by their headers."""
     phi = result.positions.phi
-    columns = {"i": np.array(result.positions.labels), "phi[deg]": degrees_of(phi)}
+    found = {"i": np.array(result.positions.labels), **columns(result.positions, "degrees")}
     for index, points in curves_of(result):
-        columns |= {f"x_{index}[m]": points.real, f"y_{index}[m]": points.imag}
+        found |= {X.of(curve=index).key: points.real, Y.of(curve=index).key: points.imag}
     for index, points in curves_of(result):
-        columns |= {f"R_{index}[m]": np.abs(points)}
-        columns |= {f"alpha_{index}[deg]": np.degrees(polar_angle(result.follower, phi, points))}
-    columns |= {"n_x": result.normal.real, "n_y": result.normal.imag}
-    if result.pitch_curvature is not None:
-        columns["kappa_c[1/m]"] = result.pitch_curvature
-    return {**columns, "kappa_w[1/m]": result.curvature}
+        found[RADIUS.of(curve=index).key] = np.abs(points)
+        found[POLAR.of(curve=index).key] = np.degrees(polar_angle(result.follower, phi, points))
+    bends = ("curvature",) if result.pitch_curvature is None else ("pitch_curvature", "curvature")
+    return found | columns(result, "normal_x", "normal_y", *bends)
 
 
 def polar_angle(follower: Follower, phi: Values, points: Complex) -> Values:

@@ -9,6 +9,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pivot import PivotRoom
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import Errors
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 WallName = Literal["inner", "outer", "tool", "outer tool"]
@@ -33,9 +34,11 @@ class Place:
 class Reach:
     """How far a curve can be offset to one side before its offset gets a point or crosses itself."""
 
-    distance: float  # [m]
-    cause: Literal["cusp", "neck"]  # the curvature at one place, or two places that face each other
-    at: tuple[float, ...]  # [rad] of the place, or of both
+    distance: float = quantity("{part}_max[m]", "largest {part}")
+    cause: Literal["cusp", "neck"] = quantity(
+        "{part}_max_cause", "cusp: the curvature at one place; neck: two places that face each other"
+    )
+    at: tuple[float, ...] = quantity("{part}_max_at_phi[rad]", "angle of the cam at the place, or at both")
 
 
 @record
@@ -54,22 +57,29 @@ class Wall:
     name: WallName
     distance: float  # [m] inwards
     points: Complex  # (n,) [m]
-    loops: tuple[tuple[float, float], ...]  # (from, to) [rad] where it runs backwards; to > 2 pi beyond phi = 0
+    loops: tuple[tuple[float, float], ...] = quantity(  # to > 2 pi beyond phi = 0
+        "{wall}_loops[rad]", "angles of the cam between which the curve runs backwards"
+    )
     crossings: tuple[Crossing, ...]
     sound: bool  # it neither turns back nor crosses itself
+
+    @derived("{wall}_crossings[rad]", "pairs of angles of the cam at which the curve passes the same point")
+    def crossed(self) -> tuple[tuple[float, float], ...]:
+        """Of all crossings."""
+        return tuple((each.first, each.second) for each in self.crossings)
 
 
 @record
 class Face:
     """What a flat face has to reach from its axis [m]; seen along the lift, in the user's sense."""
 
-    left: float
-    right: float
+    left: float = quantity("face_left[m]", "reach of the face to the left of its axis")
+    right: float = quantity("face_right[m]", "reach of the face to the right of its axis")
     margin: float  # on both sides
 
-    @property
+    @derived("face_length[m]", "length of the face")
     def length(self) -> float:
-        """Of the whole face [m]."""
+        """With the margins."""
         return self.left + self.right + 2 * self.margin
 
 
@@ -88,15 +98,19 @@ class Profile:
     tool: Wall | None  # path of the tool's centre along the working profile
     outer_tool: Wall | None  # and along the second wall
     normal: Complex  # (n,) unit normal of the curves, out of the cam
-    pitch_curvature: Values | None  # (n,) [1/m], positive where it bulges outwards; None: flat face
-    curvature: Values  # (n,) [1/m] of the working profile
-    tool_radius: float | None  # [m]
+    pitch_curvature: Values | None = quantity(  # (n,) None: flat face
+        "kappa_c[1/m]", "curvature of the pitch curve, positive where it bulges outwards"
+    )
+    curvature: Values = quantity("kappa_w[1/m]", "curvature of the working profile")  # (n,)
+    tool_radius: float | None = quantity("tool[m]", "radius of the tool")
     sharpest: Place  # largest curvature of the pitch curve [1/m]; flat face: least radius of the profile [m]
     hollowest: Place | None  # least curvature of the pitch curve [1/m], negative; None: convex
     inner_reach: Reach | None  # the largest roller; None: flat face
     outer_reach: Reach | None  # the same for the second wall; None: unlimited
-    largest_tool: float | None  # [m] of the working profile; None: any
-    nearest: Place  # least distance of the working profile from the axis of the cam [m]
+    largest_tool: float | None = quantity(  # None: any
+        "tool_max[m]", "radius of the largest tool for the working profile"
+    )
+    nearest: Place = quantity("r_min[m]", "least distance of the working profile from the axis of the cam")
     face: Face | None
     pivot: PivotRoom | None  # None: no rocker
     remarks: tuple[str, ...]
@@ -107,14 +121,40 @@ class Profile:
         """The follower has a flat face."""
         return self.follower.kind == "flat"
 
-    @property
+    @derived("rho_min[m]", "least radius of the profile under a flat face")
+    def flat_least(self) -> Place:
+        """Of a flat face."""
+        return self.sharpest
+
+    @derived("rho2[m]", "least radius of convex parts of the pitch curve", symbol="rho_2")
+    def convex(self) -> Place:
+        """Of a roller."""
+        return Place(1 / self.sharpest.value, self.sharpest.phi, self.sharpest.side)
+
+    @derived("rho1[m]", "least radius of concave parts of the pitch curve", symbol="rho_1")
+    def concave(self) -> Place | None:
+        """None: convex."""
+        hollow = self.hollowest
+        return None if hollow is None else Place(-1 / hollow.value, hollow.phi, hollow.side)
+
+    @derived("n_x", "normal out of the cam along x")
+    def normal_x(self) -> Values:
+        """(n,)."""
+        return self.normal.real
+
+    @derived("n_y", "normal out of the cam along y")
+    def normal_y(self) -> Values:
+        """(n,)."""
+        return self.normal.imag
+
+    @derived("rho_w_convex[m]", "least radius of convex parts of the working profile, rho2 - r2")
     def least_convex(self) -> float:
-        """rho2 - r2, least radius of convex parts of the working profile [m]; negative if it is undercut."""
+        """Negative if the profile is undercut."""
         return self.sharpest.value if self.flat else 1 / self.sharpest.value - self.follower.roller
 
-    @property
+    @derived("rho_w_concave[m]", "least radius of concave parts of the working profile, rho1 + r2")
     def least_concave(self) -> float | None:
-        """rho1 + r2, least radius of concave parts of the working profile [m]; None: convex."""
+        """None: convex."""
         return None if self.hollowest is None else -1 / self.hollowest.value + self.follower.roller
 
     @property

@@ -7,28 +7,23 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.cams.strength.results import CamStrength
+from tmmcalc.core.quantity import columns, keyed, keys
+
+MARGIN = (
+    *("name", "constraint", "verdict", "formula", "symbol", "unit", "value", "limit", "margin", "phi[deg]"),
+    *("why", "advice"),
+)
 
 
 def strength_columns(result: CamStrength) -> dict[str, np.ndarray]:
     """Columns of all rows by their headers; D is empty where nothing presses the roller."""
-    columns = {
-        "i": np.array(result.positions.labels),
-        "phi[deg]": np.degrees(result.positions.phi),
-        "kappa[1/m]": result.curvature,
-    }
-    if result.run is not None:
-        columns["A[m]"] = result.run
-    if result.slip is not None:
-        columns["D"] = result.slip if result.touching.all() else _with_gaps(result.slip, result.touching)
-    for header, values in (
-        ("sigma_H[Pa]", result.stress),
-        ("M_E[N*m]", result.reduced),
-        ("sigma_F[Pa]", result.bending),
-        ("p[Pa]", result.pressure),
-    ):
-        if values is not None:
-            columns[header] = values
-    return columns
+    found = {"i": np.array(result.positions.labels), **columns(result.positions, "phi[deg]")}
+    for name in ("curvature", "run", "slip", "stress", "reduced", "bending", "pressure"):
+        if getattr(result, name) is not None:
+            found |= columns(result, name)
+    if result.slip is not None and not result.touching.all():
+        found |= dict.fromkeys(keys(CamStrength, "slip"), _with_gaps(result.slip, result.touching))
+    return found
 
 
 def _with_gaps(values: np.ndarray, known: np.ndarray) -> np.ndarray:
@@ -37,21 +32,6 @@ def _with_gaps(values: np.ndarray, known: np.ndarray) -> np.ndarray:
 
 def margin_rows(result: CamStrength) -> list[dict[str, Any]]:
     """The margins as plain values in SI; what is not known is left out."""
-    rows = []
-    for each in result.margins:
-        row = {
-            "requirement": each.name,
-            "constraint": each.constraint,
-            "verdict": each.verdict,
-            "formula": each.formula,
-            "symbol": each.symbol or None,
-            "unit": each.unit or None,
-            "value": each.value,
-            "limit": each.limit,
-            "margin": each.margin,
-            "phi[deg]": None if each.phi is None else float(np.degrees(each.phi)),
-            "why": each.why or None,
-            "advice": each.advice or None,
-        }
-        rows.append({key: value for key, value in row.items() if value is not None})
-    return rows
+    unknown = (None, "", False)
+    rows = (keyed(each, *MARGIN) for each in result.margins)
+    return [{key: value for key, value in row.items() if not any(value is each for each in unknown)} for row in rows]

@@ -7,6 +7,7 @@ from tmmcalc.cams.forces.kernels import Mask
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import Errors
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 OK, OPEN = "ok", "not judged"
@@ -16,27 +17,29 @@ OK, OPEN = "ok", "not judged"
 class Margin:
     """One requirement: what there is, what is allowed, and what is left of it."""
 
-    name: str  # for people
-    constraint: int | None  # number in table 5.5
-    verdict: str  # "ok", "not judged", or what is wrong: "slip", "undercut", "tool_interference", "exceeded"
-    formula: str
-    symbol: str = ""
-    unit: str = ""  # SI
-    value: float | None = None
-    limit: float | None = None
-    margin: float | None = None  # 1 - value/limit, or 1 - limit/value of what has to be large
-    phi: float | None = None  # [rad] where the value stands
-    why: str = ""  # why it is not judged, or what else there is to say
-    advice: bool = False  # a recommendation: it decides nothing
+    name: str = quantity("requirement", "name of the requirement")
+    constraint: int | None = quantity("constraint", "number in table 5.5")
+    verdict: str = quantity("verdict", "ok, not judged, or what is wrong: slip, undercut, tool_interference, exceeded")
+    formula: str = quantity("formula", "formula of the requirement")
+    symbol: str = quantity("symbol", "symbol of the value", default="")
+    unit: str = quantity("unit", "SI unit of value and limit", default="")
+    value: float | None = quantity("value", "value that is judged", default=None)
+    limit: float | None = quantity("limit", "its limit", default=None)
+    margin: float | None = quantity(
+        "margin", "1 - value/limit, or 1 - limit/value of what has to be large", default=None
+    )
+    phi: float | None = quantity("phi[rad]", "angle of the cam where the value stands", default=None)
+    why: str = quantity("why", "why it is not judged, or what else there is to say", default="")
+    advice: bool = quantity("advice", "a recommendation: it decides nothing", default=False)
 
 
 @record
 class RollerUnit:
     """Roller and pin."""
 
-    pin: float  # r0 [m]
-    given: bool  # r0 is given, else by the pressure on it
-    least: float  # r2* = alpha0 r0 [m]
+    pin: float = quantity("r0[m]", "radius of the pin", symbol="r_0")
+    given: bool = quantity("r0_given", "the radius of the pin is given, else by the pressure on it")
+    least: float = quantity("r2_least[m]", "least radius of the roller, alpha0 r0", symbol="r_2^*")
 
     def fits(self, roller: float) -> bool:
         """Whether the pin goes into a roller of radius r2 [m]."""
@@ -47,22 +50,29 @@ class RollerUnit:
 class Rolling:
     """The slip function's constants; intervals of phi [rad]."""
 
-    resisting: float  # C1
-    driving: float  # C2 [N/m]
-    inertia: float  # J [kg*m^2] of the roller
-    slipping: tuple[tuple[float, float], ...]  # where D > 1
+    resisting: float = quantity("C1", "constant of the resistance in the slip function", symbol="C_1")
+    driving: float = quantity("C2[N/m]", "constant of the inertia in the slip function", symbol="C_2")
+    inertia: float = quantity("J_roller[kg*m^2]", "moment of inertia of the roller")
+    slipping: tuple[tuple[float, float], ...] = quantity(
+        "slipping[rad]", "angles of the cam between which the roller slips, D > 1"
+    )
 
 
 @record
 class ShaftFound:
     """The camshaft between its supports."""
 
-    moment: float | None  # largest M_E [N*m]
+    moment: float | None = quantity("M_E_max[N*m]", "largest reduced moment of the camshaft")
     moment_phi: float | None  # [rad] where it stands
     moment_rubbed: float | None  # the same with the torque that friction adds
-    strength: float | None  # r1' [m]
-    stiffness: float | None  # r1'' [m]
-    radius: float  # r1* [m], the larger one rounded up to a whole mm
+    strength: float | None = quantity("r1_strength[m]", "radius of the camshaft by its strength", symbol="r_1'")
+    stiffness: float | None = quantity("r1_stiffness[m]", "radius of the camshaft by its stiffness", symbol="r_1''")
+    radius: float = quantity("r1[m]", "the larger radius rounded up to a whole mm", symbol="r_1^*")
+
+    @derived("M_E_max_friction[N*m]", "largest reduced moment with the torque that friction adds")
+    def moment_with_friction(self) -> float | None:
+        """Without friction the same."""
+        return self.moment_rubbed or self.moment
 
 
 @record
@@ -73,22 +83,28 @@ class CamStrength:
     positions: Positions  # (n,)
     ends: tuple[float, ...]  # of the phases [rad], from 0 to the end of the turn
     touching: Mask  # (n,) a wall presses on the roller, so that it can roll
-    curvature: Values  # (n,) kappa [1/m] of the pitch curve, or of the profile under a flat face
-    run: Values | None  # (n,) A [m] of the roller; of a varying speed what it accelerates by, over the mean squared
-    slip: Values | None  # (n,) D; 0 where nothing presses
-    stress: Values | None  # (n,) sigma_H [Pa]
-    reduced: Values | None  # (n,) M_E [N*m]
-    bending: Values | None  # (n,) stress of the stem [Pa]
-    pressure: Values | None  # (n,) larger pressure of the two edges of the guide [Pa]
-    convex: float | None  # rho2 [m], least radius of convex parts; None: there are none
-    convex_phi: float
-    concave: float | None  # rho1 [m], least radius of concave parts; None: there are none
-    concave_phi: float
+    # (n,) each
+    curvature: Values = quantity("kappa[1/m]", "curvature of the pitch curve, or of the profile under a flat face")
+    run: Values | None = quantity(  # of a varying speed what it accelerates by, over the mean squared
+        "A[m]", "acceleration of the roller over the speed squared"
+    )
+    slip: Values | None = quantity("D", "slip function; 0 where nothing presses")
+    stress: Values | None = quantity("sigma_H[Pa]", "contact stress")
+    reduced: Values | None = quantity("M_E[N*m]", "reduced moment of the camshaft")
+    bending: Values | None = quantity("sigma_F[Pa]", "bending stress of the stem")
+    pressure: Values | None = quantity("p[Pa]", "larger pressure of the two edges of the guide")
+    # None: there are no such parts
+    convex: float | None = quantity("{radius}[m]", "least radius of convex parts")
+    convex_phi: float = quantity("{radius}_at_phi[rad]", "angle of the cam at the least convex radius")
+    concave: float | None = quantity("rho1[m]", "least radius of concave parts", symbol="rho_1")
+    concave_phi: float = quantity("rho1_at_phi[rad]", "angle of the cam at the least concave radius")
     unit: RollerUnit | None
     rolling: Rolling | None
     shaft: ShaftFound | None
     margins: tuple[Margin, ...]
-    verdict: str  # the gravest of the margins' verdicts: "undercut", "tool_interference", "slip", "exceeded", "ok"
+    verdict: str = quantity(
+        "verdict", "the gravest of the margins' verdicts: undercut, tool_interference, slip, exceeded, ok"
+    )
     notes: tuple[str, ...]
     error: Errors  # estimates, relative: of the rows by their names, of the extremes behind the margins
 

@@ -9,9 +9,11 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.pivot import PivotRoom
 from tmmcalc.cams.pressure.angle import Extreme, Reached
 from tmmcalc.cams.rounding import Errors
+from tmmcalc.core.quantity import columns, keys, quantity
 from tmmcalc.core.records import record
 
 PLANE = "e, S0"  # frames of a region
+OFFSET, CENTRE = {"x": "e", "y": "S0"}, {"x": "x_O", "y": "y_O"}  # what the coordinates of a region are
 PIVOT = "from the pivot A, x along the lowest rocker, y towards its lift"
 
 
@@ -20,8 +22,8 @@ class Size:
     """One size of the follower and where it comes from."""
 
     symbol: str  # S0, R0, e, l0, l2, psi0, r2
-    value: float  # [m] or [rad]; e in the user's sense
-    given: bool
+    value: float = quantity("{symbol}[{unit}]", "size {symbol}")  # e in the user's sense
+    given: bool = quantity("{symbol}_given", "the size {symbol} is given")
     how: str  # the rule that found it; "given"
 
 
@@ -29,15 +31,21 @@ class Size:
 class Design:
     """Sizes by one rule, and the pressure angles that they really reach."""
 
-    name: str
+    name: str = quantity("name", "the rule of the design")
     base: float  # R0 [m]
     start: float  # S0 [m] or psi0 [rad]
     offset: float  # e [m], canonical; RT
     centres: float  # l0 [m]; RK
     rocker: float  # l2 [m]; RK
-    rise: tuple[float, float]  # least and largest theta [rad]
-    back: tuple[float, float]
-    excess: float  # of |theta| beyond its limit [rad]; negative: within
+    rise: tuple[float, float] = quantity(
+        "theta_rise[rad]", "least and largest pressure angle on the rise", header="rise[rad]"
+    )
+    back: tuple[float, float] = quantity(
+        "theta_return[rad]", "least and largest pressure angle on the return", header="return[rad]"
+    )
+    excess: float = quantity(
+        "beyond_limit[rad]", "excess of |theta| over its limit; negative: within", header="beyond[rad]"
+    )
 
 
 @record
@@ -49,22 +57,23 @@ class Region:
     """
 
     frame: str  # PLANE or PIVOT
-    x: Values  # (m,) [m]
-    y: Values  # (m,) [m]
-    phi: Values  # (m,) [rad]; 0 on a cut
-    side: Indices  # (m,) +1 or -1: theta reaches its limit with this sign; 0: cut
+    x: Values = quantity("{x}[m]", "corner of the admissible region")  # (m,)
+    y: Values = quantity("{y}[m]", "corner of the admissible region")  # (m,)
+    phi: Values = quantity("phi[rad]", "angle of the cam to which the side belongs; 0 on a cut")  # (m,)
+    side: Indices = quantity("side", "+1 or -1: theta reaches its limit with this sign; 0: cut")  # (m,)
 
 
 @record
 class Convexity:
     """What a flat face asks of S0: rho = S0 + F > 0 with F = dS + S'' (5.96, 5.97)."""
 
-    least: Extreme  # F_min [m] and where
-    limit: float  # r_m [m]
-    needed: float  # S0 >= r_m - F_min [m]
-    radius: float  # least radius of the profile with the S0 taken [m]
-    left: float  # reach of the face to the left of the axis, user's sense, margin included [m]
-    right: float
+    least: Extreme = quantity("F_min[m]", "least dS + S''")
+    limit: float = quantity("r_m[m]", "least radius of the profile that is allowed")
+    needed: float = quantity("S0_min[m]", "least start distance, r_m - F_min")
+    radius: float = quantity("rho_min[m]", "least radius of the profile with the start distance taken")
+    # user's sense, margin included
+    left: float = quantity("face_left[m]", "reach of the face to the left of the axis")
+    right: float = quantity("face_right[m]", "reach of the face to the right of the axis")
     margin: float  # [m]
 
 
@@ -73,7 +82,7 @@ class RollerRule:
     """An upper bound of the roller's radius."""
 
     name: str
-    value: float  # [m]
+    value: float = quantity("r2_max: {rule}[m]", "largest radius of the roller by the rule")
 
 
 @record
@@ -81,20 +90,22 @@ class RollerChoice:
     """The roller and what bounds it."""
 
     radius: float  # r2 [m]
-    governs: str  # the smallest bound
+    governs: str = quantity("r2_governs", "the smallest bound of the roller's radius")
     rules: tuple[RollerRule, ...]
-    convex: Extreme  # rho2 [m], least radius of the convex parts of the pitch curve
-    concave: Extreme | None  # rho1 [m], of the concave parts; None: there are none
+    convex: Extreme = quantity("rho2[m]", "least radius of convex parts of the pitch curve", symbol="rho_2")
+    concave: Extreme | None = quantity(  # None: there are none
+        "rho1[m]", "least radius of concave parts of the pitch curve", symbol="rho_1"
+    )
 
 
 @record
 class Synthesis:
     """Stage ``cam_synthesis``."""
 
-    kind: FollowerKind
+    kind: FollowerKind = quantity("follower", "kind of the follower")
     follower: Follower
     sizes: tuple[Size, ...]
-    governs: str  # what decides the size of the cam
+    governs: str = quantity("governs", "what decides the size of the cam")
     designs: tuple[Design, ...]  # the one taken, other exact ones, the textbook's
     rounded: Design | None  # the next whole millimetres that keep the limits
     rise: Reached | None  # None: a flat face has no pressure angle
@@ -102,7 +113,9 @@ class Synthesis:
     region: Region | None
     convexity: Convexity | None
     roller: RollerChoice | None
-    residual: float  # [rad] by how much the sizes found miss the limit that they are to reach; 0 if they reach none
+    residual: float = quantity(  # 0 if they reach none
+        "residual[rad]", "by how much the sizes found miss the limit that they are to reach"
+    )
     notes: tuple[str, ...]
     error: Errors  # estimates: of the sizes relative to R0, of angles and radii relative to themselves
     pivot: PivotRoom | None = None  # None: no rocker
@@ -112,12 +125,7 @@ def region_columns(result: Synthesis) -> dict[str, Values]:
     """Corners of the admissible region by their headers; no rows without a region."""
     region = result.region
     if region is None:
-        return {"x_O[m]": np.empty(0), "y_O[m]": np.empty(0)}
-    sign = result.follower.sense if result.kind == "translating" else 1
-    names = ("e[m]", "S0[m]") if result.kind == "translating" else ("x_O[m]", "y_O[m]")
-    return {
-        names[0]: sign * region.x,
-        names[1]: region.y,
-        "phi[deg]": np.degrees(region.phi),
-        "side": region.side,
-    }
+        return {key: np.empty(0) for key in keys(Region, "x", "y", **CENTRE)}
+    translating = result.kind == "translating"
+    sides = columns(region, "x", "y", "phi[deg]", "side", **(OFFSET if translating else CENTRE))
+    return sides | {next(iter(sides)): (result.follower.sense if translating else 1) * region.x}

@@ -5,6 +5,7 @@ from typing import Annotated, Any
 from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import core_schema
 
+from tmmcalc.cams.laws.catalogue import NAMES
 from tmmcalc.spec.choices import Known
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.phrases import show
@@ -12,20 +13,6 @@ from tmmcalc.spec.quantities import Number, Quantity
 from tmmcalc.spec.reader import Reader
 from tmmcalc.spec.table import Table
 from tmmcalc.spec.units import UnitError, parse
-
-# The catalogue of laws, whose module needs numpy; a test holds the two together.
-LAWS = (
-    "sine",
-    "cosine",
-    "linear",
-    "parab2",
-    "const",
-    "shun",
-    "poly5",
-    "poly4567",
-    "modified_trapezoid",
-    "modified_sine",
-)
 
 
 class Scaled(Reader):
@@ -80,7 +67,7 @@ class LawTable(Table):
 class LawForm:
     """A law is a name of the catalogue, or a table."""
 
-    NAMES = Known("law of motion", LAWS)
+    KNOWN = Known("law of motion", NAMES)
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
         return core_schema.no_info_wrap_validator_function(self.read, handler(LawTable))
@@ -88,12 +75,12 @@ class LawForm:
     def __get_pydantic_json_schema__(
         self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
-        return {"anyOf": [self.NAMES.describe(), handler(schema)]}
+        return {"anyOf": [self.KNOWN.describe(), handler(schema)]}
 
     def read(self, value: object, table: core_schema.ValidatorFunctionWrapHandler) -> Any:
         """Return the name, or the table of a law; raise UnitError for what is neither."""
         if isinstance(value, str):
-            return self.NAMES.read(value)
+            return self.KNOWN.read(value)
         if not isinstance(value, dict):
             raise UnitError(f"{show(value)} is no law of motion", 'write law = "sine", or { points = [[k, s], ...] }')
         return table(value)

@@ -6,7 +6,8 @@ from typing import Annotated, Any
 from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import core_schema
 
-from tmmcalc.cams.tables.cam_law import LAWS, LawForm, LawTable
+from tmmcalc.cams.laws.catalogue import NAMES
+from tmmcalc.cams.tables.cam_law import LawForm, LawTable
 from tmmcalc.spec.choices import Known
 from tmmcalc.spec.quantities import Number
 from tmmcalc.spec.units import UnitError
@@ -52,7 +53,7 @@ class LawName(Known):
 class StepLawForm(LawForm):
     """A law is a name, a code, or a table."""
 
-    NAMES = LawName("law of motion", LAWS)
+    KNOWN = LawName("law of motion", NAMES)
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> core_schema.CoreSchema:
         return core_schema.no_info_wrap_validator_function(self.read, handler(StepLawTable))
@@ -60,7 +61,7 @@ class StepLawForm(LawForm):
     def __get_pydantic_json_schema__(
         self, schema: core_schema.CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
-        return {"anyOf": [self.NAMES.describe(), handler(schema)]}
+        return {"anyOf": [self.KNOWN.describe(), handler(schema)]}
 
 
 StepLaw = Annotated[str | StepLawTable, StepLawForm()]
