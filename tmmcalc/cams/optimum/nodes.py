@@ -7,12 +7,14 @@ slip function has a sharp peak, for which the panels are halved.
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.cams.forces.kernels import resultant
 from tmmcalc.cams.forces.results import SpringFound
-from tmmcalc.cams.forces.turn import Points, at_angles
+from tmmcalc.cams.forces.turn import Points, at_angles, at_rows
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.optimum.peaks import ended
+from tmmcalc.cams.optimum.peaks import RISE, ended
+from tmmcalc.cams.program import Positions
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.numerics.panels import Panels, panels, resolved
 
@@ -29,22 +31,49 @@ def pressing(loads: Loads, spring: SpringFound, at: Points) -> Values:
 def nodes(task: CamTask, loads: Loads, spring: SpringFound, rise: bool, widest: float) -> tuple[Values, Indices]:
     """phi (M,) and piece of the program of every node, of the ``rise`` alone or of the turn, panel by panel.
 
-    In a dwell in which nothing varies one panel stands for it.
+    Of a dwell its first panel stands, and those in which what varies may be extreme.
     """
-    program, force = task.program, loads.force
+    program = task.program
     on = _panels(task, loads, spring, widest)
     middle = (on.edges[:-1] + on.edges[1:]) / 2
     piece = np.clip(np.searchsorted(program.edges, middle) - 1, 0, len(program.edges) - 2)
     phase = program.places[0][piece]
     kinds = np.array([each.kind for each in program.phases])[phase]
-    moves = (kinds == "rise") | (kinds == "return")
-    first = np.append(True, phase[1:] != phase[:-1])
-    varies = force.phi is not None or task.turning is not None
-    rows = np.flatnonzero(kinds == "rise" if rise else moves | first | varies)
     points = ended(on.order).points
-    phi = on.edges[rows, None] + on.width[rows, None] * points
-    phi[:, -1] = on.edges[rows + 1]
-    return phi.ravel(), np.repeat(piece[rows], len(points))
+    phi = on.edges[:-1, None] + on.width[:, None] * points
+    phi[:, -1] = on.edges[1:]
+    chosen = kinds == "rise"
+    if not rise:
+        chosen |= kinds == "return"
+        dwell = np.where(chosen, -1, phase)
+        chosen |= np.append(True, phase[1:] != phase[:-1])
+        if loads.force.phi is not None or task.turning is not None:
+            chosen |= _extreme(task, loads, spring, phi, piece, dwell)
+    return phi[chosen].ravel(), np.repeat(piece[chosen], len(points))
+
+
+def _extreme(
+    task: CamTask, loads: Loads, spring: SpringFound, phi: Values, piece: Indices, dwell: Indices
+) -> NDArray[np.bool_]:
+    """Panels (K,) of every ``dwell`` (K,), -1: none, in which P or eps/P may be largest or least.
+
+    All that the constraints limit goes one way with P or with eps/P where the follower rests.
+    """
+    at = at_rows(task, loads, Positions(phi.ravel(), np.repeat(piece, phi.shape[1]), ()))
+    force = pressing(loads, spring, at)
+    varying = [force]
+    if task.turning is not None:
+        varying.append(task.turning.at(at.phi)[1] / np.maximum(force, LEAST * np.max(force)))
+    found = np.zeros(len(phi), bool)
+    for each in set(dwell[dwell >= 0].tolist()):
+        rows = np.flatnonzero(dwell == each)
+        for values in varying:
+            held = values.reshape(phi.shape)[rows]
+            low, high = held.min(axis=1), held.max(axis=1)
+            room = RISE * (high - low)
+            if high.max() > low.min():
+                found[rows] |= (low - room <= low.min()) | (high + room >= high.max())
+    return found
 
 
 def _panels(task: CamTask, loads: Loads, spring: SpringFound, widest: float) -> Panels:
