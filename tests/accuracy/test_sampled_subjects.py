@@ -62,7 +62,7 @@ def test_a_stage_that_misses_its_maximum_is_told() -> None:
     assert max(errors_of(study, "extremes")) < 1e-13
 
 
-@pytest.mark.parametrize("name", ["shaper", "press"])
+@sparing("name", ["shaper", "press"], every=2)
 def test_passes_of_friction_fall_by_the_loop_gain(name: str) -> None:
     found = [study for quantity, study in studies_of(name, "forces").items() if quantity.startswith("friction")]
     assert found
@@ -171,6 +171,7 @@ def test_largest_forces_of_a_cam(name: str) -> None:
     assert table[-1] < 1e-2 * table[0]
 
 
+@pytest.mark.slow
 @sparing("law", ["linear", "sine"], every=2)
 def test_least_cam_under_a_rocker(law: str) -> None:
     (study,) = studies_of("cam-rocker-synthesis", "cam_synthesis", f'cam.law="{law}"').values()

@@ -112,6 +112,7 @@ def test_nobody_at_the_address(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     assert time.monotonic() - began < 10
 
 
+@pytest.mark.slow
 def test_workers_without_the_program(cluster: Cluster, tmp_path: Path) -> None:
     task = sweeptoy.task(tmp_path, 4)
     task = Task(task.text, task.file, task.folder, (), task.axes, solver="no_such_module:solve")

@@ -196,7 +196,7 @@ def test_where_one_has_no_solution_the_others_stay_together(monkeypatch: pytest.
     assert "limit position" in rows[8].alone
 
 
-@pytest.mark.parametrize("ends", ["0:0.3", "0.3:0"])
+@sparing("ends", ["0:0.3", "0.3:0"], every=2)
 @sparing("columns", [("forces.max(R_A)",), FACTS], every=2)
 def test_friction_from_nothing(ends: str, columns: tuple[str, ...]) -> None:
     task = task_of(SHAPER, [RANGE[0], f"mechanism.joints[name=A3].friction={ends}:17"], None, (), columns)
@@ -209,13 +209,14 @@ def test_friction_from_nothing(ends: str, columns: tuple[str, ...]) -> None:
         assert one.values == pytest.approx(other.values, rel=1e-11, abs=1e-9)
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("name", "key", "end", "columns"),
     [
         ("press", "mechanism.joints[name=B0].friction", 0.05, ("forces.mean(*)",)),  # two rows where it turns back
         ("scotch-yoke", "mechanism.joints[name=D0].friction", 0.05, ("reduction.*",)),  # a cause of a moment
         ("press", "mechanism.gravity", 5, ("reduction.*",)),  # another
     ],
+    every=3,
 )
 @sparing("order", [1, -1], every=2)
 def test_what_is_nothing_in_one_variant(name: str, key: str, end: float, columns: tuple[str, ...], order: int) -> None:

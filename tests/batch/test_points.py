@@ -68,6 +68,7 @@ def test_what_is_asked_of_a_column(of: str, truth) -> None:
     assert row[f"kinematics.{of}(vS_D)[m/s]"] == pytest.approx(float(truth(column)), rel=1e-14)
 
 
+@pytest.mark.slow
 def test_all_facts_of_the_targets_or_of_all_stages() -> None:
     (row, _) = rows(SHAPER, FEW, "motion.inertia=40,50", to=("kinematics", "power"))
     assert {name.partition(".")[0] for name in row} - {"status", "reason"} == {"kinematics", "power"}

@@ -97,7 +97,7 @@ def test_the_crank_turned_the_other_way() -> None:
     assert compared(task, range(0, 6, 2)) == 3
 
 
-@pytest.mark.parametrize("start", ['"0 deg"', '"137 deg"'])
+@sparing("start", ['"0 deg"', '"137 deg"'], every=2)
 def test_position_0_that_is_given(start: str) -> None:
     task = task_of(SHAPER, [f"mechanism.input.start={start}", f"{CRANK}=*0.9:1.1:6"], None, ("forces",), ())
     assert compared(task, range(0, 6, 2)) == 3
@@ -135,6 +135,7 @@ def test_what_is_asked_for_by_name(columns: tuple[str, ...]) -> None:
     assert compared(task, range(0, 5, 2)) == 3
 
 
+@pytest.mark.slow
 @sparing(
     "sets",
     [
@@ -152,6 +153,7 @@ def test_flywheels_under_the_motor(sets: tuple[str, ...]) -> None:
     assert made.alone == ()
 
 
+@pytest.mark.slow
 def test_a_positional_motion_is_found_for_each_by_itself() -> None:
     task = task_of(SHAPER, [f"{CRANK}=*0.95:1.05:5", 'motion.drive="positional"'], None, (), ("motion.max(omega)",))
     assert compared(task, range(0, 5, 4)) == 2

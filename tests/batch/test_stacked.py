@@ -159,13 +159,14 @@ def test_a_point_has_the_same_digits_whatever_it_is_solved_with() -> None:
         assert stacked.solve_points(task, [point]) == [rows[point]]
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("sets", "columns", "reason"),
     [
         ((f"{CRANK}=0.15:0.25:20", 'reduction.rods="lumped"'), ("reduction.max(J_red)",), "rods are lumped"),
         ((f"{CRANK}=0.15:0.25:20", "mechanism.grid.extremes=true"), ("kinematics.max(v_D0)",), "strokes"),
         (("mechanism.joints[name=A3].guide.angle=-1 deg:1 deg:20",), ("kinematics.max(v_D0)",), "directions"),
     ],
+    every=3,
 )
 def test_what_cannot_be_solved_together_says_why(sets: tuple[str, ...], columns: tuple[str, ...], reason: str) -> None:
     assert reason in str(stacked.prepared(task_of(SHAPER, sets, None, (), columns)))
@@ -203,6 +204,7 @@ def test_the_sweep_says_how_its_variants_were_solved() -> None:
     assert stacked.way(strict) == "variants solved one by one: a tolerance is asked for"
 
 
+@pytest.mark.slow
 def test_variants_with_friction_where_the_first_has_none() -> None:
     key = "mechanism.joints[name=A3].friction"
     task = task_of(SHAPER, [FEW, f"{key}=0:0.15:16"], None, (), ("forces.max(R_A)",))

@@ -170,6 +170,7 @@ def test_loss_of_contact_by_vibration() -> None:
     assert np.all(result.load[~inside] < 1e-9)
 
 
+@pytest.mark.slow
 def test_a_groove_is_changed_from_wall_to_wall() -> None:
     """Two walls hold the roller: no contact is lost; where the load changes its sign the other wall presses."""
     from tmmcalc.cams.facts.cam_elastic import document as elastic_document

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from cams.turns import overshooting, task_of
 from tmmcalc.cams.facts.cam_forces import document as forces_document
@@ -79,7 +80,7 @@ def test_whole_turn_of_the_worked_case():
     assert (found.verdict, found.lost, found.notes) == ("ok", (), ())
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("given", "follower"),
     [
         (task(), FOLLOWER),
@@ -90,6 +91,7 @@ def test_whole_turn_of_the_worked_case():
         (flat_task(), Follower("flat", 0.05)),
         (task(force=Force(phi=np.radians([0, 40, 100, 200]), values=np.array([0.0, -30.0, -30.0, 0.0]))), FOLLOWER),
     ],
+    every=3,
 )
 def test_work_of_a_turn(given, follower):
     """Inertia, spring and weight give nothing in a turn, so the balance closes; against a dense sum as well."""
@@ -201,6 +203,7 @@ def test_force_closure_without_a_spring_is_lost_in_the_dwells():
     assert np.degrees(found.lost) == pytest.approx(np.array([[40.0, 145.0], [190.0, 360.0]]), abs=1e-9)
 
 
+@pytest.mark.slow
 def test_jamming_is_refused_with_its_place():
     follower, guide = Follower("translating", 0.01, 0.0, 0.005), Guide(length=0.008, gap=0.01)
     given = task(friction=0.25, guide=guide)

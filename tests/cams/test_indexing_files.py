@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from cams.indexing_scene import SCENES, task
 from tmmcalc.cams.facts.indexing import document as indexing_document
@@ -34,7 +35,7 @@ def ends_of(piece) -> tuple[complex, complex]:
     return (piece.control[0, 0], piece.control[-1, -1]) if isinstance(piece, Cubics) else piece.ends
 
 
-@pytest.mark.parametrize("name", SCENES)
+@sparing("name", SCENES, every=3)
 def test_outlines_are_closed_chains(name: str) -> None:
     given = replace(SCENES[name], tolerance=1e-5, shaft=0.004)
     found = solve_indexing(given)
@@ -95,6 +96,7 @@ def test_a_pointed_groove_has_its_pitch_curve() -> None:
     assert np.min(np.abs(working.polygon)) == pytest.approx(0.1 - 0.05, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_drawings_have_equal_bytes() -> None:
     drawn = outlines(GIVEN, FOUND)
     assert svg(drawn, GIVEN.tolerance, "x") == svg(outlines(GIVEN, FOUND), GIVEN.tolerance, "x")

@@ -245,6 +245,7 @@ def test_the_means_lie_in_the_range_of_the_method() -> None:
     assert smooth.mean_aiding == pytest.approx(1, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_the_largest_pressure_angles_on_a_fine_grid() -> None:
     for given in SCENES.values():
         found = solve_indexing(given)

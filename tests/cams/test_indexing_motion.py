@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import make_interp_spline
 from scipy.optimize import fsolve
+from sparing import sparing
 
 from cams.indexing_scene import SCENES, law_at, roller_at
 from tmmcalc.cams.indexing import solve_indexing
@@ -36,7 +37,7 @@ def pieces(name, found, drive):
             yield t, stretch.curve.point(t)
 
 
-@pytest.mark.parametrize("name", ["A", "B", "back"])
+@sparing("name", ["A", "B", "back"], every=3)
 def test_the_profile_drives_the_wheel_by_the_law(scene, name) -> None:
     """A roller that touches a spline through the points of the working profile stands where the law has it."""
     key, given, found, drive = scene

@@ -90,7 +90,7 @@ SHORT = turn("cosine", rise=5, high=0, back=5)
 NAMED = {**SCENES, "face": (FACE, Follower("flat", 0.08), {}), "short": (SHORT, Follower("translating", 0.5), {})}
 
 
-@sparing("name", NAMED, every=4)
+@sparing("name", NAMED, every=8)
 def test_phases_are_named_clear_of_each_other_and_of_the_walls(name):
     program, follower, asked = NAMED[name]
     task = task_of(program, follower.kind, **asked)
@@ -106,7 +106,7 @@ def test_phases_are_named_clear_of_each_other_and_of_the_walls(name):
             assert not any(box.count_contains(on_paper) for box in found.values())
 
 
-@sparing("name", NAMED, every=4)
+@sparing("name", NAMED, every=8)
 def test_positions_are_numbered_as_in_the_tables_and_can_be_read(name):
     from matplotlib.text import Text
 
@@ -139,6 +139,7 @@ def test_only_the_line_of_the_cusp_has_its_look():
     assert "cusp of the pitch curve" in " ".join(each.get_text() for each in axes.get_legend().get_texts())
 
 
+@pytest.mark.slow
 def test_short_phases_are_named_beside_each_other():
     task = task_of(turn("cosine", rise=5, high=5, back=5))
     figure = law_figure(task, solve_law(task))

@@ -176,6 +176,7 @@ def same(a: Any, b: Any) -> bool:
     return type(a) is type(b) and bool(a == b)
 
 
+@pytest.mark.slow
 @sparing("kind", ["translating", "flat"], every=2, first=1)
 def test_round_trip_documents_and_pictures(kind: str, tmp_path: Path) -> None:
     from drawing import draw_cam

@@ -110,6 +110,7 @@ def test_no_lower_step_height_by_brute_force(law: str, spring: Spring | None) ->
         assert not np.any(np.all(margins(scene, start, roller, np.full(len(start), lower)) >= -1e-12, axis=0))
 
 
+@pytest.mark.slow
 @sparing("friction", [0.1, 0.0], every=2)
 @sparing("phases", ["turn", "rise"], every=2, first=1)
 def test_continuous_optimum_against_differential_evolution(friction: float, phases: Any) -> None:
@@ -212,6 +213,7 @@ def test_materials_and_rollers_are_compared() -> None:
         assert options[name].active == least.active
 
 
+@pytest.mark.slow
 def test_combined_options() -> None:
     asked: dict[str, Any] = {"contacts": (("", 5e8), ("", 6e8)), "roller_ratios": (("needle", 1.15),)}
     told: list[str] = []
@@ -300,6 +302,7 @@ def test_a_tiny_stroke_and_a_profile_without_concave_parts() -> None:
     assert small.chosen.worst.margin >= 0
 
 
+@pytest.mark.slow
 def test_no_scipy_in_an_ordinary_run() -> None:
     import subprocess
     import sys

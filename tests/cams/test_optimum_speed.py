@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from cams.optimum_scene import roller_task
 from tmmcalc.cams.follower import Follower
@@ -29,7 +30,7 @@ def uneven(task: CamTask, part: float = 0.2) -> CamTask:
     return replace(task, turning=Speed(on, omega, -omega * 100 * part * np.sin(on.x)))
 
 
-@pytest.mark.parametrize("law", ["const", "sine", "shun", "linear"])
+@sparing("law", ["const", "sine", "shun", "linear"], every=4)
 @pytest.mark.parametrize("least", [1e-3, 0.1, 5.0])
 def test_slip_of_a_roller_that_is_barely_pressed(law: str, least: float) -> None:
     """The spring leaves ``least`` of some hundred newtons where the follower brakes most."""

@@ -74,6 +74,7 @@ def test_sizes_too_far_for_the_steps_are_named() -> None:
     assert "step above 0.1 mm" in (refused.value.remedy or "")
 
 
+@pytest.mark.slow
 def test_a_roller_that_slips_everywhere_is_refused_soon() -> None:
     """Every step point is looked at once, however far the search goes."""
     from tmmcalc.cams.optimum import slipping, steps
@@ -125,6 +126,7 @@ def test_pressure_angles_are_told_beside_their_limits() -> None:
         assert all(f"the {degrees(limit):.5g} deg of [cam.limits]" in note for note in notes)
 
 
+@pytest.mark.slow
 @sparing("law", ["cosine", "shun"], every=2)
 def test_torques_of_the_design_game_are_those_of_the_forces(law: str) -> None:
     """|T| of both signs without friction, and the largest driving torque with it, between the nodes too."""

@@ -54,7 +54,7 @@ def from_polygon(points, polygon):
     return np.min(np.abs(points[:, None] - (a + along * (b - a))), axis=1)
 
 
-@pytest.mark.parametrize("scene", SCENES)
+@sparing("scene", SCENES, every=4)
 @pytest.mark.parametrize("tolerance", [1e-4, 2e-6])
 def test_chords_keep_the_tolerance_of_the_true_curve(scene, tolerance):
     program, follower, _ = scene

@@ -5,6 +5,7 @@ from math import degrees, radians
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower
@@ -36,7 +37,7 @@ def bounds(rim, side, count=900):
     return float(np.min(np.where(far, np.abs(chord) ** 2 / np.where(far, 2 * depth, 1.0), np.inf)))
 
 
-@pytest.mark.parametrize("name", SCENES)
+@sparing("name", SCENES, every=4)
 @pytest.mark.parametrize("side", [1, -1])
 def test_the_reach_is_what_dense_pairs_of_points_allow(name, side):
     program, follower = SCENES[name]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from mpmath import mpf
+from sparing import sparing
 
 from cams.exact import missed, motion_at
 from cams.exact_forces import Loaded
@@ -90,7 +91,7 @@ def the_work(random):
 SCENES = (the_forces, the_extremes, the_work)
 
 
-@pytest.mark.parametrize("scene", SCENES)
+@sparing("scene", SCENES, every=3)
 def test_estimates_in_a_few_scenes(scene):
     briefly(scene, 7, FEW)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from mpmath import mpf
+from sparing import sparing
 
 from cams.exact import law_at, missed, motion_at, pitch_at
 from cams.scenes import KINDS, random_cam, some
@@ -26,7 +27,7 @@ def test_laws_and_their_derivatives(name):
             assert missed(found[order], [each[order] for each in exact], size) < 1e-13
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@sparing("kind", KINDS, every=3)
 def test_points_and_curvature(kind):
     random = np.random.default_rng(5)
     for _ in range(12):

@@ -147,7 +147,7 @@ def test_one_size_more():
         assert max(found.rise.excess, found.back.excess) == pytest.approx(0, abs=1e-12)
 
 
-@pytest.mark.parametrize("names", [("rocker", "centres"), ("rocker", "start"), ("rocker", "base")])
+@sparing("names", [("rocker", "centres"), ("rocker", "start"), ("rocker", "base")], every=3)
 def test_the_optimum_itself_may_be_given(names):
     free = solve_synthesis(rocker_task(rocker=L2)).follower
     again = solve_synthesis(rocker_task(**{name: getattr(free, name) for name in names})).follower

@@ -101,7 +101,7 @@ def test_optimum_against_other_methods(seed):
         assert least_start(lines, offset) / h == pytest.approx(alone, rel=1e-5)
 
 
-@pytest.mark.parametrize("offset", [None, 0.0, 0.008, -0.012])
+@sparing("offset", [None, 0.0, 0.008, -0.012], every=4)
 @pytest.mark.parametrize("sense", [1, -1])
 @pytest.mark.parametrize("back", [None, 40, 25])
 def test_limits_are_reached_and_kept(offset, sense, back):
@@ -128,7 +128,7 @@ def test_senses_mirror_the_offset():
 
 @pytest.mark.parametrize("rise", [5.0, 60.0])
 @pytest.mark.parametrize("stroke", [1e-6, 1.0])
-@pytest.mark.parametrize("law", ["const", "sine", "modified_trapezoid"])
+@sparing("law", ["const", "sine", "modified_trapezoid"], every=4)
 def test_extreme_sizes(rise, stroke, law):
     program = turn(law, rise=rise, high=20, back=90, stroke=stroke)
     limits = AngleLimits(radians(30), radians(30), convex=0.0)

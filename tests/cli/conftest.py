@@ -7,14 +7,12 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable
-from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
 import pytest
 
 from tmmcalc.cli import main
-from tmmcalc.project import schema
 
 ROOT = Path(__file__).parents[2]
 CONFIGS = ROOT / "configs"
@@ -27,7 +25,6 @@ class Answer(NamedTuple):
 
 
 Cli = Callable[..., Answer]
-schema_text = cache(schema.schema_text)  # the same in every command, and a third of a second each time
 
 
 @pytest.fixture(autouse=True)
@@ -39,9 +36,8 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
-def cli(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Cli:
+def cli(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], known_schema: None) -> Cli:
     """Run a command in this process; an exception of the program is one of the test."""
-    monkeypatch.setattr(schema, "schema_text", schema_text)
 
     def run(*args: str) -> Answer:
         monkeypatch.setattr(sys, "argv", ["tmmcalc", *args])

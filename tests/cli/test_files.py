@@ -133,6 +133,7 @@ def test_a_changed_table_computes_the_stages_that_read_it(cli: Cli) -> None:
     assert "forces: computed" in err
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(shutil.which("make") is None, reason="there is no make here")
 def test_make_has_nothing_to_do_the_second_time(folder: Path) -> None:
     shutil.copy("my.toml", "other one.toml")

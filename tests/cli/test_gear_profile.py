@@ -112,6 +112,7 @@ def test_files_of_pairs_in_mesh(cli: Cli, three: str) -> None:
     assert Path("a.svg").stat() != before
 
 
+@pytest.mark.slow
 def test_one_wheel_stands_upright(cli: Cli, three: str) -> None:
     assert cli(*PROFILE, three, "--wheel", "ring/2", "--outline", "ring.csv", "--tolerance", "1 um").code == 0
     found = columns(Path("ring.csv").read_text())
@@ -243,6 +244,7 @@ def test_sound_wheels_are_drawn_and_the_others_named(cli: Cli, unsound: str) -> 
     assert not Path("one.svg").exists()
 
 
+@pytest.mark.slow
 @sparing("stage", ["pair", "profile"], every=2)
 def test_sheets_of_sound_wheels(cli: Cli, unsound: str, stage: str) -> None:
     pytest.importorskip("matplotlib")

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from sparing import sparing
 
 from .conftest import CONFIGS, ROOT, Cli
 
@@ -142,7 +143,7 @@ def test_why_sets_are_rejected(cli: Cli) -> None:
 
 
 @pytest.mark.parametrize("command", ["strength", "compare"])
-@pytest.mark.parametrize("name", READY)
+@sparing("name", READY, every=4)
 def test_ready_specs_stay_in_80_columns(cli: Cli, name: str, command: str) -> None:
     code, out, _ = cli("gears", command, str(CONFIGS / f"{name}.toml"), "--no-store", "-q", "--rows", "3")
     assert code == 0

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from sparing import sparing
 
 from .conftest import CONFIGS, Cli
 
@@ -58,7 +59,7 @@ def test_the_solution_is_that_of_the_stage(cli: Cli) -> None:
     assert found["settled"]
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("args", "said"),
     [
         (("--iterations", "9"), "names no group and position"),
@@ -71,6 +72,7 @@ def test_the_solution_is_that_of_the_stage(cli: Cli) -> None:
         (("--iterations", "RRP(2,3)@1", "--columns", "phi"), "leave --columns and --positions out"),
         (("--stop", "0.1"), "add --iterations"),
     ],
+    every=3,
 )
 def test_what_is_refused(cli: Cli, args: tuple[str, ...], said: str) -> None:
     code, out, err = cli("forces", "press.toml", "-q", *args)

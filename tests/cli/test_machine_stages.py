@@ -98,6 +98,7 @@ def test_the_table_of_a_linkage(cli: Cli) -> None:
     assert [row[:2] for row in rows] == [["0", "0.0"], ["2", "60.0"], ["4", "120.0"]]
 
 
+@pytest.mark.slow
 @sparing(
     ("spec", "stage"), [("press.toml", "transient"), ("press.toml", "balance"), ("engine.toml", "balance")], every=3
 )

@@ -12,7 +12,7 @@ from .conftest import Cli
 pytest.importorskip("matplotlib")
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("args", "said"),
     [
         (("reduction", "--polygons", "3"), "--polygons cannot be used with the picture of reduction"),
@@ -24,6 +24,7 @@ pytest.importorskip("matplotlib")
         (("forces", "--polygons", "77"), "no position is called '77'"),
         (("kinematics", "--polygons", "77"), "no position is called '77'"),
     ],
+    every=4,
 )
 def test_what_does_not_belong_is_refused(cli: Cli, args: tuple[str, ...], said: str) -> None:
     code, out, err = cli("plot", "my.toml", *args)

@@ -90,7 +90,7 @@ def test_two_step_grid_by_override(cli: Cli) -> None:
 LINKAGES = sorted(file.stem for file in CONFIGS.glob("*.toml") if load_spec(file).mechanism is not None)
 
 
-@sparing("name", LINKAGES, every=4)
+@sparing("name", LINKAGES, every=12)
 def test_summary_of_every_ready_spec_fits_80_columns(cli: Cli, name: str) -> None:
     code, out, err = cli("kinematics", str(CONFIGS / f"{name}.toml"), "--no-store", "-q")
     assert (code, err) == (0, "")
@@ -136,7 +136,7 @@ def test_columns(cli: Cli, asked: str, headers: list[str]) -> None:
     assert answer.out.splitlines()[0].split(",") == ["i", *headers]
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("asked", "labels"),
     [
         ("3", "3"),
@@ -148,6 +148,7 @@ def test_columns(cli: Cli, asked: str, headers: list[str]) -> None:
         ("14:16,0", "14 14' 15 16 0"),
         ("13:17:2", "13 15 17"),
     ],
+    every=4,
 )
 def test_positions(cli: Cli, asked: str, labels: str) -> None:
     args = ("kinematics", "my.toml", "-q", "-f", "json", "--set", "mechanism.grid.extremes=true")
@@ -182,7 +183,7 @@ def test_study_finds_the_best_step(cli: Cli) -> None:
     assert "ddS[5 decimals]" in found["columns"]
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("flags", "said"),
     [
         (("--columns", "omga_3"), "omega_3"),
@@ -207,6 +208,7 @@ def test_study_finds_the_best_step(cli: Cli) -> None:
         (("--depfile", "no/d.mk"), "there is no folder no"),
         (("-o", "my.toml"), "not a folder"),
     ],
+    every=4,
 )
 def test_wrong_flags(cli: Cli, flags: tuple[str, ...], said: str) -> None:
     code, out, err = cli("kinematics", "my.toml", *flags)

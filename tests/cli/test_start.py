@@ -8,6 +8,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from tmmcalc.cli.check import HELD
 from tmmcalc.cli.commands import COMMANDS, SECTIONS, grouped
@@ -42,7 +43,7 @@ def test_help_of_a_group_lists_its_commands(cli: Cli) -> None:
         ]
 
 
-@pytest.mark.parametrize("name", EVERY, ids=" ".join)
+@sparing("name", EVERY, ids=" ".join, every=3)
 def test_help_has_an_example_and_stays_in_80_columns(
     cli: Cli, name: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -58,7 +59,7 @@ SOLVING = [(name,) for name in (*SECTIONS["Linkages"], *SECTIONS["Machines"], "f
 SOLVING += [name for name in EVERY if len(name) == 2]
 
 
-@pytest.mark.parametrize("name", [("check",), ("plan",), ("run",), *SOLVING], ids=" ".join)
+@sparing("name", [("check",), ("plan",), ("run",), *SOLVING], ids=" ".join, every=4)
 def test_a_file_that_is_no_spec_is_one_clear_fault(cli: Cli, name: tuple[str, ...]) -> None:
     Path("folder.toml").mkdir()
     Path("binary.toml").write_bytes(bytes(range(256)))
@@ -76,7 +77,7 @@ def test_a_file_that_is_no_spec_is_one_clear_fault(cli: Cli, name: tuple[str, ..
         assert err.count("\n  -> ") + err.count("\n    -> ") == 1
 
 
-@pytest.mark.parametrize("name", [name for name in SOLVING if name != ("balance",)], ids=" ".join)
+@sparing("name", [name for name in SOLVING if name != ("balance",)], ids=" ".join, every=4)
 def test_a_spec_without_the_table_is_one_clear_fault(cli: Cli, name: tuple[str, ...]) -> None:
     Path("rotor.toml").write_text(ROTOR)
     code, out, err = cli(*name, "rotor.toml", "-q")
@@ -153,7 +154,7 @@ def test_init_lists_the_ready_specs(cli: Cli) -> None:
     assert max(map(len, out.splitlines())) <= 80
 
 
-@pytest.mark.parametrize("name", READY)
+@sparing("name", READY, every=6)
 def test_init_writes_a_spec_that_checks(cli: Cli, name: str) -> None:
     code, out, err = cli("init", name, "-o", "new.toml")
     assert (code, out) == (0, "")

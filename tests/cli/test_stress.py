@@ -96,7 +96,7 @@ def test_a_fault_ends_with_exit_code_1(cli: Cli, monkeypatch: pytest.MonkeyPatch
     assert "warning: scale, x 1: forces: forces.error is no finite number" in " ".join(out.split())
 
 
-@pytest.mark.parametrize("form", ["csv", "json", "toml", "table"])
+@sparing("form", ["csv", "json", "toml", "table"], every=4)
 def test_the_tables_in_a_file_and_not_printed(cli: Cli, form: str) -> None:
     asked = ("stress", "my.toml", "--ladder", "direction", "--stage", "kinematics", "-f", form)
     _, printed, _ = cli(*asked)
@@ -106,6 +106,7 @@ def test_the_tables_in_a_file_and_not_printed(cli: Cli, form: str) -> None:
     assert Path("stress.out").read_text(encoding="utf-8") == printed
 
 
+@pytest.mark.slow
 def test_numbers_keep_their_digits(cli: Cli, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(linkage, "DISTANCES", (1.0, 1e-8, 0.0))
     ladders = "--ladder", "dead-point", "--ladder", "direction"

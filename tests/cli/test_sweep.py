@@ -13,6 +13,7 @@ import time
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from .conftest import CONFIGS, ROOT, Cli, environment
 from .test_process import on_terminal
@@ -74,7 +75,7 @@ def test_where_no_variant_has_a_solution_the_reasons_are_written(cli: Cli) -> No
     assert [row["status"] for row in table()] == ["failed 3"] * 2
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("args", "said"),
     [
         ((), "nothing would vary"),
@@ -94,6 +95,7 @@ def test_where_no_variant_has_a_solution_the_reasons_are_written(cli: Cli) -> No
         (("--set", f"{CRANK}=0.1:0.2:3", "-o", "my.toml"), "my.toml is what the sweep is made from"),
         (("--set", f"{CRANK}=0.1:0.2:3", "--tolerance", "2"), "2 is no relative error"),
     ],
+    every=3,
 )
 def test_bad_input_is_one_error_and_leaves_nothing(cli: Cli, args: tuple[str, ...], said: str) -> None:
     code, out, err = cli("sweep", "my.toml", *args)
@@ -112,6 +114,7 @@ def test_a_sweep_that_is_up_to_date_says_so(cli: Cli) -> None:
     assert cli(*SWEEP, "--columns", "stroke_D", "-q").err == ""
 
 
+@pytest.mark.slow
 def test_processes_give_the_same_bytes(cli: Cli) -> None:
     pytest.importorskip("joblib")
     columns = ("--columns", "forces.max(R_?),kinematics.*")

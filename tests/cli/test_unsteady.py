@@ -59,6 +59,7 @@ def test_the_numbers_for_programs(cli: Cli) -> None:
     assert found["press_straight_line"]
 
 
+@pytest.mark.slow
 @sparing("name", SPECS, every=5)
 def test_a_stored_result_is_the_computed_one(cli: Cli, name: str) -> None:
     first = cli(command(name), f"{name}.toml", "-o", "out", "-q", "--format", "json")
@@ -72,7 +73,7 @@ def test_a_stored_result_is_the_computed_one(cli: Cli, name: str) -> None:
     assert files == {file: file.read_bytes() for file in files}
 
 
-@pytest.mark.parametrize("name", SPECS)
+@sparing("name", SPECS, every=3)
 def test_all_stages_run(cli: Cli, name: str) -> None:
     answer = cli("run", f"{name}.toml", "--no-store", "-q")
     assert answer.code == 0

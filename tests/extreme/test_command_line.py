@@ -15,7 +15,7 @@ from tmmcalc.stress.expected import expected
 from .scenes import FOLDER, LONG, MARKED, NAMES, files_not_finite, solved
 
 
-@pytest.mark.parametrize("name", NAMES)
+@sparing("name", NAMES, every=4)
 def test_scenes_are_ready_specs_that_tell_what_is_extreme(name: str) -> None:
     assert f"extreme/{name}" in templates.names()
     assert templates.description(f"extreme/{name}").startswith("Extreme: ")

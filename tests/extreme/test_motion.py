@@ -22,7 +22,7 @@ def motor(power: float, rated: float) -> Induction:
     return Induction(power, rated / 20 * TURN / 60, SYNCHRONOUS)
 
 
-@pytest.mark.parametrize("ratio", [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6])
+@sparing("ratio", [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6], every=3)
 def test_inertia_ratios_without_loads(ratio: float) -> None:
     """The kinetic energy is constant, so omega = c/sqrt(J + m x'^2) with (max + min)/2 = 5 rad/s."""
     slider, constant = Slider(m3=10), 10 * 0.05**2 * ratio

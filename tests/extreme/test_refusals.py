@@ -86,6 +86,7 @@ def test_no_shifts_of_five_teeth_reach_the_contact_ratio() -> None:
     assert np.max(ratio) < 1.9
 
 
+@pytest.mark.slow
 def test_the_critical_speed_is_that_of_the_differential_equation() -> None:
     """Forward whirl at the speed of the spin: E I z'''' - (N z')' - W (mu z + mu i^2 z'') = 0 as a power series.
 
@@ -137,7 +138,7 @@ def test_where_the_machine_stalls() -> None:
     assert wanted("stall-peak").words == f"the machine stalls at {math.degrees(stopped):.6g} deg of cycle 1"
 
 
-@pytest.mark.parametrize("beyond", [1e-3, 1e-4, 1e-5])
+@sparing("beyond", [1e-3, 1e-4, 1e-5], every=3)
 def test_an_undercut_crosses_itself_once_a_cusp(beyond: float) -> None:
     """About the sharpest place 1 - kappa r is a parabola with zeros -a and a: the curve meets at +-sqrt(3) a."""
     profile = undercut(beyond)

@@ -11,6 +11,7 @@ import math
 import numpy as np
 import pytest
 from machine.transient.scenes import constant, cycle, line, run
+from sparing import sparing
 
 from tmmcalc.core.errors import AccuracyError
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
@@ -76,6 +77,7 @@ def test_stiff_shafts_cost_no_more_than_soft_ones() -> None:
     assert max(counts) < 3 * min(counts), counts
 
 
+@pytest.mark.slow
 def test_lags_of_all_sizes_cost_the_same() -> None:
     counts = []
     for lag in LAGS:
@@ -115,7 +117,7 @@ def test_the_step_of_the_textbook_is_refused_on_stiff_shafts(stiffness: float) -
             run(shafted(stiffness), STEADY_STEP, method, step=TEXTBOOK)
 
 
-@pytest.mark.parametrize("method", ["merson", "rk4"])
+@sparing("method", ["merson", "rk4"], every=2)
 def test_below_its_limit_a_fixed_step_stays_bounded_and_its_steps_explode(method: str) -> None:
     counts = []
     for stiffness in (1e4, 1e6):
@@ -137,6 +139,7 @@ def test_what_grows_unforeseen_is_no_result() -> None:
         run(drive, Scenario("start", 1.0), "rk4", step=0.01)
 
 
+@pytest.mark.slow
 def test_the_error_of_fixed_steps_is_told() -> None:
     """By the classical method, which knows none; against the closed solution."""
     for method in ("merson", "rk4"):

@@ -62,7 +62,7 @@ def test_damped_shafts_end_in_the_rigid_motion(stiffness: float) -> None:
     assert motion.omega[1, -1] == pytest.approx(BEGIN + RISE * motion.t[-1], rel=1e-3 if stiffness < 1e6 else 1e-5)
 
 
-@pytest.mark.parametrize("ratio", [1e-6, 1e-3, 1e3, 1e6])
+@sparing("ratio", [1e-6, 1e-3, 1e3, 1e6], every=4)
 def test_inertia_ratios_on_a_shaft(ratio: float) -> None:
     """The mean speed rises as of one mass, whatever the ratio of the two."""
     motion = moved(f"motor.inertia={1.5 * ratio!r}", "shafts[name=shaft]={name='shaft', stiffness=1000, damping=0.5}")

@@ -6,6 +6,7 @@ from math import cbrt
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from gears.criteria.worked import CASES, lengths, sets
 from tmmcalc.core.errors import NoSolutionError, UsageError
@@ -59,7 +60,7 @@ def test_minimum(criterion: str, ratio: float, stages: int) -> None:
         assert abs(rise[0] - rise[1]) < 1e-10
 
 
-@pytest.mark.parametrize("criterion", CRITERIA)
+@sparing("criterion", CRITERIA, every=3)
 def test_limits_of_the_stage_ratio(criterion: str) -> None:
     found = best_split(34.0, criterion, 2, most=6.0)
     assert found.ratios.max() == pytest.approx(6.0, rel=1e-14)

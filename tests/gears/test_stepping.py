@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from sparing import sparing
 
 from gears.criteria.worked import CASES, task
 from tmmcalc.core.errors import NoSolutionError, UsageError
@@ -111,9 +112,10 @@ def test_several_layshafts() -> None:
         assert (len(teeth), np.count_nonzero(found.coprime)) == (expected["full_count"], expected["coprime_count"])
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("layout", "ratio", "proportion", "planets"),
     [("coaxial", "9", (1, 1), 1), ("AI", "12", (1, 1), 3), ("AA", "6", (3, 4), 3), ("AI", "9", (2, 3), 6)],
+    every=4,
 )
 def test_rows_meet_every_constraint(layout: str, ratio: str, proportion: tuple[int, int], planets: int) -> None:
     """Wide tolerances, in which the program keeps one wheel Z2 of several, tested by the conditions themselves."""

@@ -33,7 +33,7 @@ SCENES = {
 }
 
 
-@pytest.mark.parametrize("name", SCENES)
+@sparing("name", SCENES, every=5)
 @pytest.mark.parametrize("speed", [1.0, -1.0])
 @pytest.mark.parametrize("start", [0.3, 3.1, 5.0, -7.0])
 def test_at_position_0_angles_are_principal_and_the_crank_stands_at_its_coordinate(
@@ -48,7 +48,7 @@ def test_at_position_0_angles_are_principal_and_the_crank_stands_at_its_coordina
     assert np.max(np.abs(np.diff(trace.angle, axis=1))) < math.pi
 
 
-@pytest.mark.parametrize("name", SCENES)
+@sparing("name", SCENES, every=3)
 @sparing("method", [Method("projection"), Method("differences", 1e-4), Method("differences", 0.02, 2)], every=3)
 def test_all_methods_tell_the_same_turn(name: str, method: Method) -> None:
     """Rounded to two decimals an angle of pi exceeds pi, and stays in the turn of the exact one."""

@@ -208,7 +208,7 @@ def test_a_short_interval_is_found_wherever_it_stands(nearness: float, place: fl
 
 
 @sparing("nearness", [-1e-3, -1e-5, -1e-7, -1e-9], every=2)
-@pytest.mark.parametrize("place", PLACES)
+@sparing("place", PLACES, every=3)
 def test_a_crank_that_just_passes_turns_fully(nearness: float, place: float) -> None:
     """The regularity at the narrow place is the cosine of the rod's angle there, exactly, wherever it stands."""
     mechanism = moved(crank_slider(0.1, 0.15, 0.05 * (1 + nearness)), place + math.pi / 2, 0j)

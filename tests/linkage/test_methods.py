@@ -18,7 +18,7 @@ from tmmcalc import AssemblyError, Method, SingularityError, load_spec, solve_ki
 SPECS = sorted(path for path in CONFIGS.glob("*.toml") if load_spec(path).mechanism is not None)
 
 
-@sparing("spec", SPECS, ids=lambda path: path.stem, every=6)
+@sparing("spec", SPECS, ids=lambda path: path.stem, every=24)
 def test_every_ready_spec_by_every_method(spec: Path) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -55,6 +55,7 @@ def test_stall_case() -> None:
                     driven(upsetter(), constant, KLOSS)
 
 
+@pytest.mark.slow
 def test_threshold_case() -> None:
     threshold = stall_inertia(upsetter(), KLOSS)
     assert threshold == pytest.approx(CASE["expected"]["threshold_J_c"], abs=2e-4)
@@ -63,7 +64,7 @@ def test_threshold_case() -> None:
     assert driven(upsetter(), threshold * 1.0001, KLOSS).delta > 1.8
 
 
-@pytest.mark.parametrize("constant", [2.0, 3.0])
+@sparing("constant", [2.0, 3.0], every=2)
 def test_where_it_stops_and_what_would_do(constant: float) -> None:
     with pytest.raises(NoSolutionError) as caught:
         driven(upsetter(), constant, KLOSS)

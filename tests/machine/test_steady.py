@@ -108,9 +108,10 @@ def test_exact_solution(kind: str, delta: float, constant: float) -> None:
 
 
 @sparing("constant", [1e-6, 1.0, 1e4], every=3)
-@pytest.mark.parametrize(
+@sparing(
     ("kind", "delta"),
     [("kloss", 1e-4), ("kloss", 0.06), ("steep line", 1e-6), ("steep line", 0.5), ("steep kloss", 4e-6)],
+    every=3,
 )
 def test_exact_solution_of_steep_and_bent_characteristics(kind: str, delta: float, constant: float) -> None:
     cycle, omega = made_to_measure(MOTORS[kind], delta, constant)

@@ -99,7 +99,7 @@ def test_killed_at_every_step_of_the_writes(tmp_path: Path, call: str, after: bo
     assert count > 6  # files written: one of geometry, three of path, two of energy
 
 
-@pytest.mark.parametrize("after", [False, True])
+@sparing("after", [False, True], every=2)
 def test_killed_while_a_csv_is_removed(tmp_path: Path, after: bool):
     old, new = reference(tmp_path / "old", OLD), reference(tmp_path / "new", OLD, csv=False)
     count, killed = 0, True

@@ -8,6 +8,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.pipeline import depfile
@@ -53,7 +54,7 @@ def target_of(folder: Path) -> str:
 
 
 @needs_make
-@pytest.mark.parametrize("name", NAMES)
+@sparing("name", NAMES, every=4)
 def test_make_reads_the_names(tmp_path: Path, name: str):
     target, source = f"{name}.t", f"{name}.s"
     (tmp_path / "target-name").write_text(target)

@@ -3,6 +3,7 @@ from __future__ import annotations
 import math
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -139,6 +140,7 @@ LATE = (*LISTS, *SINGLE)
 LATER = ("gearing", "pair", "cam", "indexing", "vibrator", "pendulum", "unsteady", "manipulator", "linksynthesis")
 
 
+@cache
 def loaded_by(spec: str) -> set[str]:
     """Modules in memory after this spec was read by a process of its own."""
     code = (

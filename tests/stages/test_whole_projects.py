@@ -36,14 +36,14 @@ def done(name: str) -> RunResult:
 READY = [name for name in templates.names() if "/" not in name]
 
 
-@sparing("name", READY, every=6)
+@sparing("name", READY, every=12)
 def test_every_ready_spec_runs(name: str) -> None:
     result = done(name)
     assert result.outcomes
     assert result.outcomes.keys() == set(result.plan.running)
 
 
-@pytest.mark.parametrize("name", PROJECTS)
+@sparing("name", PROJECTS, every=3, first=1)
 def test_all_numbers_are_finite(name: str) -> None:
     for stage in done(name).outcomes:
         for key, array in done(name).record(stage).arrays.items():
@@ -103,6 +103,7 @@ def test_pump_work_is_force_times_stroke() -> None:
     assert work["suction"] == pytest.approx(-600 * 0.15, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_elastic_drive_starts_and_stops() -> None:
     motions = done("elastic-drive").results["transient"].motions
     ends = {motion.name: motion.end for motion in motions}
@@ -120,7 +121,7 @@ def test_torque_diagram_without_a_mechanism() -> None:
     assert "kinematics" not in result.outcomes
 
 
-@sparing("name", PROJECTS, every=3)
+@sparing("name", PROJECTS, every=3, first=1)
 def test_stored_and_computed_results_are_the_same(name: str, tmp_path: Path) -> None:
     spec = tmmcalc.load_spec(CONFIGS / f"{name}.toml")
     first = run(spec, out=tmp_path)

@@ -57,6 +57,7 @@ def crash(*_: object, **__: object) -> RunResult:
     raise ValueError("not a number")
 
 
+@pytest.mark.slow
 def test_a_crash_on_the_twin_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
     twins_end(monkeypatch, crash)
     monkeypatch.setattr(linkage, "DISTANCES", (1.0, 0.1))

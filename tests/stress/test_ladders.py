@@ -88,6 +88,7 @@ def test_scale_from_micrometres_to_kilometres() -> None:
     assert all(met.error is not None and met.error < 1e-13 for _, met in ladder.track("forces"))
 
 
+@pytest.mark.slow
 @sparing("ladder", ["inertia", "slip"], every=2)
 def test_ladders_of_a_machine(ladder: str) -> None:
     found = climbed("extreme/slip", ladder, stage="motion")

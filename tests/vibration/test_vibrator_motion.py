@@ -240,6 +240,7 @@ def test_without_motor_drag_and_damping_energy_is_kept() -> None:
     assert np.ptp(course.omega) > 0.1
 
 
+@pytest.mark.slow
 def test_a_weak_motor_is_stuck_at_resonance() -> None:
     weak = solve_vibrator(replace(device(), drive=Drive(motor(0.8), "linear", 2.0, 1e-5, 140.0, 200)))
     drive = weak.drive

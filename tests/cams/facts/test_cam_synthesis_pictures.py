@@ -30,6 +30,7 @@ TASKS = {
 }
 
 
+@pytest.mark.slow
 @sparing("name", TASKS, every=5)
 def test_files(name, tmp_path):
     task = TASKS[name]

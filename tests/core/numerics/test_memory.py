@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 import pytest
+from sparing import sparing
 
 COUNT = """
 import resource
@@ -26,7 +27,7 @@ print(faults())
 
 
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="the rule is that of the GNU C library")
-@pytest.mark.parametrize(("kept", "least", "most"), [(True, 0, 200), (False, 2000, 10**6)])
+@sparing(("kept", "least", "most"), [(True, 0, 200), (False, 2000, 10**6)], every=2)
 def test_repeated_temporaries_fetch_no_pages(kept: bool, least: int, most: int) -> None:
     done = subprocess.run([sys.executable, "-c", COUNT.format(kept=kept)], capture_output=True, text=True, check=True)
     assert least <= int(done.stdout) <= most

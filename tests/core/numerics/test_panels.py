@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from properties import examples
 
 from tmmcalc.core.numerics.gauss import ORDER, rule
 from tmmcalc.core.numerics.panels import NARROWEST, Panels, panels, resolved
@@ -83,7 +84,7 @@ def test_an_edge_belongs_to_the_panel_above_unless_asked_before() -> None:
 
 
 @given(st.lists(st.floats(-1, 1), min_size=ORDER, max_size=ORDER), st.floats(0, 1))
-@settings(max_examples=50, deadline=None)
+@examples(50)
 def test_halving_changes_nothing(coefficients: list[float], place: float) -> None:
     p = np.polynomial.Legendre(coefficients, domain=[0, 1])
     whole = Panels(np.array([0.0, 1.0]))

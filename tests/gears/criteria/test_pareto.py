@@ -44,7 +44,7 @@ def test_tied_values(values: Values) -> None:
 
 
 @pytest.mark.usefixtures("small_groups")
-@pytest.mark.parametrize("criteria", [2, 3, 4, 5, 6])
+@sparing("criteria", [2, 3, 4, 5, 6], every=5)
 @pytest.mark.parametrize("kind", ["tied", "random", "undominated", "one tied column"])
 def test_halving(criteria: int, kind: str) -> None:
     rng = np.random.default_rng(criteria)

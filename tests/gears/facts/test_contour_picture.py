@@ -343,6 +343,7 @@ class TestPoints:
         box = reason.get_window_extent()
         assert not any(box.overlaps(ring.get_window_extent()) for ring in rings(axes))
 
+    @pytest.mark.slow
     def test_sliding_that_does_not_exist_is_a_dash(self) -> None:
         pair, _, _, key = sheet_of("14/27")
         none = sum(not theta for point in pair.points for theta in point.sliding)

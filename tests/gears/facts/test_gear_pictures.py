@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 pytest.importorskip("matplotlib")
 
@@ -106,7 +107,7 @@ def axes_of(figure: Figure, label: str) -> Axes:
     return found
 
 
-@pytest.mark.parametrize("layout", LAYOUTS)
+@sparing("layout", LAYOUTS, every=3)
 class TestScheme:
     def test_circles_in_mesh_touch(self, layout: str) -> None:
         train = train_of(layout)

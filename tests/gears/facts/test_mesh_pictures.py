@@ -185,7 +185,7 @@ def test_active_flanks_lie_on_the_teeth(name: str) -> None:
 
 
 class TestMesh:
-    @sparing("name", ALL, every=3)
+    @sparing("name", ALL, every=8)
     def test_every_circle_is_drawn_with_its_radius(self, name: str) -> None:
         axes = figure_of(name).axes[0]
         drawn, said = lines_of(axes), " ".join(texts(axes))
@@ -243,7 +243,7 @@ class TestMesh:
         written = texts(figure_of("helical").axes[1])
         assert all(text in written for row in parameters(found) for text in row)
 
-    @sparing("name", ALL, every=3)
+    @sparing("name", ALL, every=8)
     def test_texts_do_not_cover_each_other(self, name: str) -> None:
         figure = figure_of(name)
         figure.canvas.draw()
@@ -287,7 +287,7 @@ class TestCourse:
         ):
             assert own == pytest.approx(other, rel=1e-9, abs=1e-9)
 
-    @sparing("name", ALL, every=3)
+    @sparing("name", ALL, every=8)
     def test_points_stand_below_their_places_in_the_mesh(self, name: str) -> None:
         pair = placed(name)
         mesh, _, upper, lower = figure_of(name).axes[:4]
@@ -321,7 +321,7 @@ def _sides(axes: Axes) -> tuple[float, float]:
 
 
 class TestProfile:
-    @sparing("name", ALL, every=4)
+    @sparing("name", ALL, every=8)
     @pytest.mark.parametrize("place", [0, 1])
     def test_the_tool_leaves_the_outline(self, name: str, place: int) -> None:
         member = both(solved(name))[place]
@@ -353,7 +353,7 @@ class TestProfile:
         within = inside(_closed(found.outline, "ring"), cut)
         assert distance_to(found.outline, cut[within]).max(initial=0.0) < 4e-4 * M
 
-    @sparing("name", ["helical", "undercut", "ring", "rack"], every=3)
+    @sparing("name", ["helical", "undercut", "ring", "rack"], every=8)
     def test_the_enlarged_tooth(self, name: str) -> None:
         figure = profile_of(name)
         for place in (0, 1):
@@ -413,6 +413,7 @@ def test_texts_in_a_column_are_moved_apart_and_kept_in_order() -> None:
     assert max(heights) <= 5.2 + 1e-5
 
 
+@pytest.mark.slow
 @sparing("stage", ["pair", "profile"], every=2)
 def test_equal_results_give_equal_bytes(stage: str, tmp_path: Path) -> None:
     pictures = []

@@ -7,6 +7,7 @@ from math import cos, degrees, pi, radians, sin, tan
 import numpy as np
 import pytest
 from scipy.optimize import brentq
+from sparing import sparing
 
 from gears.involute.cases import case, wheel
 from tmmcalc.core.errors import NoSolutionError, UsageError
@@ -161,7 +162,7 @@ def test_ig_s13_involute_and_infeasible_pair():
     assert "nearest admissible shifts" in error.value.remedy
 
 
-@pytest.mark.parametrize("rack", CUTTING.values(), ids=CUTTING)
+@sparing("rack", CUTTING.values(), ids=CUTTING, every=4)
 @pytest.mark.parametrize("beta", [0.0, 15.0, 45.0])
 @pytest.mark.parametrize(("z1", "z2"), [(12, 17), (30, 30), (20, 1000), (1000, 1000)])
 def test_identities(rack, beta, z1, z2):

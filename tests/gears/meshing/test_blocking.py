@@ -110,7 +110,7 @@ def distances(points, one, two):
     return np.sqrt(np.min(np.sum((to - t[..., None] * run) ** 2, axis=2), axis=1))
 
 
-@sparing("task", TEN, ids=NAMES, every=5)
+@sparing("task", TEN, ids=NAMES, every=8)
 def test_outlines_against_a_raster_with_marching_squares(task):
     found = contour_of(task)
     for area in (found.strict, found.tolerated):
@@ -137,7 +137,7 @@ def test_outlines_against_a_raster_with_marching_squares(task):
             assert sum(o.area for o in outlines) == pytest.approx(covered, abs=0.6 * STEP * len(border) * STEP + 1e-3)
 
 
-@pytest.mark.parametrize("task", TEN, ids=NAMES)
+@sparing("task", TEN, ids=NAMES, every=8)
 def test_corners_lie_on_two_lines_and_edges_on_one(task):
     asked, found = contour_task(task), contour_of(task)
     for area in (found.strict, found.tolerated):
@@ -357,7 +357,7 @@ def test_other_pairs_and_given_tips_get_a_remark():
     assert [text.split(":")[0] for text in found.remarks] == ["z = 20/60 (ring)", "z = 20/rack", "z = 14/17"]
 
 
-@pytest.mark.parametrize("task", [TEN[0], TEN[7], pair_task(14, 17, 1.6, strategy="zero")], ids=["a", "b", "empty"])
+@sparing("task", [TEN[0], TEN[7], pair_task(14, 17, 1.6, strategy="zero")], ids=["a", "b", "empty"], every=3)
 def test_the_record_and_the_table(task):
     found = solve_blocking(solved(task))
     record = to_record(found)
@@ -377,6 +377,7 @@ def test_the_record_and_the_table(task):
         assert twice / 2 == pytest.approx(outline.area, rel=5e-3)  # counter-clockwise
 
 
+@pytest.mark.slow
 def test_scipy_is_not_needed():
     code = (
         "import sys; from tmmcalc.gears.meshing.solve import solve_pair;"

@@ -55,6 +55,7 @@ def solved(task: PairTask) -> MeshPair | None:
     return None
 
 
+@pytest.mark.slow
 @sparing("kind", ["external", "internal", "rack"], every=3)
 def test_extremes(kind):
     rng = np.random.default_rng(11)
@@ -73,7 +74,7 @@ def test_extremes(kind):
     assert {"ok", "warn"} & set(outcomes)
 
 
-@pytest.mark.parametrize("kind", ["external", "internal", "rack"])
+@sparing("kind", ["external", "internal", "rack"], every=3)
 def test_strategies_of_small_and_large_wheels(kind):
     for z1, z2 in ((5, 1000), (5, 9), (1000, 1060)):
         if kind == "rack":

@@ -104,7 +104,7 @@ def test_every_layout(layout):
         assert "all meshes have the centre distance" in found.remarks[0]
 
 
-@pytest.mark.parametrize("layout", COMMON)
+@sparing("layout", COMMON, every=3)
 def test_the_first_mesh_frees_the_common_distance(layout):
     strategy = "max_contact_ratio" if layout == "AIbar" else "balanced"
     found = solved(layout, replace(USUAL, strategy=strategy))

@@ -115,7 +115,7 @@ def test_branched(layout: str, nominal: str, proportions: tuple[tuple[int, ...],
     assert bool(expected) or tolerance == "0"
 
 
-@sparing(("layout", "nominal", "proportions"), BRANCHED, every=3)
+@sparing(("layout", "nominal", "proportions"), BRANCHED, every=8)
 def test_mesh_angles(layout: str, nominal: str, proportions: tuple[tuple[int, ...], ...]) -> None:
     largest = math.radians(30)
     work = task(layout, nominal, "1/10", *proportions, demands=replace(FREE, largest_angle=largest))
@@ -170,7 +170,7 @@ def test_a_bounded_list_keeps_the_smallest_and_counts_all() -> None:
     assert part.sets.teeth.tolist() == whole.sets.teeth.tolist()[:100]
 
 
-@pytest.mark.parametrize("equal", [True, False])
+@sparing("equal", [True, False], every=4)
 @pytest.mark.parametrize(("layout", "nominal"), [("unfolded2", "2.6"), ("unfolded3", "3")])
 def test_removals_of_unfolded_trains_are_those_of_the_order(layout: str, nominal: str, equal: bool) -> None:
     steepest = Fraction(7, 4)

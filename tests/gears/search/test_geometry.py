@@ -64,7 +64,7 @@ def assembles(layout: str, z: dict[str, int], planets: int) -> bool:
     return True
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("layout", "nominal", "proportions"),
     [
         ("coaxial", "8", ((2, 3),)),
@@ -74,6 +74,7 @@ def assembles(layout: str, z: dict[str, int], planets: int) -> bool:
         ("AIbar", "4.7", ((1,),)),
         ("AII", "100", ((1, 1),)),
     ],
+    every=3,
 )
 @sparing("planets", [2, 3, 4], every=3, first=1)
 def test_planets_fit_where_the_condition_says(
@@ -102,7 +103,7 @@ def test_planets_fit_where_the_condition_says(
     assert not all(answers.values()) or (layout, planets) == ("AIbar", 2)  # Z3 - Z1 is even, so is Z1 + Z3
 
 
-@pytest.mark.parametrize("planets", [3, 5])
+@sparing("planets", [3, 5], every=2)
 def test_pairs_of_planets_fit(planets: int) -> None:
     # Phases against the ray: sun 1 and planet 2, planets 2 and 3, planet 3 and sun 4 add up to what they do at k = 0.
     z2, z3 = 19, 23

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from sparing import sparing
 
 from tmmcalc.gears.criteria.evaluate import ratio_error
 from tmmcalc.gears.exact import around, at_least, at_most, fraction, within
@@ -213,7 +214,7 @@ def opened(work: TrainTask, change: Relaxation) -> TrainTask:
     return replace(work, demands=replace(work.demands, **value))
 
 
-@pytest.mark.parametrize("name", EMPTY)
+@sparing("name", EMPTY, every=3)
 def test_what_opens_an_empty_task_opens_it(name: str) -> None:
     work = EMPTY[name]
     assert synthesise(work).count == 0
@@ -224,7 +225,7 @@ def test_what_opens_an_empty_task_opens_it(name: str) -> None:
         assert list(change.teeth) in sets.teeth.tolist(), change
 
 
-@pytest.mark.parametrize("name", EMPTY)
+@sparing("name", EMPTY, every=3)
 def test_no_smaller_change_of_teeth_opens_it(name: str) -> None:
     work = EMPTY[name]
     for change in relaxations(work):

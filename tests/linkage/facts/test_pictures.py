@@ -115,7 +115,7 @@ def test_pins_are_shared_by_chains_of_joints() -> None:
     assert set(pin.joints) == {"B", "B4"}
 
 
-@sparing("name", READY, every=12)
+@sparing("name", READY, every=24)
 def test_every_ready_spec_is_drawn(name: str, tmp_path: Path) -> None:
     file = tmp_path / "picture.svg"
     draw_kinematics(*solved(name), file, polygons=3)
@@ -210,6 +210,7 @@ def quick_return(speed: float, guide_on_frame: bool) -> Mechanism:
     )
 
 
+@pytest.mark.slow
 @sparing("speed", [2.0, -2.0], every=2, first=1)
 @sparing("guide_on_frame", [True, False], every=2)
 def test_clockwise_cranks_and_fixed_blocks(speed: float, guide_on_frame: bool, tmp_path: Path) -> None:
@@ -245,6 +246,7 @@ def test_a_driven_slider_is_drawn(tmp_path: Path) -> None:
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
 
 
+@pytest.mark.slow
 def test_a_crank_alone_is_drawn(tmp_path: Path) -> None:
     links = (Link(1, {"O": 0j, "A": 0.1 + 0j}),)
     joints = (Joint("O", "revolute", (0, 1), (0j, 0j)),)
@@ -349,7 +351,7 @@ def test_sheets_of_free_bodies(pressed) -> None:
         assert friction == pytest.approx(result.friction[3, row], rel=1e-9)
 
 
-@pytest.mark.parametrize(("name", "counts"), [("press", [2]), ("engine-compressor", [2, 2]), ("four-dyads", [3, 2])])
+@sparing(("name", "counts"), [("press", [2]), ("engine-compressor", [2, 2]), ("four-dyads", [3, 2])], every=3)
 def test_bodies_are_dealt_out_evenly(name: str, counts: list[int]) -> None:
     from tmmcalc.linkage.pictures.cutting import sheets_of
 

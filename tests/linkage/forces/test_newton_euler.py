@@ -62,7 +62,7 @@ def test_random_chains(scene: RandomMechanism, seed: int, friction: float, back:
     compared(reversed_input(scene) if back else scene, friction, seed)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@sparing("kind", KINDS, every=3)
 @sparing("prismatic", [False, True], every=2, first=1)
 def test_each_kind_under_each_input(kind: str, prismatic: bool) -> None:
     """Enough scenes of every kind are compared, with and without friction, whatever the random chains meet."""

@@ -91,6 +91,7 @@ def test_a_group_of_six_links_is_solved_from_starts() -> None:
     assert min(gaps) < 1e-9
 
 
+@pytest.mark.slow
 def test_driven_length_inside_a_group_of_two_loops() -> None:
     """A plate on two legs and on a cylinder: five links, the drive inside them."""
     graph = ("01", "12", "25", "03", "35", "04", "45")

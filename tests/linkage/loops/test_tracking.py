@@ -91,7 +91,7 @@ def test_random_groups(graph: tuple[str, ...], prismatic: int, seed: int) -> Non
     assert result.error.position < 1e-11
 
 
-@pytest.mark.parametrize("graph", [CLASS_III, CLASS_IV], ids=["III", "IV"])
+@sparing("graph", [CLASS_III, CLASS_IV], ids=["III", "IV"], every=2)
 def test_at_a_limit_the_regularity_falls_like_the_root_of_the_distance(graph: tuple[str, ...]) -> None:
     checked = 0
     for seed in range(3):
@@ -167,6 +167,7 @@ def tied(
 DYAD = ("01", "12", "23", "03")
 
 
+@pytest.mark.slow
 @sparing("seed", range(2), every=2)
 def test_two_higher_groups_and_dyads_in_a_row(seed: int) -> None:
     """A dyad before them, one of each class, and a dyad behind them."""

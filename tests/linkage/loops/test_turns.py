@@ -87,7 +87,7 @@ def test_a_branch_of_two_turns_against_a_walk_along_it() -> None:
     assert np.exp(1j * angle[24]) == pytest.approx(np.exp(1j * angle[0]), abs=1e-12)
 
 
-@pytest.mark.parametrize("speed", [10.0, -10.0])
+@sparing("speed", [10.0, -10.0], every=2)
 def test_one_turn_of_a_branch_of_two_is_refused(speed: float) -> None:
     mechanism = replace(two_turns(), input=Input("O", speed, start=-3.09))
     with pytest.raises(tmmcalc.AssemblyError, match="it comes back after 2 turns") as error:

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 import tmmcalc
 from tmmcalc.core.errors import AssemblyError, NoSolutionError, UsageError
@@ -32,7 +33,7 @@ def derivative(f, t: np.ndarray, h: float) -> np.ndarray:
     return sum(w * (f(t + k * h) - f(t - k * h)) for k, w in enumerate(weights, 1)) / h
 
 
-@pytest.mark.parametrize(
+@sparing(
     ("name", "task"),
     [
         ("crank-slider", {"speed": 1.0, "acceleration": 2.0, "travel": 7.0}),
@@ -41,6 +42,7 @@ def derivative(f, t: np.ndarray, h: float) -> np.ndarray:
         ("class-four", {"speed": 1.0, "acceleration": 2.0, "travel": 5.0}),
         ("crane-luffing", {"speed": 0.2, "acceleration": 0.05, "start": 5.2, "travel": 0.9}),
     ],
+    every=3,
 )
 def test_rates_are_the_derivatives_in_time(name: str, task: dict[str, float]) -> None:
     mechanism = to_linkage(tmmcalc.load_spec(CONFIGS / f"{name}.toml").linkage)

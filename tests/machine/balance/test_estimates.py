@@ -7,12 +7,13 @@ from typing import Any
 
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
+import pytest
 
 from tmmcalc.machine.balance.cylinders import Cylinder
 from tmmcalc.machine.balance.engines import engine_balance
 from tmmcalc.machine.balance.rotors import Rotor, Unbalance, rotor_balance
 
-SCENES = 200
+SCENES = [30, pytest.param(200, marks=pytest.mark.slow)]
 SPEED = 10.0
 LEAST = 2.0**-53
 
@@ -59,10 +60,11 @@ def force(cylinders: Sequence[Cylinder], phi: float) -> Any:
     return total
 
 
-def test_engines() -> None:
+@pytest.mark.parametrize("scenes", SCENES)
+def test_engines(scenes: int) -> None:
     rng, ratios = np.random.default_rng(3), []
     with mp.workdps(40):
-        for _ in range(SCENES):
+        for _ in range(scenes):
             cylinders = engine(rng)
             balance = engine_balance(cylinders, SPEED)
             places = rng.uniform(0, 6.28, 3)
@@ -80,10 +82,11 @@ def equivalents(unbalances: Sequence[Unbalance], planes: tuple[float, float]) ->
     return sum(moments) - second, second
 
 
-def test_rotors() -> None:
+@pytest.mark.parametrize("scenes", SCENES)
+def test_rotors(scenes: int) -> None:
     rng, ratios = np.random.default_rng(4), []
     with mp.workdps(40):
-        for _ in range(SCENES):
+        for _ in range(scenes):
             begin = float(rng.choice([0.0, 1.0, 10.0]))
             unbalances = tuple(
                 Unbalance(rng.uniform(0.01, 1), rng.uniform(0.01, 0.3), rng.uniform(0, 6.3), begin + rng.uniform(0, 1))

@@ -43,7 +43,7 @@ every_scene = pytest.mark.parametrize("make", SCENES.values(), ids=SCENES)
 
 
 @every_scene
-@pytest.mark.parametrize("acceleration", [0.0, 15.0])
+@sparing("acceleration", [0.0, 15.0], every=4)
 def test_least_squares_is_what_an_optimiser_finds(make: Callable[[], Scene], acceleration: float) -> None:
     """The static moment that scipy finds for the mean square over a dense turn, with the force of a turning mass."""
     found = solved(make, acceleration)
@@ -165,7 +165,7 @@ def on_crank(case: Scene, weight: Weight) -> Body:
 
 
 @every_scene
-@sparing("acceleration", [0.0, 15.0], every=2, first=1)
+@sparing("acceleration", [0.0, 15.0], every=4, first=1)
 @sparing("scheme", [least_squares_counterweight, minimax_counterweight], every=2)
 @pytest.mark.parametrize("choice", [{"mass": 3.0}, {"radius": 0.08}])
 def test_a_real_mass_on_the_crank_leaves_what_was_promised(

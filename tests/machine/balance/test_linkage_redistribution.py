@@ -99,7 +99,7 @@ def test_the_crank_alone_is_the_counterweight_of_least_squares() -> None:
     assert "links 1 and 2 would" in result.message
 
 
-@pytest.mark.parametrize("name", ["four-bar", "shaper", "slotted", "rotating slot", "v-engine"])
+@sparing("name", ["four-bar", "shaper", "slotted", "rotating slot", "v-engine"], every=5)
 @pytest.mark.parametrize("links", [(1,), (2,), (1, 2), (3,), (1, 3)])
 def test_what_is_left_is_the_least(name: str, links: tuple[int, ...]) -> None:
     """The static moments of chosen masses against scipy on the mean square of the force itself."""

@@ -87,6 +87,7 @@ class TestFlywheel:
         segment = result.inertia * 0.02 * 20**2
         assert f"$GH$ = {segment:.5g} J" in texts(axes)
 
+    @pytest.mark.slow
     def test_a_sine_of_load(self) -> None:
         """A = 100 (1 - cos phi), no inertia of the links: G = 200 J, H = 0."""
         axes = self.curve(wheel(swinging()))

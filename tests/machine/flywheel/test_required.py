@@ -10,6 +10,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from sparing import sparing
 
 from machine.flywheel.scenes import CASES, TURN, parabola, upsetter, upsetter_cycle
 from tmmcalc.core.errors import NoSolutionError, UsageError
@@ -163,7 +164,7 @@ class TestUpsetter:
         assert found.delta < 0.08
         assert found.remarks == ()
 
-    @pytest.mark.parametrize("at_hand", [0.0, 2.0])
+    @sparing("at_hand", [0.0, 2.0], every=2)
     def test_stall_without_flywheel(self, at_hand: float) -> None:
         """Case dyn-upsetter-stall: below 3.265 kg*m^2 the motor does not pass the peak."""
         found = required_inertia(upsetter_cycle(), kloss_motor(), 0.08, at_hand)
@@ -173,6 +174,7 @@ class TestUpsetter:
         full = required_inertia(upsetter_cycle(), kloss_motor(), 0.08, 10.0)
         assert found.inertia == pytest.approx(full.inertia, rel=1e-8)
 
+    @pytest.mark.slow
     def test_coarse_demand_near_the_stall(self) -> None:
         """delta = 0.9 is met just above the stall, far below what forces of position would ask."""
         found = required_inertia(upsetter_cycle(), kloss_motor(), 0.9, 1.0)

@@ -110,6 +110,7 @@ def test_a_torque_diagram_moves_with_the_inertia_of_its_train() -> None:
     assert not bare.runs
 
 
+@pytest.mark.slow
 @sparing("file", ["press.toml", "shaper.toml", "elastic-drive.toml"], every=3)
 def test_a_scene_without_a_train_imports_no_gears(file: str) -> None:
     names = imported(file)

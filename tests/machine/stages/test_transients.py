@@ -52,6 +52,7 @@ def solved(drive: Machine, scenario: Scenario, *, steady: bool = False) -> Timed
     return motion
 
 
+@pytest.mark.slow
 @sparing("lag", [0.0, 0.02], every=2)
 def test_a_stiff_chain_is_one_mass(lag: float) -> None:
     """Efficiency and inertias are the same on either way; what is left goes with 1/c."""
@@ -67,7 +68,7 @@ def test_a_stiff_chain_is_one_mass(lag: float) -> None:
     assert gaps[2] < gaps[1] / 5 < gaps[0] / 25
 
 
-@pytest.mark.parametrize("lag", [0.0, 0.002, 0.05])
+@sparing("lag", [0.0, 0.002, 0.05], every=3)
 def test_a_motion_begun_in_the_steady_one_repeats_it(lag: float) -> None:
     motion = solved(machine(None, lag=lag), Scenario("on", 600.0, settled=True, until_steady=True), steady=True)
     assert motion.end == "steady"
@@ -149,6 +150,7 @@ def test_without_a_duration_the_run_ends_steady() -> None:
     assert np.ptp(motion.turning[2, late]) < 0.05 * motion.omega[0, -1]
 
 
+@pytest.mark.slow
 def test_a_crank_turned_back_against_another_integration() -> None:
     """The slider's weight swings a crank with friction: forwards by one cycle, backwards by the other one."""
     more = 'motor = "off"\nstandstill = "pass"\nstart_speed = "0.9 rad/s"\nstart_angle = "20 deg"\n'

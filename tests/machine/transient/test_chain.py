@@ -228,6 +228,7 @@ def test_a_press_on_ever_stiffer_shafts_becomes_one_mass(stiffness: float) -> No
     assert elastic.counters["evaluations"] < 50_000
 
 
+@pytest.mark.slow
 def test_lag_and_gears_together() -> None:
     """The sum of the works is the gained energy, with every part in play."""
     drive = Drive(

@@ -33,7 +33,7 @@ def test_constant_moment(method: str) -> None:
     check(result, 2.5 * result.t, 1.25 * result.t**2)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@sparing("method", METHODS, every=4)
 def test_linear_characteristic(method: str) -> None:
     """J w' = b (w_s - w) - M: w = w_0 + (w_inf - w_0)(1 - exp(-b t/J))."""
     drive = Drive((Mass(3.0),), characteristic=line(6.0, 20.0), cycle=cycle(-30.0, speed=10.0))
@@ -42,7 +42,7 @@ def test_linear_characteristic(method: str) -> None:
     check(result, 15 - 13 * fade, 15 * result.t - 6.5 * (1 - fade), 20.0)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@sparing("method", METHODS, every=4)
 def test_quadratic_resistance(method: str) -> None:
     """J w' = -q w^2: w = w_0/(1 + q w_0 t/J), theta = (J/q) ln(1 + q w_0 t/J)."""
     drive = Drive((Mass(1.6),), cycle=cycle(0.0, 0.4, quadratic=-0.5))
@@ -74,7 +74,7 @@ def test_viscous_brake_and_constant_brake() -> None:
     assert result.brake_work[-1] == pytest.approx(-64.0, rel=1e-9)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@sparing("method", METHODS, every=4)
 def test_kloss_run_up(method: str) -> None:
     given, expected = case("dyn-closed-kloss-startup")["inputs"], case("dyn-closed-kloss-startup")["expected"]
     motor = kloss(given["M_K"], given["s_K"], given["omega_sync"])
@@ -144,7 +144,7 @@ def test_energy_is_kept_where_no_moment_acts(method: str) -> None:
     assert slowest == pytest.approx(expected["omega"][1], rel=1e-2)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@sparing("method", METHODS, every=4)
 def test_lag_of_the_motor(method: str) -> None:
     given, expected = case("dyn-ext-motor-lag")["inputs"], case("dyn-ext-motor-lag")["expected"]
     drive = Drive(

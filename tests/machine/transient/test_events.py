@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from sparing import sparing
 
 from machine.transient.scenes import at, constant, cycle, event, run
 from tmmcalc.machine.transient.events import Watch, extreme, hits, level
@@ -142,7 +143,7 @@ def test_load_steps_follow_each_other() -> None:
     assert result.omega[0, -1] == pytest.approx(w, abs=1e-12)
 
 
-@pytest.mark.parametrize("method", ["merson", "collocation", "DOP853", "LSODA", "Radau"])
+@sparing("method", ["merson", "collocation", "DOP853", "LSODA", "Radau"], every=3)
 def test_instants_are_rows_of_their_own(method: str) -> None:
     drive = Drive((Mass(1.0),), cycle=cycle(lambda p: -6 * np.sin(p)))
     times = np.array([0.0, 0.1, 1 / 3, 0.7, 1.0])

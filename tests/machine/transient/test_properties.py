@@ -63,6 +63,7 @@ def test_methods_agree_and_energy_balances(seed: int) -> None:
     assert other.imbalance < 1e-10
 
 
+@pytest.mark.slow
 @sparing("seed", [2, 3], every=2)
 def test_the_origin_of_the_angle_does_not_matter(seed: int) -> None:
     drive, scenario = random_drive(seed)
@@ -72,7 +73,7 @@ def test_the_origin_of_the_angle_does_not_matter(seed: int) -> None:
     assert other.t[-1] == pytest.approx(one.t[-1], abs=1e-9)
 
 
-@pytest.mark.parametrize("seed", range(3))
+@sparing("seed", range(3), every=3)
 def test_a_free_motion_runs_back_to_where_it_began(seed: int) -> None:
     """Without losses the motion with the opposite speed returns along the same angles."""
     rng = np.random.default_rng(seed)

@@ -64,6 +64,7 @@ def test_what_cannot_be_reached_is_an_error() -> None:
         run(coarse, target="transient", tolerance=1e-9)
 
 
+@pytest.mark.slow
 @sparing("lag", [1e-4, 1e-2], every=2)
 def test_a_steep_motor_that_lags_is_followed_as_far_as_rounding_allows(lag: float) -> None:
     """The moment of such a motor is rounded to more than the tolerance of a step: that is no reason to refuse."""

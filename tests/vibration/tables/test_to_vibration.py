@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from project.scenes import CONFIGS
 from project.test_schema import accepts
+from sparing import sparing
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.pipeline.hashing import content_hash
@@ -257,7 +258,7 @@ def test_a_spec_without_the_tables() -> None:
         to_pendulum(parse_spec(HEAD + DEVICE))
 
 
-@pytest.mark.parametrize("name", ["vibratory-device", "pendulum-rotor"])
+@sparing("name", ["vibratory-device", "pendulum-rotor"], every=2)
 def test_the_ready_specs(name: str, schema: dict[str, Any]) -> None:
     spec = load_spec(CONFIGS / f"{name}.toml")
     task = to_vibrator(spec) if spec.vibrator is not None else to_pendulum(spec)

@@ -90,7 +90,7 @@ def names_of(region):
     return [edge.line for edge in region.edges] + [line for corner in region.corners for line in corner.lines]
 
 
-@sparing("asked", [*PAIRS, *random_tasks(12, 3)], ids=lambda t: f"{t.first.teeth}/{t.second.teeth}", every=5)
+@sparing("asked", [*PAIRS, *random_tasks(12, 3)], ids=lambda t: f"{t.first.teeth}/{t.second.teeth}", every=8)
 def test_membership_and_area_against_a_raster(asked):
     for found in contours(asked):
         regions = [r for r in (found.main, *found.pieces) if r is not None]

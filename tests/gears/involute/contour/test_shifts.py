@@ -113,6 +113,7 @@ def test_a_point_outside_is_told_what_it_breaks_and_where_to_go():
         choose(task(14, 17), "best")
 
 
+@pytest.mark.slow
 def test_scipy_is_not_needed():
     import subprocess
 
