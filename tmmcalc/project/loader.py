@@ -20,16 +20,6 @@ if TYPE_CHECKING:
 
 LARGEST_FILE = 10_000_000  # bytes; a spec of a hundred links has some ten thousand
 
-# Lists of tables whose elements have a name: the key that holds it, and the words for a message.
-_ELEMENTS: dict[Path, tuple[str, str]] = {
-    ("mechanism", "links"): ("id", "link {}"),
-    ("mechanism", "joints"): ("name", 'joint "{}"'),
-    ("loads",): ("name", 'load "{}"'),
-    ("springs",): ("name", 'spring "{}"'),
-    ("shafts",): ("name", 'shaft "{}"'),
-    ("transients",): ("name", 'transient "{}"'),
-}
-
 
 def load_spec(path: str | FilePath, overrides: Sequence[str] = ()) -> Spec:
     """Return the checked spec of a TOML file.
@@ -179,7 +169,10 @@ def _fault(finding: Finding, data: dict[str, Any], lines: _Lines) -> Fault:
 
 def _whose(path: Path, data: dict[str, Any]) -> str:
     """Return the element that a path with an index belongs to: ``link 3``, ``joint "D0"``, ``load "Q"``."""
-    for home, (key, form) in _ELEMENTS.items():
+    from tmmcalc.project.words import words_of  # late: only faults need it
+
+    for inner, (key, form) in words_of(path[0]).elements.items() if path else ():
+        home = (path[0], *filter(None, inner.split(".")))
         at = len(home)
         if path[:at] != home or len(path) <= at:
             continue
