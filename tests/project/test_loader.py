@@ -17,9 +17,9 @@ from tmmcalc.machine.tables.reduction import ReductionTable
 from tmmcalc.machine.tables.transmission import TransmissionTable
 from tmmcalc.project import Spec, load_spec, parse_spec, templates
 from tmmcalc.project.loader import LARGEST_FILE
-from tmmcalc.project.root import ENTRIES
 from tmmcalc.project.tables import tables_at, tables_in
 from tmmcalc.project.words import words_of
+from tmmcalc.rooms import TABLES
 
 
 def test_every_ready_spec_loads() -> None:
@@ -101,12 +101,12 @@ def test_every_required_key_has_its_words() -> None:
         for key, field in table.model_fields.items()
         if field.default is PydanticUndefined and field.default_factory is None
     }
-    said = {f"{key}.{name}" for key in ENTRIES for name in words_of(key).missing}
+    said = {f"{key}.{name}" for key in TABLES for name in words_of(key).missing}
     assert required == said
 
 
 def test_words_are_of_keys_that_there_are() -> None:
-    for root in ENTRIES:
+    for root in TABLES:
         words = words_of(root)
         for name in (*words.lists, *words.inline, *words.places, *words.elements, *words.lengths, *words.zeros):
             *steps, key = [root, *filter(None, name.removesuffix("[]").split("."))]
@@ -177,7 +177,7 @@ def test_a_good_spec_loads_nothing_that_only_faults_need(shaper: str) -> None:
 
 
 def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
-    late = [entry for name, entry in ENTRIES.items() if name in (*LATE, *LATER, "constraints", "feasibility")]
+    late = [entry for name, entry in TABLES.items() if name in (*LATE, *LATER, "constraints", "feasibility")]
     names = {f"{entry.home}.tables.{entry.name}" for entry in late}
     names |= {f"{entry.home}.tables.checks.{check}" for entry in late for check in entry.checks}
     names |= {f"tmmcalc.linkage.tables.tasks.{task}" for task in ("mechanism", "loading")}
@@ -185,7 +185,7 @@ def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
     assert len(names) > len(late) + 20
     assert not names & loaded_by(shaper)
     assert names & loaded_by(f"{shaper}\n[reduction]\n") == {"tmmcalc.machine.tables.reduction"}
-    of_a_machine = {f"{ENTRIES[name].home}.tables.{name}" for name in LATE if name != "torque"}
+    of_a_machine = {f"{TABLES[name].home}.tables.{name}" for name in LATE if name != "torque"}
     assert of_a_machine <= loaded_by(shaper + MACHINE + ENGINE + ROTOR + TRAIN)
     alone = {f"tmmcalc.machine.tables.{part}torque" for part in ("", "checks.")}
     assert names & loaded_by(TORQUE) >= alone

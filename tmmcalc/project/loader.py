@@ -10,6 +10,7 @@ from pydantic import ValidationError
 
 from tmmcalc.core.errors import Fault, SpecError, UsageError
 from tmmcalc.project.checks import check
+from tmmcalc.project.naming import names_files
 from tmmcalc.project.root import Spec
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path, show_path
@@ -56,7 +57,7 @@ class Variants:
 
     def of(self, data: dict[str, Any], changed: Sequence[Path] = ()) -> Spec:
         """Return the checked spec of another document, of which ``changed`` paths do not stand in the text."""
-        if _names_files(data):
+        if names_files(data):
             from copy import deepcopy  # what is read from files takes its place in the document
 
             data = deepcopy(data)
@@ -114,26 +115,11 @@ def _checked(data: dict[str, Any], text: str, file: str, changed: list[Path], fo
 
 
 def _read_files(data: dict[str, Any], folder: FilePath) -> tuple[list[Finding], dict[Path, Rows]]:
-    if not _names_files(data):
+    if not names_files(data):
         return [], {}
     from tmmcalc.project.files import read_files  # late: most specs name no files
 
     return read_files(data, folder)
-
-
-def _names_files(data: dict[str, Any]) -> bool:
-    """Whether a load, the torque diagram or the cam has a file, the motor a catalogue; what is misplaced has none."""
-    loads, motor = data.get("loads"), data.get("motor")
-    curved = [*(loads if isinstance(loads, list) else ()), data.get("torque")]
-    curves = [table.get("table") for table in curved if isinstance(table, dict)]
-    if isinstance(cam := data.get("cam"), dict):
-        held = cam.get("loads")
-        curves += [*cam.values(), held.get("force_table") if isinstance(held, dict) else None]
-    if isinstance(indexing := data.get("indexing"), dict):
-        curves.append(indexing.get("law"))
-    return any(isinstance(curve, dict) and "file" in curve for curve in curves) or (
-        isinstance(motor, dict) and "catalogue" in motor
-    )
 
 
 class _Lines:

@@ -21,7 +21,7 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import NamedTuple
 
-from tmmcalc.project.root import ENTRIES
+from tmmcalc.rooms import TABLES
 
 Said = tuple[str, str]  # a rule and a remedy, or a rule and an example
 
@@ -43,7 +43,7 @@ class Words(NamedTuple):
 @cache
 def words_of(table: object) -> Words:
     """The words of a table of the root; none of what is no table."""
-    entry = ENTRIES.get(table) if isinstance(table, str) else None
+    entry = TABLES.get(table) if isinstance(table, str) else None
     module = "" if entry is None else f"{entry.home}.tables.words.{entry.name}"
     if entry is None or find_spec(f"{entry.home}.tables.words") is None or find_spec(module) is None:
         return Words()
