@@ -17,9 +17,10 @@ from tmmcalc.machine.tables.motor import MotorTable
 from tmmcalc.machine.tables.reduction import ReductionTable
 from tmmcalc.machine.tables.transmission import TransmissionTable
 from tmmcalc.project import Spec, load_spec, parse_spec, templates
-from tmmcalc.project import wording as wording_module
 from tmmcalc.project.loader import LARGEST_FILE
-from tmmcalc.project.root import ENTRIES
+from tmmcalc.project.tables import tables_at, tables_in
+from tmmcalc.project.words import words_of
+from tmmcalc.rooms import TABLES
 
 
 @pytest.mark.slow
@@ -102,7 +103,17 @@ def test_every_required_key_has_its_words() -> None:
         for key, field in table.model_fields.items()
         if field.default is PydanticUndefined and field.default_factory is None
     }
-    assert required == wording_module.MISSING.keys()
+    said = {f"{key}.{name}" for key in TABLES for name in words_of(key).missing}
+    assert required == said
+
+
+def test_words_are_of_keys_that_there_are() -> None:
+    for root in TABLES:
+        words = words_of(root)
+        for name in (*words.lists, *words.inline, *words.places, *words.elements, *words.lengths, *words.zeros):
+            *steps, key = [root, *filter(None, name.removesuffix("[]").split("."))]
+            fields = [field.alias or each for table in tables_at(steps) for each, field in table.model_fields.items()]
+            assert key in fields, f"{root}.{name}"
 
 
 def test_every_key_is_described() -> None:
@@ -116,7 +127,7 @@ def _tables() -> list[tuple[str, type[Spec]]]:
     while todo:
         name, table = todo.pop()
         for key, field in table.model_fields.items():
-            for sub in wording_module._tables_in(field.annotation):
+            for sub in tables_in(field.annotation):
                 found.append((f"{name}.{key}".lstrip("."), sub))
                 todo.append(found[-1])
     return found
@@ -160,8 +171,7 @@ def test_a_good_spec_loads_nothing_that_only_faults_need(shaper: str) -> None:
         "numpy",
         "scipy",
         "tmmcalc.project.wording",
-        "tmmcalc.project.examples",
-        "tmmcalc.project.required",
+        "tmmcalc.project.words",
         "tmmcalc.spec.source",
     }
     assert not unneeded & loaded_by(shaper)
@@ -170,7 +180,7 @@ def test_a_good_spec_loads_nothing_that_only_faults_need(shaper: str) -> None:
 
 
 def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
-    late = [entry for name, entry in ENTRIES.items() if name in (*LATE, *LATER, "constraints", "feasibility")]
+    late = [entry for name, entry in TABLES.items() if name in (*LATE, *LATER, "constraints", "feasibility")]
     names = {f"{entry.home}.tables.{entry.name}" for entry in late}
     names |= {f"{entry.home}.tables.checks.{check}" for entry in late for check in entry.checks}
     names |= {f"tmmcalc.linkage.tables.tasks.{task}" for task in ("mechanism", "loading")}
@@ -178,7 +188,7 @@ def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
     assert len(names) > len(late) + 20
     assert not names & loaded_by(shaper)
     assert names & loaded_by(f"{shaper}\n[reduction]\n") == {"tmmcalc.machine.tables.reduction"}
-    of_a_machine = {f"{ENTRIES[name].home}.tables.{name}" for name in LATE if name != "torque"}
+    of_a_machine = {f"{TABLES[name].home}.tables.{name}" for name in LATE if name != "torque"}
     assert of_a_machine <= loaded_by(shaper + MACHINE + ENGINE + ROTOR + TRAIN)
     alone = {f"tmmcalc.machine.tables.{part}torque" for part in ("", "checks.")}
     assert names & loaded_by(TORQUE) >= alone

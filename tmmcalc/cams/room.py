@@ -24,9 +24,12 @@ class CamTables(MachineTables):
         "A disk cam and its follower.",
         subject=True,
         checks=("cam", "cam_laws", "cam_sizes", "cam_loads", "cam_search"),
+        files=("law.file", "rise_law.file", "return_law.file", "loads.force_table.file"),
         after="pair",
     )
-    indexing: IndexingTable | None = table("Two paired cams that turn a wheel of rollers step by step.", subject=True)
+    indexing: IndexingTable | None = table(
+        "Two paired cams that turn a wheel of rollers step by step.", subject=True, files=("law.file",)
+    )
 
 
 ROOM = Room(

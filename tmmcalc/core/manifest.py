@@ -4,6 +4,9 @@ A room is a package with a module ``room``, whose ``ROOM`` is a `Room`. What it 
 
     key of a spec   <room>.tables.<key>          the class in the annotation of the key
                     <room>.tables.checks.<key>   CHECKS
+                    <room>.tables.words.<key>    what is said of its faults, see `tmmcalc.project.words`
+                    <room>.tables.files          FORMS of the files in CSV that tables name, by the place
+                    <room>.tables.names          functions that name elements without a name
     stage           <room>.stages.<name>         its functions, see `tmmcalc.core.stage.Stage`
     its facts       <room>.facts.<name>          summary(result, title)
     its picture     <room>.pictures.<name>       figure(order)
@@ -36,6 +39,8 @@ class Entry:
     why: str  # it needs them
     read_with: tuple[str, ...]  # further tables that make sense of it
     checks: tuple[str, ...]  # modules of its checks beyond its values
+    files: tuple[str, ...]  # keys in it that name a file; "file" is that of a table in CSV
+    named: tuple[str, ...]  # function in <room>.tables.names that names its elements, and their keys that it takes
     after: str  # a table of another room that comes before it in the root
 
     @property
@@ -54,6 +59,9 @@ class Entry:
         return f"[[{self.name}]]" if self.several else f"[{self.name}]"
 
 
+TABLES: dict[str, Entry] = {}  # those of all rooms, in the order of the root; `tmmcalc.rooms` enters them
+
+
 class _Said(NamedTuple):
     """What the manifest says of a table beside its name and its class."""
 
@@ -63,6 +71,8 @@ class _Said(NamedTuple):
     why: str
     read_with: tuple[str, ...]
     checks: tuple[str, ...] | None
+    files: tuple[str, ...]
+    named: tuple[str, ...]
     after: str
 
 
@@ -74,13 +84,15 @@ def table(
     why: str = "",
     read_with: tuple[str, ...] = (),
     checks: tuple[str, ...] | None = None,
+    files: tuple[str, ...] = (),
+    named: tuple[str, ...] = (),
     after: str = "",
 ) -> Any:
     """Declare a table of the root of a spec, in a class of annotations that `Room` reads; see `Entry`.
 
     Its checks are by default those of one module of its name.
     """
-    return _Said(description, subject, belongs_to, why, read_with, checks, after)
+    return _Said(description, subject, belongs_to, why, read_with, checks, files, named, after)
 
 
 @record

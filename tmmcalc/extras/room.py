@@ -18,19 +18,13 @@ if TYPE_CHECKING:
 class ExtraTables:
     """The tables of the room."""
 
-    contact: ContactTable | None = table(
-        "Two elastic bodies that are pressed together.", subject=True, checks=("extras",)
-    )
+    contact: ContactTable | None = table("Two elastic bodies that are pressed together.", subject=True)
     reliability: ReliabilityTable | None = table(
-        "A product whose strength falls while shock loads strike it.", subject=True, checks=("extras",)
+        "A product whose strength falls while shock loads strike it.", subject=True
     )
-    tie_down: TieDownTable | None = table("Ties that hold a load on a vehicle.", subject=True, checks=("extras",))
-    falling_ball: FallingBallTable | None = table(
-        "A ball that falls while its radius decreases.", subject=True, checks=("extras",)
-    )
-    bearing: BearingTable | None = table(
-        "A rolling bearing and the frequencies of its defects.", subject=True, checks=("extras",)
-    )
+    tie_down: TieDownTable | None = table("Ties that hold a load on a vehicle.", subject=True)
+    falling_ball: FallingBallTable | None = table("A ball that falls while its radius decreases.", subject=True)
+    bearing: BearingTable | None = table("A rolling bearing and the frequencies of its defects.", subject=True)
 
 
 ROOM = Room(

@@ -34,10 +34,15 @@ class LinkageTables(FeasibilityTables):
         belongs_to=LINKS,
         why="loads act on the links of a mechanism",
         checks=("loads", "windows", "curves", "indicator"),
+        files=("table.file",),
+        named=("load_names", "name", "link"),
         after="torque",
     )
     springs: list[SpringTable] = table(
-        "Springs and dampers between links.", belongs_to=LINKS, why="springs join the links of a mechanism"
+        "Springs and dampers between links.",
+        belongs_to=LINKS,
+        why="springs join the links of a mechanism",
+        named=("spring_names", "name"),
     )
     drive: DriveTable | None = table(
         "How the drive acts on the crank.", belongs_to=LINKS, why="it drives the crank of a mechanism"

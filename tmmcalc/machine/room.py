@@ -32,12 +32,13 @@ LINKS, MACHINE = ("mechanism",), ("mechanism", "torque")
 class MachineTables(_Read):
     """The tables of the room, beside those that its stages read of others."""
 
-    torque: TorqueTable | None = table("A torque diagram in place of a linkage.", subject=True)
+    torque: TorqueTable | None = table("A torque diagram in place of a linkage.", subject=True, files=("table.file",))
     motor: MotorTable | None = table(
         "The motor.",
         belongs_to=MACHINE,
         why="there is nothing that it drives",
         read_with=("vibrator",),
+        files=("catalogue",),
         after="drive",
     )
     transmission: TransmissionTable | None = table(
@@ -47,7 +48,10 @@ class MachineTables(_Read):
         checks=(),
     )
     shafts: list[ShaftTable] = table(
-        "The elastic drive from the motor to the crank.", belongs_to=MACHINE, why="there is nothing that they drive"
+        "The elastic drive from the motor to the crank.",
+        belongs_to=MACHINE,
+        why="there is nothing that they drive",
+        named=("shaft_names", "name"),
     )
     reduction: ReductionTable | None = table(
         "How forces and masses are reduced to the crank.",
@@ -58,7 +62,12 @@ class MachineTables(_Read):
     motion: MotionTable | None = table(
         "How the motion of the machine is found.", belongs_to=MACHINE, why="there is nothing that moves"
     )
-    transients: list[TransientTable] = table("Motions in time.", belongs_to=MACHINE, why="there is nothing that moves")
+    transients: list[TransientTable] = table(
+        "Motions in time.",
+        belongs_to=MACHINE,
+        why="there is nothing that moves",
+        named=("transient_names", "name"),
+    )
     flywheel: FlywheelTable | None = table(
         "The flywheel: asked for, or given.",
         belongs_to=MACHINE,

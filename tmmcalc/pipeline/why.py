@@ -12,6 +12,7 @@ from tmmcalc.core.plan import Plan, Step
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import Stage, of_scene
 from tmmcalc.pipeline.watch import Seen, watched
+from tmmcalc.project.tables import is_list
 from tmmcalc.rooms import STAGES
 
 
@@ -102,8 +103,5 @@ def keyed(key: str, spec: object) -> str:
     if not table:
         return f"[[{key}]]" if isinstance(getattr(spec, key, None), list) else f"[{key}]"
     top = table.partition(".")[0]
-    several = isinstance(getattr(spec, top, None), list) or table in LISTS
+    several = isinstance(getattr(spec, top, None), list) or is_list(table)
     return f"{name} in [[{table}]]" if several else f"{name} in [{table}]"
-
-
-LISTS = ("mechanism.links", "mechanism.joints", "mechanism.outputs", "pair.meshes")  # lists of tables in tables

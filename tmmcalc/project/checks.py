@@ -10,8 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from tmmcalc.project.root import ENTRIES
-from tmmcalc.rooms import ROOMS
+from tmmcalc.rooms import ROOMS, TABLES
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw
 from tmmcalc.spec.phrases import Path, either
@@ -35,7 +34,7 @@ def check(data: Raw, line_of: Callable[[Path], int | None], rows: Mapping[Path, 
 
 def _of_tables(data: Raw) -> Iterator[Check]:
     """Yield the checks of the tables that are there; without a mechanism one fault of what needs it is enough."""
-    for entry in ENTRIES.values():
+    for entry in TABLES.values():
         if entry.name in data and ("mechanism" in data or entry.belongs_to != ("mechanism",)):
             for module in entry.checks:
                 yield from import_module(f"{entry.home}.tables.checks.{module}").CHECKS
@@ -45,7 +44,7 @@ def check_subject(outline: Outline) -> Iterator[Finding]:
     """A spec has a mechanism, or what stands in its place or beside it; a crank's moment has one source."""
     document = outline.document
     if not {*SUBJECTS} & {*document}:
-        headers = [ENTRIES[name].header for name in SUBJECTS[1:]]
+        headers = [TABLES[name].header for name in SUBJECTS[1:]]
         yield Finding(
             ("mechanism",),
             "missing key: a spec describes a mechanism, or else a linkage to be found, a torque diagram, an engine, "
@@ -64,7 +63,7 @@ def check_needs(outline: Outline) -> Iterator[Finding]:
     """Tables of a machine, and of a gear train, have one that they belong to."""
     document = outline.document
     lost = not {*SUBJECTS} & {*document}  # without any subject that is the fault
-    for entry in ENTRIES.values():
+    for entry in TABLES.values():
         homes = {*entry.belongs_to, *entry.read_with}
         if entry.name not in document or not homes or homes & {*document} or (lost and "mechanism" in homes):
             continue

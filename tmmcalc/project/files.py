@@ -1,27 +1,26 @@
-"""Files that a spec names: CSV tables of loads, of a torque diagram, of laws of motion; a catalogue of motors.
+"""Files that a spec names: tables in CSV, and files that rooms read themselves, such as a catalogue.
 
-Their paths count from the folder of the spec. A table is two columns under a header ``name[unit]``, separated by
-commas, semicolons or tabs:
+Which keys name a file is said in the manifests; their paths count from the folder of the spec. A table is two columns
+under a header ``name[unit]``, separated by commas, semicolons or tabs:
 
     phi[deg],Q[N]
     0,0
     30,1500
 
-The columns of a law of motion go by their names, and may do without a header.
 Its values take their place in the document as numbers in SI, so that checks, tables and hashes see them as if they
 stood in the spec. Blank lines, and lines that begin with ``#``, are passed over.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from importlib import import_module
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.cams.tables.law_columns import NO_HEADER
-from tmmcalc.project.filecolumns import FORCE, LAW, LOAD, TORQUE, FileError, Form, are_numbers, cells, columns_of
+from tmmcalc.project.naming import TABLE, keys, places
+from tmmcalc.spec.csvtables import FileError, Form, are_numbers, cells, columns_of
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.outline import Raw, Rows, subtable, tables, word
+from tmmcalc.spec.outline import Raw, Rows, word
 from tmmcalc.spec.phrases import Path, show
 from tmmcalc.spec.units import UnitError
 
@@ -30,53 +29,44 @@ if TYPE_CHECKING:
 
 LARGEST_FILE = 10_000_000  # bytes
 _MOST_FAULTS = 10  # of one file; the rest is counted
-LAW_KEYS = ("law", "rise_law", "return_law")  # of [cam]
 
 
 def read_files(data: Raw, folder: FilePath) -> tuple[list[Finding], dict[Path, Rows]]:
-    """Put the values of every CSV table, and the place of the catalogue, into the document.
+    """Put the values of every table in CSV, and the places of other files, into the document.
 
     Returns the faults of the files, and what was read by the place of its table.
     """
     found: list[Finding] = []
     rows: dict[Path, Rows] = {}
-    for path, table, form in _tables(data):
-        if isinstance(table.get("file"), str) and not form.keys & {*table}:
-            read, faults = _read_table(table, folder, form)
-            found += _findings(table["file"], faults, (*path, "file"))
-            if read is not None:
-                rows[path] = read
-    motor = subtable(data, "motor")
-    if isinstance(motor.get("catalogue"), str):
-        absent = _absent(folder / motor["catalogue"])
-        found += _findings(motor["catalogue"], absent, ("motor", "catalogue"))
-        motor["catalogue"] = str(folder / motor["catalogue"])
+    for entry, steps, key in keys():
+        for path, table in places(data, entry, steps):
+            file = table.get(key)
+            if not isinstance(file, str):
+                continue
+            if key != TABLE:
+                found += _findings(file, _absent(folder / file), (*path, key))
+                table[key] = str(folder / file)
+                continue
+            form: Form = import_module(f"{entry.home}.tables.files").FORMS[".".join((entry.name, *steps))]
+            if not form.keys & {*table}:
+                read, faults = _read_table(table, folder, form)
+                found += _findings(file, faults, (*path, key))
+                if read is not None:
+                    rows[path] = read
     return found, rows
 
 
 def named_files(spec: Spec, folder: FilePath) -> list[FilePath]:
-    """Return the files that a spec from this folder was read with: its tables, its catalogue."""
-    curves: list[Any] = [load.table for load in spec.loads]
-    curves.append(spec.torque.table if spec.torque is not None else None)
-    if spec.cam is not None:
-        curves += [getattr(spec.cam, key) for key in LAW_KEYS]
-        curves.append(spec.cam.loads.force_table if spec.cam.loads is not None else None)
-    curves.append(spec.indexing.law if spec.indexing is not None else None)
-    names = [curve.file for curve in curves if curve is not None and not isinstance(curve, str)]
-    catalogue = spec.motor.catalogue if spec.motor is not None else None
-    found = [folder / name for name in names if name is not None]
-    return list(dict.fromkeys([*found, *([FilePath(catalogue)] if catalogue is not None else [])]))
-
-
-def _tables(data: Raw) -> Iterator[tuple[Path, Raw, Form]]:
-    for index, load in tables(data, "loads"):
-        yield ("loads", index, "table"), subtable(load, "table"), LOAD
-    yield ("torque", "table"), subtable(subtable(data, "torque"), "table"), TORQUE
-    cam = subtable(data, "cam")
-    for key in LAW_KEYS:
-        yield ("cam", key), subtable(cam, key), LAW
-    yield ("cam", "loads", "force_table"), subtable(subtable(cam, "loads"), "force_table"), FORCE
-    yield ("indexing", "law"), subtable(subtable(data, "indexing"), "law"), LAW
+    """Return the files that a spec from this folder was read with, its tables first."""
+    found: list[FilePath] = []
+    for entry, steps, key in keys():
+        held: Any = getattr(spec, entry.name)
+        for table in held if entry.several else [held]:
+            for step in (*steps, key):
+                table = getattr(table, step, None)
+            if isinstance(table, str):
+                found.append(folder / table if key == TABLE else FilePath(table))
+    return list(dict.fromkeys(found))
 
 
 def _findings(file: str, faults: list[FileError], path: Path) -> list[Finding]:
@@ -98,7 +88,8 @@ def _read_table(table: Raw, folder: FilePath, form: Form) -> tuple[Rows | None, 
         separator = next((sign for sign in ";\t" if sign in rows[0][1]), ",")
         split = [(line, cells(text, separator)) for line, text in rows]
         number, first = split[0]
-        header, body = (NO_HEADER, split) if form is LAW and are_numbers(first) else (first, split[1:])
+        named = form.by_name
+        header, body = (named.without, split) if named and are_numbers(first) else (first, split[1:])
         columns = columns_of(header, word(table, "of", "angle"), number, form)
     except FileError as fault:
         return None, [fault]
@@ -112,12 +103,11 @@ def _read_table(table: Raw, folder: FilePath, form: Form) -> tuple[Rows | None, 
         faults.append(FileError(number, "fewer than two rows under the header", "write one row for each x"))
     if faults:
         return None, faults
-    if form is LAW:
+    if form.by_name:
         table[columns.key] = [[*pair] for pair in pairs]
     else:
         at, table[columns.key] = map(list, zip(*pairs, strict=True))
-        # an angle beyond a turn has to say that it is one; of loads x may be a length or a plain number
-        table[form.key] = [f"{angle!r} rad" for angle in at] if form in (TORQUE, FORCE) else at
+        table[form.key] = [f"{angle!r} rad" for angle in at] if form.turns else at
     return Rows(table["file"], [line for line, _ in body], f"1 {columns.x.unit}" if columns.x.unit else ""), []
 
 

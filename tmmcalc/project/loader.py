@@ -10,6 +10,7 @@ from pydantic import ValidationError
 
 from tmmcalc.core.errors import Fault, SpecError, UsageError
 from tmmcalc.project.checks import check
+from tmmcalc.project.naming import names_files
 from tmmcalc.project.root import Spec
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path, show_path
@@ -19,16 +20,6 @@ if TYPE_CHECKING:
     from tmmcalc.spec.outline import Rows
 
 LARGEST_FILE = 10_000_000  # bytes; a spec of a hundred links has some ten thousand
-
-# Lists of tables whose elements have a name: the key that holds it, and the words for a message.
-_ELEMENTS: dict[Path, tuple[str, str]] = {
-    ("mechanism", "links"): ("id", "link {}"),
-    ("mechanism", "joints"): ("name", 'joint "{}"'),
-    ("loads",): ("name", 'load "{}"'),
-    ("springs",): ("name", 'spring "{}"'),
-    ("shafts",): ("name", 'shaft "{}"'),
-    ("transients",): ("name", 'transient "{}"'),
-}
 
 
 def load_spec(path: str | FilePath, overrides: Sequence[str] = ()) -> Spec:
@@ -66,7 +57,7 @@ class Variants:
 
     def of(self, data: dict[str, Any], changed: Sequence[Path] = ()) -> Spec:
         """Return the checked spec of another document, of which ``changed`` paths do not stand in the text."""
-        if _names_files(data):
+        if names_files(data):
             from copy import deepcopy  # what is read from files takes its place in the document
 
             data = deepcopy(data)
@@ -124,26 +115,11 @@ def _checked(data: dict[str, Any], text: str, file: str, changed: list[Path], fo
 
 
 def _read_files(data: dict[str, Any], folder: FilePath) -> tuple[list[Finding], dict[Path, Rows]]:
-    if not _names_files(data):
+    if not names_files(data):
         return [], {}
     from tmmcalc.project.files import read_files  # late: most specs name no files
 
     return read_files(data, folder)
-
-
-def _names_files(data: dict[str, Any]) -> bool:
-    """Whether a load, the torque diagram or the cam has a file, the motor a catalogue; what is misplaced has none."""
-    loads, motor = data.get("loads"), data.get("motor")
-    curved = [*(loads if isinstance(loads, list) else ()), data.get("torque")]
-    curves = [table.get("table") for table in curved if isinstance(table, dict)]
-    if isinstance(cam := data.get("cam"), dict):
-        held = cam.get("loads")
-        curves += [*cam.values(), held.get("force_table") if isinstance(held, dict) else None]
-    if isinstance(indexing := data.get("indexing"), dict):
-        curves.append(indexing.get("law"))
-    return any(isinstance(curve, dict) and "file" in curve for curve in curves) or (
-        isinstance(motor, dict) and "catalogue" in motor
-    )
 
 
 class _Lines:
@@ -179,7 +155,10 @@ def _fault(finding: Finding, data: dict[str, Any], lines: _Lines) -> Fault:
 
 def _whose(path: Path, data: dict[str, Any]) -> str:
     """Return the element that a path with an index belongs to: ``link 3``, ``joint "D0"``, ``load "Q"``."""
-    for home, (key, form) in _ELEMENTS.items():
+    from tmmcalc.project.words import words_of  # late: only faults need it
+
+    for inner, (key, form) in words_of(path[0]).elements.items() if path else ():
+        home = (path[0], *filter(None, inner.split(".")))
         at = len(home)
         if path[:at] != home or len(path) <= at:
             continue

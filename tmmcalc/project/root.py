@@ -7,13 +7,10 @@ from typing import TYPE_CHECKING
 
 from pydantic import Field
 
-from tmmcalc.core.manifest import Entry, merged
-from tmmcalc.rooms import ROOMS
+from tmmcalc.rooms import ROOMS, TABLES
 from tmmcalc.spec.late import late
 from tmmcalc.spec.project import ProjectTable
 from tmmcalc.spec.table import Table
-
-ENTRIES: dict[str, Entry] = merged([room.tables for room in ROOMS])  # in the order of the root
 
 
 def _gathered() -> dict[str, object]:
@@ -24,7 +21,7 @@ def _gathered() -> dict[str, object]:
         "project": Field(default_factory=ProjectTable, description="What the work is called."),
     }
     annotations: dict[str, object] = {"project": ProjectTable}
-    for name, entry in ENTRIES.items():
+    for name, entry in TABLES.items():
         table = late(f"{entry.home}.tables.{name}", entry.table)
         annotations[name] = GenericAlias(list, (table,)) if entry.several else table | None
         body[name] = Field(default=[] if entry.several else None, description=entry.description)

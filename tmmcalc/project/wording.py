@@ -5,23 +5,17 @@ Loaded only when a spec has faults.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Any, get_args
+from collections.abc import Callable
+from typing import Any
 
 from pydantic import ValidationError
 
-from tmmcalc.linkage.tables.joints import NAME_TAG, POINT_TAG
-from tmmcalc.machine.tables.engine import COUNT_TAG, LIST_TAG
-from tmmcalc.project.examples import ARRAYS_OF_TABLES, INLINE, LISTS
-from tmmcalc.project.required import MISSING
-from tmmcalc.project.root import Spec
+from tmmcalc.project.tables import homes, is_list, tables_at
+from tmmcalc.project.words import words_of
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.late import LateTable
 from tmmcalc.spec.phrases import Path, either, listing, nearest, show
-from tmmcalc.spec.table import Table
+from tmmcalc.spec.table import TAGS, Table
 from tmmcalc.spec.units import UnitError
-
-_TAGS = (NAME_TAG, POINT_TAG, COUNT_TAG, LIST_TAG, "[key]")  # what pydantic puts into places beside TOML keys
 
 Item = Any  # one entry of ValidationError.errors(): type, loc, input, ctx, msg
 
@@ -41,28 +35,35 @@ def _finding(item: Item) -> Finding:
 
 
 def _place(loc: Path) -> Path:
-    """Return the TOML path of a pydantic location: without the tags of its unions."""
+    """Return the TOML path of a pydantic location: without the tags of its unions, and the kinds of its elements."""
     steps = _without_tags(loc)
-    if loc[:2] == ("mechanism", "joints") and len(loc) > 3:
-        del steps[3]  # the kind of the joint
+    for key in words_of(loc[0]).kinds:
+        at = len(key.split(".")) + 2  # after the table, the key and the number of the element
+        if _key(tuple(steps[: at - 1])) == key and len(loc) > at:
+            del steps[at]
     return tuple(steps)
 
 
 def _without_tags(loc: Path) -> list[str | int]:
-    return [step for step in loc if step not in _TAGS]
+    return [step for step in loc if step not in TAGS]
 
 
 def _pattern(path: Path) -> str:
     return ".".join(step for step in path if isinstance(step, str))
 
 
+def _key(path: Path) -> str:
+    """Return the pattern of a place within its table."""
+    return _pattern(path[1:])
+
+
 def _slot(path: Path) -> str:
-    """Return the pattern of a place, with brackets for an element of a list."""
-    return _pattern(path) + ("[]" if isinstance(path[-1], int) else "")
+    """Return the pattern of a place within its table, with brackets for an element of a list."""
+    return _key(path) + ("[]" if isinstance(path[-1], int) else "")
 
 
 def _missing(item: Item, path: Path) -> Finding:
-    rule, remedy = MISSING.get(_pattern(path), ("", ""))
+    rule, remedy = words_of(path[0]).missing.get(_key(path), ("", ""))
     return Finding(path, f"missing key: {rule}", remedy)
 
 
@@ -71,11 +72,8 @@ def _no_kind(item: Item, path: Path) -> Finding:
 
 
 def _wrong_kind(item: Item, path: Path) -> Finding:
-    return Finding(
-        (*path, "kind"),
-        f"{show(item['input'].get('kind'))} is not a kind of joint",
-        'write kind = "revolute" (a pin) or kind = "prismatic" (a slider and its guide)',
-    )
+    what, remedy = words_of(path[0]).kinds[_key(path)]
+    return Finding((*path, "kind"), f"{show(item['input'].get('kind'))} is not {what}", remedy)
 
 
 def _quantity(item: Item, path: Path) -> Finding:
@@ -84,12 +82,10 @@ def _quantity(item: Item, path: Path) -> Finding:
 
 
 def _not_a_table(item: Item, path: Path) -> Finding:
-    pattern = _pattern(path)
-    if pattern in INLINE:
-        remedy = f"write {INLINE[pattern]}"
-    elif pattern.endswith((".points", ".fixed", ".sketch")):
-        remedy = "write points by name: A = [x, y]"
-    elif pattern in ARRAYS_OF_TABLES:
+    pattern, inline = _pattern(path), words_of(path[0]).inline.get(_key(path))
+    if inline is not None:
+        remedy = f"write {inline}"
+    elif is_list(pattern):
         remedy = f"begin each with [[{pattern}]]"
     else:
         remedy = f"write a table: [{pattern}], then its keys"
@@ -98,29 +94,30 @@ def _not_a_table(item: Item, path: Path) -> Finding:
 
 def _not_a_list(item: Item, path: Path) -> Finding:
     pattern, value = _pattern(path), item["input"]
-    if pattern in ARRAYS_OF_TABLES:
+    if is_list(pattern):
         what = "a single table" if isinstance(value, dict) else show(value)
         return Finding(
             path, f"{what}, where a list of tables is needed", f"begin each with [[{pattern}]], two brackets"
         )
-    rule, example = LISTS.get(_slot(path), ("a point", 'two coordinates, such as [0, "620 mm"]'))
+    rule, example = words_of(path[0]).lists.get(_slot(path), ("a point", 'two coordinates, such as [0, "620 mm"]'))
     if _is_place(path):
         rule, example = "a point", 'the name of a point, such as "B", or two coordinates [x, y]'
     return Finding(path, f"{show(value)} is not {rule}", f"write {example}")
 
 
 def _is_place(path: Path) -> bool:
-    """Whether a value is the name of a point or its coordinates; in a list, it is the ends of a spring."""
-    return path[-1] in ("through", "point") or _slot(path) == "springs.points[]"
+    """Whether a value is the name of a point or its coordinates."""
+    return _slot(path) in words_of(path[0]).places
 
 
 def _wrong_length(item: Item, path: Path) -> Finding:
-    pattern, value = _pattern(path), item["input"]
-    if pattern in ARRAYS_OF_TABLES:
-        return Finding(path, f"no {path[-1]}: {MISSING[pattern][0]}", MISSING[pattern][1])
+    key, value, words = _key(path), item["input"], words_of(path[0])
+    if is_list(_pattern(path)):
+        rule, remedy = words.missing[key]
+        return Finding(path, f"no {path[-1]}: {rule}", remedy)
     a_point = ("a point is two coordinates", '[x, y], such as [0, "620 mm"]')
-    rule, example = a_point if _is_place(path) else LISTS.get(_slot(path), a_point)
-    rule = "a joint connects two links" if pattern == "mechanism.joints.links" else rule
+    rule, example = a_point if _is_place(path) else words.lists.get(_slot(path), a_point)
+    rule = words.lengths.get(key, rule)
     count = "no values" if not value else "1 value" if len(value) == 1 else f"{len(value)} values"
     return Finding(path, f"{show(value)} has {count}; {rule}", f"write {example}")
 
@@ -147,11 +144,9 @@ def _not_listed(item: Item, path: Path) -> Finding:
 
 
 def _too_small(item: Item, path: Path) -> Finding:
-    limit, value, pattern = item["ctx"]["ge"], item["input"], _pattern(path)
-    if value == 0 and pattern == "mechanism.links.id":
-        return Finding(path, "0 is the frame, not a moving link", "its points stand in [mechanism.fixed]; count from 1")
-    if value == 0 and pattern in ("mechanism.outputs.link", "loads.link", "balance.counterweights.link"):
-        return Finding(path, "link 0 is the frame and does not move", "name a moving link")
+    limit, value, zeros = item["ctx"]["ge"], item["input"], words_of(path[0]).zeros
+    if value == 0 and _key(path) in zeros:
+        return Finding(path, *zeros[_key(path)])
     return Finding(path, f"{show(value)} is less than {limit}, the least allowed", f"write {limit} or more")
 
 
@@ -167,13 +162,13 @@ def _other(item: Item, path: Path) -> Finding:
 def _unknown_key(item: Item, path: Path) -> Finding:
     key, table = str(path[-1]), _pattern(path[:-1])
     known = _keys_at(item["loc"])
-    if joint := _of_other_joint(item["loc"], key):
-        return Finding(path, *joint)
+    if foreign := _of_other_kind(item["loc"], key):
+        return Finding(path, *foreign)
     message = f"unknown key {show(key)}{f' in {_header(table)}' if table else ''}"
     if guess := nearest(key, known) or _longer(key, known):
         return Finding(path, message, f'did you mean "{guess}"?')
-    homes = [_header(home) for home, keys in _homes() if key in keys]
-    remedy = f"{key} belongs in {either(homes)}" if homes else f"the keys here are: {listing(known)}"
+    others = [_header(home) for home, table in homes() if key in _keys(table)]
+    remedy = f"{key} belongs in {either(others)}" if others else f"the keys here are: {listing(known)}"
     return Finding(path, message, remedy)
 
 
@@ -189,63 +184,28 @@ def _meant(item: Item) -> Path | None:
     return (*path[:-1], key) if key else None
 
 
-def _of_other_joint(loc: Path, key: str) -> tuple[str, str] | None:
-    """Return the message for a key that the other kind of joint has."""
-    if loc[:2] != ("mechanism", "joints") or len(loc) != 5:
-        return None
-    if loc[3] == "revolute" and key in ("guide", "slider"):
-        return f"a revolute joint has no {key}", f'remove {key}, or write kind = "prismatic"'
-    if loc[3] == "revolute" and key == "length":
-        return "a revolute joint has no length", "its size is the radius of the pin: radius"
-    if loc[3] == "prismatic" and key == "radius":
-        return "a prismatic joint has no radius", "its size is the length of the slider along the guide: length"
-    if loc[3] == "prismatic" and key in ("point", "points"):
-        line = 'guide = { through = "B" } and, where it needs one, slider = { through = "A" }'
-        return f"a prismatic joint has no {key}", f"its lines are {line}"
+def _of_other_kind(loc: Path, key: str) -> tuple[str, str] | None:
+    """Return what is said of a key that another kind of the element has."""
+    for home, kinds in words_of(loc[0]).foreign.items():
+        at = len(home.split(".")) + 2  # where the kind stands
+        if len(loc) == at + 2 and _key(loc[: at - 1]) == home:
+            return kinds.get(str(loc[at]), {}).get(key)
     return None
 
 
 def _header(pattern: str) -> str:
-    return f"[[{pattern}]]" if pattern in ARRAYS_OF_TABLES else f"[{pattern}]"
+    return f"[[{pattern}]]" if is_list(pattern) else f"[{pattern}]"
 
 
 def _keys_at(loc: Path) -> list[str]:
     """Return the keys that the table of an unknown key has, by walking the table classes along its place."""
-    tables: list[type[Table]] = [Spec]
-    for step in _without_tags(loc[:-1]):
-        if step in ("revolute", "prismatic"):
-            tables = [t for t in tables if "kind" in t.model_fields and _kind_of(t) == step]
-        elif isinstance(step, str):
-            tables = [
-                sub for t in tables if step in t.model_fields for sub in _tables_in(t.model_fields[step].annotation)
-            ]
-    return [key for table in tables for key in _keys(table)]
+    steps = (step for step in _without_tags(loc[:-1]) if isinstance(step, str))
+    return [key for table in tables_at(steps) for key in _keys(table)]
 
 
 def _keys(table: type[Table]) -> list[str]:
     """Return the keys of a table as TOML has them: from is a word of Python, so its field has another name."""
     return [field.alias or name for name, field in table.model_fields.items()]
-
-
-def _kind_of(table: type[Table]) -> object:
-    return get_args(table.model_fields["kind"].annotation)[0]
-
-
-def _tables_in(annotation: Any) -> list[type[Table]]:
-    if isinstance(annotation, LateTable):
-        return [annotation.table]
-    if isinstance(annotation, type) and issubclass(annotation, Table):
-        return [annotation]
-    return [table for part in get_args(annotation) for table in _tables_in(part)]
-
-
-def _homes(table: type[Table] = Spec, pattern: str = "") -> Iterator[tuple[str, list[str]]]:
-    """Yield every table of the spec as its dotted name and its keys."""
-    for key, field in table.model_fields.items():
-        for sub in _tables_in(field.annotation):
-            name = f"{pattern}.{key}" if pattern else key
-            yield name, _keys(sub)
-            yield from _homes(sub, name)
 
 
 _WORDING: dict[str, Callable[[Item, Path], Finding]] = {

@@ -16,6 +16,8 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.manifest import TABLES
+from tmmcalc.core.stage import resolve
 from tmmcalc.spec.phrases import Path, listing, show, show_path
 
 _KEY = re.compile(r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'""")
@@ -119,13 +121,14 @@ def _find(here: list[Any], where: _Where, path: Path, assignment: str) -> int:
 
 def _named(path: Path, here: list[Any], names: list[Any]) -> list[Any]:
     """The names with those that elements without one get; as they are where something else stands in the list."""
-    from tmmcalc.spec.names import NUMBERED, load_names  # late: few overrides go by a name
-
+    entry = TABLES.get(str(path[0])) if len(path) == 1 else None
     if not all(isinstance(item, dict) for item in here) or not all(isinstance(name, str | None) for name in names):
         return names
-    if path == ("loads",):
-        return load_names(names, [item.get("link") for item in here])
-    return NUMBERED[str(path[0])](names) if len(path) == 1 and path[0] in NUMBERED else names
+    if entry is None or not entry.named:
+        return names
+    function, *keys = entry.named
+    found: list[Any] = resolve(f"{entry.home}.tables.names:{function}")(*([item.get(k) for item in here] for k in keys))
+    return found
 
 
 def _read(assignment: str) -> tuple[list[Step], object]:

@@ -12,3 +12,12 @@ class Table(BaseModel):
 
     # Building is deferred so that a start builds one validator, that of the root, not one a class.
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, defer_build=True)
+
+
+TAGS = {"[key]"}  # what pydantic puts into the places of faults beside TOML keys
+
+
+def tag(word: str) -> str:
+    """A tag of one form of a value that has several, for a discriminator; the places of faults go without it."""
+    TAGS.add(f"<{word}>")
+    return f"<{word}>"

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.phrases import Path, show
+from tmmcalc.spec.phrases import Path, either, show
 from tmmcalc.spec.quantities import Number
 from tmmcalc.spec.units import LARGEST, UnitError, parse
 
@@ -55,3 +56,12 @@ def bare_number(value: object) -> float | None:
     """Return a finite number without a unit."""
     number = isinstance(value, int | float) and not isinstance(value, bool)
     return value if number and isinstance(value, int | float) and abs(value) < LARGEST else None
+
+
+def check_one_of(path: Path, table: Mapping[str, Any], keys: tuple[str, ...], remedy: str) -> Iterator[Finding]:
+    """Exactly one of several keys of a table stands in the place of the others; ``remedy`` adds one."""
+    there = [key for key in keys if key in table]
+    if not there:
+        yield Finding(path, f"missing key: there is none of {either(keys)}", remedy)
+    elif len(there) > 1:
+        yield Finding((*path, there[1]), f"{' and '.join(there)} together: one is enough", "keep one of them")

@@ -456,7 +456,7 @@ def test_a_cam_loads_what_it_needs(shaper: str) -> None:
     assert not (tables | {"numpy"}) & loaded_by(shaper)
     assert not any(name.startswith("tmmcalc.cams.tables.checks.cam") for name in loaded_by(shaper))
     plain = loaded_by(text + LOADS)
-    assert not {"numpy", "scipy", "tmmcalc.project.files", "tmmcalc.project.examples"} & plain
+    assert not {"numpy", "scipy", "tmmcalc.project.files", "tmmcalc.project.words"} & plain
     assert {"tmmcalc.cams.tables.cam", "tmmcalc.cams.tables.checks.cam_sizes"} <= plain
     assert "scipy" not in loaded_by(text.replace('"sine"', "{ polynomial = [0, 0, 3, -2] }"))
 

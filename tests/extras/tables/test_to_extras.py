@@ -17,7 +17,11 @@ from tmmcalc.extras.tables.bearing import BearingTable
 from tmmcalc.extras.tables.contact import ContactTable, GapTableTable
 from tmmcalc.extras.tables.falling_ball import FallingBallTable
 from tmmcalc.extras.tables.reliability import ReliabilityTable
-from tmmcalc.extras.tables.tasks import extras
+from tmmcalc.extras.tables.tasks.bearing import to_bearing
+from tmmcalc.extras.tables.tasks.contact import to_contact
+from tmmcalc.extras.tables.tasks.falling_ball import to_ball
+from tmmcalc.extras.tables.tasks.reliability import to_reliability
+from tmmcalc.extras.tables.tasks.tie_down import to_tie_down
 from tmmcalc.extras.tables.tie_down import SupportTable, ThreadTable, TieDownTable
 from tmmcalc.project import load_spec, parse_spec
 
@@ -29,11 +33,11 @@ NEEDED = {
     "bearing": 'speed = "46 rpm"\ninner = "150 mm"\nouter = "340 mm"\nroller = "39 mm"\ncount = 14',
 }
 READ = {
-    "contact": extras.to_contact,
-    "reliability": extras.to_reliability,
-    "tie_down": extras.to_tie_down,
-    "falling_ball": extras.to_ball,
-    "bearing": extras.to_bearing,
+    "contact": to_contact,
+    "reliability": to_reliability,
+    "tie_down": to_tie_down,
+    "falling_ball": to_ball,
+    "bearing": to_bearing,
 }
 TABLES = {
     "contact": ContactTable,

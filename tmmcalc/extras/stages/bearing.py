@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from tmmcalc.extras.bearing import Bearing, solve_bearing
-from tmmcalc.extras.tables.tasks.extras import to_bearing
+from tmmcalc.extras.tables.tasks.bearing import to_bearing
 
 inputs = to_bearing
 solve = solve_bearing

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.core.conversion import plain
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.extras.contact import Contact, solve_contact
-from tmmcalc.extras.tables.tasks.extras import to_contact
+from tmmcalc.extras.tables.tasks.contact import to_contact
 
 if TYPE_CHECKING:
     from tmmcalc.extras.room import ExtraTables

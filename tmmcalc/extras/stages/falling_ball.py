@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tmmcalc.extras.falling_ball import Ball, solve_falling_ball
-from tmmcalc.extras.tables.tasks.extras import to_ball
+from tmmcalc.extras.tables.tasks.falling_ball import to_ball
 
 if TYPE_CHECKING:
     from tmmcalc.extras.room import ExtraTables

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tmmcalc.extras.reliability import Reliability, solve_reliability
-from tmmcalc.extras.tables.tasks.extras import to_reliability
+from tmmcalc.extras.tables.tasks.reliability import to_reliability
 
 if TYPE_CHECKING:
     from tmmcalc.extras.room import ExtraTables

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmmcalc.extras.tables.tasks.extras import to_tie_down
+from tmmcalc.extras.tables.tasks.tie_down import to_tie_down
 from tmmcalc.extras.tie_down import TieDown, solve_tie_down
 
 inputs = to_tie_down

@@ -6,10 +6,10 @@ from pydantic import Discriminator, Field, Tag
 
 from tmmcalc.spec.identifiers import JointName, NamePair, PointName
 from tmmcalc.spec.quantities import Angle, Distance, Friction, LinkPair, Point, Size
-from tmmcalc.spec.table import Table
+from tmmcalc.spec.table import Table, tag
 
 # Angle brackets: no TOML key of a spec looks like these, so they are told apart in the places of faults.
-NAME_TAG, POINT_TAG = "<name>", "<point>"
+NAME_TAG, POINT_TAG = tag("name"), tag("point")
 
 
 def _form(value: object) -> str:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tmmcalc.cams.tables.cam_spring import SPRING_KEYS, WIRE_KEYS, spring_method
 from tmmcalc.cams.tables.checks.written_cam import A_FOLLOWER, WrittenCam, place, written_cam
 from tmmcalc.linkage.tables.checks.curves import Curve
+from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, subtable, word
 from tmmcalc.spec.phrases import listing
@@ -36,7 +37,7 @@ def check_needs(outline: Outline) -> Iterator[Finding]:
 
 def _turns(outline: Outline) -> bool:
     """Whether there is a crank, or the shaft of a torque diagram, whose speed a cam may have."""
-    return ("mechanism" in outline.document and not outline.slides) or "torque" in outline.document
+    return ("mechanism" in outline.document and not written_linkage(outline).slides) or "torque" in outline.document
 
 
 def _has_mass(cam: WrittenCam) -> bool:

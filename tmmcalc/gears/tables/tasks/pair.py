@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +12,6 @@ from tmmcalc.gears.involute.quality.verdicts import QualityLimits
 from tmmcalc.gears.involute.rack import RACKS, Rack
 from tmmcalc.gears.meshing.task import NEITHER, Measuring, PairsTask, PairTask
 from tmmcalc.gears.tables.shifting import usual_strategy
-from tmmcalc.spec.names import pair_names
 
 if TYPE_CHECKING:
     from tmmcalc.gears.room import GearTables
@@ -50,7 +50,7 @@ def to_pairs(spec: GearTables) -> PairsTask:
         own = {mesh.mesh or "": _task({**general, **_given(mesh)}, rack, table) for mesh in table.meshes}
         return PairsTask(usual=_task(general, rack, table), own=own)
     every = [{**general, **_given(mesh)} for mesh in table.meshes] or [general]
-    names = pair_names([given.get("name") for given in every])
+    names = _names([given.get("name") for given in every])
     named = ({**given, "name": name} for given, name in zip(every, names, strict=True))
     return PairsTask(tuple(_task(given, Rack(), table) for given in named))
 
@@ -148,3 +148,8 @@ def _measuring(given: Given) -> Measuring:
         body=given.get("measure_over", usual.body),
         rule=given.get("face_width_rule", usual.rule),
     )
+
+
+def _names(names: Sequence[str | None]) -> list[str]:
+    """Pairs by their number in the spec; a single one needs no name."""
+    return [name or f"pair {i}" for i, name in enumerate(names, 1)] if len(names) > 1 else [names[0] or ""]

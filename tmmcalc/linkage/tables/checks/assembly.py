@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from tmmcalc.linkage.tables.checks.written_linkage import FRAME, written_linkage
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.outline import FRAME, Outline, is_integer, subtable
+from tmmcalc.spec.outline import Outline, is_integer, subtable
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
 
 _LINKS = re.compile(r"[0-9]{1,9}(-[0-9]{1,9})+")
@@ -14,23 +15,24 @@ _LINKS = re.compile(r"[0-9]{1,9}(-[0-9]{1,9})+")
 
 def check_sketch(outline: Outline) -> Iterator[Finding]:
     """A sketch places points that exist."""
-    sketch = subtable(subtable(outline.table, "assembly"), "sketch")
-    if None in outline.points.values() or not outline.ids_complete:
+    linkage = written_linkage(outline)
+    sketch = subtable(subtable(linkage.table, "assembly"), "sketch")
+    if None in linkage.points.values() or not linkage.ids_complete:
         return
     for name in sketch:
-        if name not in outline.names:
-            guess = did_you_mean(name, outline.names)
+        if name not in linkage.names:
+            guess = did_you_mean(name, linkage.names)
             yield Finding(
                 ("mechanism", "assembly", "sketch", name),
                 f"no link has a point {show(name)}",
-                f"{guess} the points are: {listing(outline.names)}".strip(),
+                f"{guess} the points are: {listing(linkage.names)}".strip(),
             )
 
 
 def check_variants(outline: Outline) -> Iterator[Finding]:
     """A variant names the links of a group, once; it is 1 or -1 of a dyad, 1 or more of a higher group."""
     seen: dict[frozenset[int], str] = {}
-    for key, value in subtable(subtable(outline.table, "assembly"), "variants").items():
+    for key, value in subtable(subtable(written_linkage(outline).table, "assembly"), "variants").items():
         path: Path = ("mechanism", "assembly", "variants", key)
         if _LINKS.fullmatch(key) is None:
             yield Finding(
@@ -59,14 +61,15 @@ def _check_value(path: Path, value: object, links: int) -> Iterator[Finding]:
 
 
 def _check_links(outline: Outline, links: tuple[int, ...], path: Path) -> Iterator[Finding]:
-    if not outline.ids_complete:
+    linkage = written_linkage(outline)
+    if not linkage.ids_complete:
         return
-    moving = [id_ for id_ in outline.ids if id_ != FRAME]
+    moving = [id_ for id_ in linkage.ids if id_ != FRAME]
     absent = [link for link in dict.fromkeys(links) if link not in moving]
     for link in absent:
         what = "the frame, link 0, belongs to no group" if link == FRAME else f"there is no link {link}"
         yield Finding(path, what, f"the moving links are: {listing(moving)}")
-    if absent or not outline.joints_complete:
+    if absent or not linkage.joints_complete:
         return
     remedy = "name the links of one group, which are joined to each other"
     twice = next((link for link in links if links.count(link) > 1), None)
@@ -82,7 +85,7 @@ def _joined(outline: Outline, links: tuple[int, ...]) -> bool:
     while (
         more := {
             k
-            for joint in outline.joints
+            for joint in written_linkage(outline).joints
             if joint.links and {*joint.links} <= {*links} and reached & {*joint.links}
             for k in joint.links
         }

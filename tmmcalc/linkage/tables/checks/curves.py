@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from tmmcalc.linkage.tables.checks.loads import loads
 from tmmcalc.linkage.tables.checks.windows import beyond, check_output, check_travel, grid_steps, outputs, travel
+from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, word
@@ -86,8 +87,8 @@ def _check_options(curve: Curve) -> Iterator[Finding]:
         yield from check_output(curve.outline, table.get("output"), (*path, "output"))
     if "period" not in table:
         return
-    if curve.of != "angle" or curve.outline.slides:
-        what = "with a driven slider" if curve.outline.slides else f"of {curve.of}"
+    if curve.of != "angle" or written_linkage(curve.outline).slides:
+        what = "with a driven slider" if written_linkage(curve.outline).slides else f"of {curve.of}"
         yield Finding((*path, "period"), f"period in a table {what}: only crank angles repeat", "remove it")
         return
     period = amount(table["period"], "angle")
@@ -135,7 +136,7 @@ def _check_abscissae(curve: Curve) -> Iterator[Finding]:
 
 
 def _check_without_x(curve: Curve, key: str, count: int | None) -> Iterator[Finding]:
-    missing = curve.of == "displacement" or (curve.of == "angle" and curve.outline.slides)
+    missing = curve.of == "displacement" or (curve.of == "angle" and written_linkage(curve.outline).slides)
     if missing and "file" not in curve.table:
         what = "displacements" if curve.of == "displacement" else "distances of the driven slider"
         yield Finding(curve.path, f"missing key: a table of {what} has its x", 'add x = ["0 mm", "50 mm", "200 mm"]')
@@ -202,7 +203,7 @@ def _check_range(curve: Curve, listed: list[object], numbers: list[float]) -> It
         )
     if curve.of == "position":
         yield from _check_numbers(curve, listed, numbers)
-    if curve.of == "angle" and not curve.outline.slides:
+    if curve.of == "angle" and not written_linkage(curve.outline).slides:
         end = numbers[0] + (amount(curve.table.get("period"), "angle") or TURN)
         if numbers[last] > end * (1 + 1e-12):
             fault = beyond(listed[last], numbers[last], end - numbers[0], curve.place("x", last))

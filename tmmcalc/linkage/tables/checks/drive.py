@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, subtable, word
 from tmmcalc.spec.phrases import show
@@ -16,6 +17,7 @@ _STEEPEST = math.radians(45)
 
 def check_gear(outline: Outline) -> Iterator[Finding]:
     """A gear needs its radius and the direction of its pinion, a coupling has neither, a slider has no gear."""
+    linkage = written_linkage(outline)
     drive = subtable(outline.document, "drive")
     kind = word(drive, "kind", "coupling")
     if kind == "coupling":
@@ -25,10 +27,10 @@ def check_gear(outline: Outline) -> Iterator[Finding]:
         return
     if kind != "gear":
         return
-    if outline.slides and outline.input_joint is not None:
+    if linkage.slides and linkage.input_joint is not None:
         yield Finding(
             ("drive", "kind"),
-            f'the input joint "{outline.input_joint.name}" is prismatic; only a crank carries a gear',
+            f'the input joint "{linkage.input_joint.name}" is prismatic; only a crank carries a gear',
             "remove [drive]: the slider is driven by a force along its guide",
         )
     if "radius" not in drive:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tmmcalc.linkage.tables.checks.loads import loads
+from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, tables
 from tmmcalc.spec.phrases import Path, show
@@ -40,7 +41,7 @@ def _check_piston(outline: Outline, load: Raw, indicator: Raw, path: Path) -> It
             "an indicator diagram belongs to a cylinder in the frame; its direction does not turn with a link",
             "remove axes; the direction points from the closed end to the crank",
         )
-    if outline.slides:
+    if written_linkage(outline).slides:
         yield Finding(
             path, "an indicator diagram with a driven slider: its strokes follow a crank", "give the force as a table"
         )

@@ -9,9 +9,10 @@ import math
 from collections.abc import Iterator
 from typing import TypeGuard
 
+from tmmcalc.linkage.tables.checks.written_linkage import FRAME, written_linkage
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.outline import FRAME, Outline, subtable
+from tmmcalc.spec.outline import Outline, subtable
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
 from tmmcalc.spec.units import FULL_TURN, UnitError, dimension_of, parse
 
@@ -26,11 +27,12 @@ _ACCELERATION = {"revolute": "angular acceleration", "prismatic": "acceleration"
 
 def check_joint(outline: Outline) -> Iterator[Finding]:
     """The input joint exists and is with the frame; a prismatic one may join two moving links: a driven length."""
-    name = subtable(outline.table, "input").get("joint")
-    if not isinstance(name, str) or not outline.joints:
+    linkage = written_linkage(outline)
+    name = subtable(linkage.table, "input").get("joint")
+    if not isinstance(name, str) or not linkage.joints:
         return
-    joint = outline.joint_named(name)
-    fit = [str(j.name) for j in outline.joints if j.name and j.links and (FRAME in j.links or j.kind == "prismatic")]
+    joint = linkage.joint_named(name)
+    fit = [str(j.name) for j in linkage.joints if j.name and j.links and (FRAME in j.links or j.kind == "prismatic")]
     known = f"the joints that can be driven are: {listing(fit)}"
     if joint is None:
         guess = did_you_mean(name, fit)
@@ -46,7 +48,7 @@ def check_joint(outline: Outline) -> Iterator[Finding]:
 
 def check_dimensions(outline: Outline) -> Iterator[Finding]:
     """The quantities of the input have the dimensions of its joint."""
-    joint = outline.input_joint
+    joint = written_linkage(outline).input_joint
     if joint is None or joint.kind not in _COORDINATE:
         return
     for path, value, dimension in _quantities(outline, joint.kind):
@@ -69,7 +71,8 @@ def check_dimensions(outline: Outline) -> Iterator[Finding]:
 
 
 def _quantities(outline: Outline, kind: str) -> Iterator[tuple[Path, object, str]]:
-    motion, grid = subtable(outline.table, "input"), subtable(outline.table, "grid")
+    linkage = written_linkage(outline)
+    motion, grid = subtable(linkage.table, "input"), subtable(linkage.table, "grid")
     yield (*_INPUT, "speed"), motion.get("speed"), _SPEED[kind]
     yield (*_INPUT, "acceleration"), motion.get("acceleration"), _ACCELERATION[kind]
     yield (*_INPUT, "start"), motion.get("start"), _COORDINATE[kind]
@@ -77,7 +80,7 @@ def _quantities(outline: Outline, kind: str) -> Iterator[tuple[Path, object, str
     extra = grid.get("extra")
     for index, value in enumerate(extra if isinstance(extra, list) else ()):
         yield (*_GRID, "extra", index), value, _COORDINATE[kind]
-    at = subtable(outline.table, "assembly").get("at")
+    at = subtable(linkage.table, "assembly").get("at")
     yield ("mechanism", "assembly", "at"), at, _COORDINATE[kind]
 
 
@@ -95,10 +98,11 @@ def _others(dimension: str) -> set[str]:
 
 def check_prismatic_input(outline: Outline) -> Iterator[Finding]:
     """A sliding input has no full turn and no dead centre to start from: it needs a span and a start."""
-    joint = outline.input_joint
+    linkage = written_linkage(outline)
+    joint = linkage.input_joint
     if joint is None or joint.kind != "prismatic":
         return
-    motion, grid = subtable(outline.table, "input"), subtable(outline.table, "grid")
+    motion, grid = subtable(linkage.table, "input"), subtable(linkage.table, "grid")
     name = f'the input joint "{joint.name}" is prismatic'
     if "span" not in grid and not {"working", "idle"} & {*grid}:
         yield Finding((*_GRID, "span"), f"missing key: {name}, so the grid needs a span", 'add span = "200 mm"')
@@ -116,7 +120,8 @@ def check_prismatic_input(outline: Outline) -> Iterator[Finding]:
 
 def check_grid(outline: Outline) -> Iterator[Finding]:
     """Positions are counted over a span, or over the working and the idle stroke."""
-    grid = subtable(outline.table, "grid")
+    linkage = written_linkage(outline)
+    grid = subtable(linkage.table, "grid")
     strokes = [key for key in ("working", "idle") if key in grid]
     if len(strokes) == 1:
         other = "idle" if strokes == ["working"] else "working"
@@ -125,8 +130,8 @@ def check_grid(outline: Outline) -> Iterator[Finding]:
             f"{strokes[0]} without {other}: the two strokes have each a number of steps",
             f"add {other} = 8, or write positions = 24 instead",
         )
-    start = subtable(outline.table, "input").get("start", "extreme")
-    joint = outline.input_joint
+    start = subtable(linkage.table, "input").get("start", "extreme")
+    joint = linkage.input_joint
     if strokes and start != "extreme" and not (joint and joint.kind == "prismatic"):
         yield Finding(
             (*_INPUT, "start"),
@@ -144,10 +149,11 @@ def check_grid(outline: Outline) -> Iterator[Finding]:
 
 def check_reach(outline: Outline) -> Iterator[Finding]:
     """A crank is analysed over one turn at most, and extra positions lie within the span."""
-    joint = outline.input_joint
+    linkage = written_linkage(outline)
+    joint = linkage.input_joint
     if joint is None or joint.kind not in _COORDINATE:
         return
-    grid, dimension = subtable(outline.table, "grid"), _COORDINATE[joint.kind]
+    grid, dimension = subtable(linkage.table, "grid"), _COORDINATE[joint.kind]
     turn = 2 * math.pi * (1 + 1e-12) if joint.kind == "revolute" else math.inf
     span = _number(grid.get("span"), dimension, turn)
     if span > turn and not _is_disguised(grid["span"], dimension):

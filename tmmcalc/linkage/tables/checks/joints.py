@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from tmmcalc.linkage.tables.checks.written_linkage import FRAME, WrittenJoint, link_words, written_linkage
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.outline import FRAME, Outline, RawJoint, link_words, subtable
+from tmmcalc.spec.outline import Outline, subtable
 from tmmcalc.spec.phrases import Path, listing, nearest, show
 
 
 def check_names(outline: Outline) -> Iterator[Finding]:
     """Every joint has a name of its own."""
-    first: dict[str, RawJoint] = {}
-    for joint in outline.joints:
+    first: dict[str, WrittenJoint] = {}
+    for joint in written_linkage(outline).joints:
         if joint.name is None:
             continue
         if joint.name in first:
@@ -27,7 +28,8 @@ def check_names(outline: Outline) -> Iterator[Finding]:
 
 def check_links(outline: Outline) -> Iterator[Finding]:
     """A joint connects two different links that exist."""
-    for joint in outline.joints:
+    linkage = written_linkage(outline)
+    for joint in linkage.joints:
         if joint.links is None:
             continue
         if joint.links[0] == joint.links[1]:
@@ -36,13 +38,13 @@ def check_links(outline: Outline) -> Iterator[Finding]:
                 f"{list(joint.links)} is one link twice; a joint connects two different links",
                 f"the links are: {known_links(outline)}",
             )
-        elif outline.ids_complete:
+        elif linkage.ids_complete:
             yield from _absent(outline, joint, joint.links)
 
 
-def _absent(outline: Outline, joint: RawJoint, links: tuple[int, int]) -> Iterator[Finding]:
+def _absent(outline: Outline, joint: WrittenJoint, links: tuple[int, int]) -> Iterator[Finding]:
     for place, link in enumerate(links):
-        if link >= FRAME and link not in outline.ids:  # a negative number is a fault of its own
+        if link >= FRAME and link not in written_linkage(outline).ids:  # a negative number is a fault of its own
             yield Finding(
                 (*joint.path, "links", place),
                 f"there is no link {link}",
@@ -52,27 +54,28 @@ def _absent(outline: Outline, joint: RawJoint, links: tuple[int, int]) -> Iterat
 
 def known_links(outline: Outline) -> str:
     """Return the numbers of all links for a remedy."""
-    return listing("0 (the frame)" if id_ == FRAME else id_ for id_ in outline.ids)
+    return listing("0 (the frame)" if id_ == FRAME else id_ for id_ in written_linkage(outline).ids)
 
 
 def check_pins(outline: Outline) -> Iterator[Finding]:
     """The pin of a revolute joint is a point of both links."""
-    for joint in outline.joints:
+    linkage = written_linkage(outline)
+    for joint in linkage.joints:
         if "point" in joint.table and "points" in joint.table and joint.kind == "revolute":
             yield Finding(
                 (*joint.path, "points"),
                 "point and points together: the pin is named once",
                 "keep point if both links call the pin the same, points if they differ",
             )
-        elif outline.connects(joint):
+        elif linkage.connects(joint):
             yield from _missing_pins(outline, joint)
 
 
-def _missing_pins(outline: Outline, joint: RawJoint) -> Iterator[Finding]:
+def _missing_pins(outline: Outline, joint: WrittenJoint) -> Iterator[Finding]:
     absent = [
         (place, link, pin)
         for place, (link, pin) in enumerate(zip(joint.links or (), joint.pins or (), strict=False))
-        if not outline.has_point(link, pin)
+        if not written_linkage(outline).has_point(link, pin)
     ]
     if len(absent) == 2 and "points" not in joint.table:
         yield _pin_of_neither(outline, joint, absent[0][2], (absent[0][1], absent[1][1]))
@@ -83,9 +86,10 @@ def _missing_pins(outline: Outline, joint: RawJoint) -> Iterator[Finding]:
         yield Finding(path, message, point_remedy(outline, link, pin))
 
 
-def _pin_of_neither(outline: Outline, joint: RawJoint, pin: str, links: tuple[int, int]) -> Finding:
+def _pin_of_neither(outline: Outline, joint: WrittenJoint, pin: str, links: tuple[int, int]) -> Finding:
+    linkage = written_linkage(outline)
     a, b = links
-    shared = [name for name in outline.points.get(a) or () if name in (outline.points.get(b) or ())]
+    shared = [name for name in linkage.points.get(a) or () if name in (linkage.points.get(b) or ())]
     meant = f'did you mean point = "{shared[0]}", which both have? or ' if shared else ""
     return Finding(
         _pin_path(joint),
@@ -94,17 +98,17 @@ def _pin_of_neither(outline: Outline, joint: RawJoint, pin: str, links: tuple[in
     )
 
 
-def _pin_path(joint: RawJoint) -> Path:
+def _pin_path(joint: WrittenJoint) -> Path:
     return (*joint.path, "point" if "point" in joint.table else "name")
 
 
-def _default(joint: RawJoint) -> str:
+def _default(joint: WrittenJoint) -> str:
     return "" if {"point", "points"} & {*joint.table} else "; without point = ... the pin has the joint's name"
 
 
 def point_remedy(outline: Outline, link: int, point: str) -> str:
     """Return what to do about a point that a link has not: the nearest name, or where to add it."""
-    known = list(outline.points.get(link) or ())
+    known = list(written_linkage(outline).points.get(link) or ())
     guess = nearest(point, known)
     meant = f'did you mean "{guess}"? ' if guess else ""
     home = "[mechanism.fixed]" if link == FRAME else f"the points of link {link}"
@@ -113,20 +117,22 @@ def point_remedy(outline: Outline, link: int, point: str) -> str:
 
 def check_lines(outline: Outline) -> Iterator[Finding]:
     """The line of a prismatic joint runs through a point of its own link."""
-    for joint in outline.joints:
-        if joint.kind != "prismatic" or joint.links is None or not outline.connects(joint):
+    linkage = written_linkage(outline)
+    for joint in linkage.joints:
+        if joint.kind != "prismatic" or joint.links is None or not linkage.connects(joint):
             continue
         slider, guide = joint.links
         yield from _through(outline, joint, "slider", slider, guide)
         yield from _through(outline, joint, "guide", guide, slider)
 
 
-def _through(outline: Outline, joint: RawJoint, role: str, link: int, other: int) -> Iterator[Finding]:
+def _through(outline: Outline, joint: WrittenJoint, role: str, link: int, other: int) -> Iterator[Finding]:
+    linkage = written_linkage(outline)
     point = subtable(joint.table, role).get("through")
-    if not isinstance(point, str) or outline.has_point(link, point):
+    if not isinstance(point, str) or linkage.has_point(link, point):
         return
     remedy = point_remedy(outline, link, point)
-    if role == "guide" and outline.has_point(other, point):
+    if role == "guide" and linkage.has_point(other, point):
         remedy = f"if {link_words(other)} carries the guide, write links = [{link}, {other}], slider first"
     yield Finding(
         (*joint.path, role, "through"),
@@ -137,7 +143,7 @@ def _through(outline: Outline, joint: RawJoint, role: str, link: int, other: int
 
 def check_friction(outline: Outline) -> Iterator[Finding]:
     """The friction of a pin acts on its radius."""
-    for joint in outline.joints:
+    for joint in written_linkage(outline).joints:
         if joint.kind == "revolute" and joint.table.get("friction") and "radius" not in joint.table:
             yield Finding(
                 (*joint.path, "friction"),

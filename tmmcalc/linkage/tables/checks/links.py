@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from tmmcalc.linkage.tables.checks.written_linkage import FRAME, WrittenLink, written_linkage
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.outline import FRAME, Outline, RawLink
+from tmmcalc.spec.outline import Outline
 from tmmcalc.spec.phrases import Path, show
 from tmmcalc.spec.units import UnitError, parse
 
@@ -15,13 +16,14 @@ _CENTRE = re.compile(r"S[0-9]+")
 
 def check_ids(outline: Outline) -> Iterator[Finding]:
     """Every link has a number of its own."""
-    first: dict[int, RawLink] = {}
-    for link in outline.links:
+    linkage = written_linkage(outline)
+    first: dict[int, WrittenLink] = {}
+    for link in linkage.links:
         if link.id is None:
             continue
         if link.id in first:
             line = outline.at_line((*first[link.id].path, "id"))
-            free = max(outline.ids) + 1
+            free = max(linkage.ids) + 1
             yield Finding(
                 (*link.path, "id"),
                 f"id {link.id} is already the number of another link{line}",
@@ -32,8 +34,9 @@ def check_ids(outline: Outline) -> Iterator[Finding]:
 
 def check_reserved_names(outline: Outline) -> Iterator[Finding]:
     """S1, S2, ... are the centres of mass; nothing else is called so."""
-    yield from _reserved(outline.table.get("fixed"), ("mechanism", "fixed"))
-    for link in outline.links:
+    linkage = written_linkage(outline)
+    yield from _reserved(linkage.table.get("fixed"), ("mechanism", "fixed"))
+    for link in linkage.links:
         yield from _reserved(link.table.get("points"), (*link.path, "points"))
 
 
@@ -49,7 +52,7 @@ def _reserved(points: object, path: Path) -> Iterator[Finding]:
 
 def check_masses(outline: Outline) -> Iterator[Finding]:
     """A moment of inertia belongs to a mass."""
-    for link in outline.links:
+    for link in written_linkage(outline).links:
         if "inertia" in link.table and "mass" not in link.table:
             yield Finding(
                 (*link.path, "inertia"),
@@ -60,10 +63,11 @@ def check_masses(outline: Outline) -> Iterator[Finding]:
 
 def check_connected(outline: Outline) -> Iterator[Finding]:
     """Every link, and the frame, is named by some joint."""
-    if not (outline.ids_complete and outline.joints_complete):
+    linkage = written_linkage(outline)
+    if not (linkage.ids_complete and linkage.joints_complete):
         return
-    used = {id_ for joint in outline.joints for id_ in joint.links or ()}
-    for link in outline.links:
+    used = {id_ for joint in linkage.joints for id_ in joint.links or ()}
+    for link in linkage.links:
         if link.id not in used:
             yield Finding(
                 link.path,
@@ -80,11 +84,12 @@ def check_connected(outline: Outline) -> Iterator[Finding]:
 
 def check_lengths(outline: Outline) -> Iterator[Finding]:
     """A link that is held by pins alone has them at two places or more."""
-    for link in outline.links:
+    linkage = written_linkage(outline)
+    for link in linkage.links:
         if link.id is None:
             continue
-        joints = [joint for joint in outline.joints if joint.links and link.id in joint.links]
-        pins = [pin for joint in joints if outline.is_pinned(joint) and (pin := joint.pin_on(link.id))]
+        joints = [joint for joint in linkage.joints if joint.links and link.id in joint.links]
+        pins = [pin for joint in joints if linkage.is_pinned(joint) and (pin := joint.pin_on(link.id))]
         if len(joints) < 2 or len(pins) < len(joints):
             continue
         places = [_place((link.points or {}).get(pin)) for pin in pins]
@@ -99,12 +104,13 @@ def check_lengths(outline: Outline) -> Iterator[Finding]:
 
 def check_ambiguous(outline: Outline) -> Iterator[Finding]:
     """A name that stands on two moving links is one point: the pin that joins them."""
-    if not (outline.ids_complete and outline.joints_complete):
+    linkage = written_linkage(outline)
+    if not (linkage.ids_complete and linkage.joints_complete):
         return  # the joint that is at fault may be the one that joins them
     groups = _Groups(outline)
-    jointed = {id_ for joint in outline.joints for id_ in joint.links or ()}
+    jointed = {id_ for joint in linkage.joints for id_ in joint.links or ()}
     first: dict[str, int] = {}
-    for link in outline.links:
+    for link in linkage.links:
         if link.id is None or link.id not in jointed:
             continue
         for name in link.points or ():
@@ -127,16 +133,17 @@ class _Groups:
     """Points of links that revolute joints make one: a union-find over (link, name)."""
 
     def __init__(self, outline: Outline) -> None:
+        linkage = written_linkage(outline)
         self.parent: dict[tuple[int, str], tuple[int, str]] = {}
-        for joint in outline.joints:
+        for joint in linkage.joints:
             if joint.links is None or joint.kind == "prismatic":
                 continue
             a, b = joint.links
-            if joint.pins and outline.is_pinned(joint):
+            if joint.pins and linkage.is_pinned(joint):
                 self._join((a, joint.pins[0]), (b, joint.pins[1]))
                 continue
             # The joint has a fault of its own; whichever pin was meant, do not report its name again.
-            for name in {*(outline.points.get(a) or ())} & {*(outline.points.get(b) or ())}:
+            for name in {*(linkage.points.get(a) or ())} & {*(linkage.points.get(b) or ())}:
                 self._join((a, name), (b, name))
 
     def same(self, a: tuple[int, str], b: tuple[int, str]) -> bool:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from tmmcalc.linkage.tables.checks.written_linkage import FRAME, written_linkage
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.outline import FRAME, Outline, Raw, is_integer, tables
+from tmmcalc.spec.outline import Outline, Raw, is_integer, tables
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
 
 _KINDS = ("point", "link", "joint")
@@ -14,7 +15,7 @@ _KINDS = ("point", "link", "joint")
 def check_outputs(outline: Outline) -> Iterator[Finding]:
     """Yield the faults of all outputs."""
     seen: set[str] = set()
-    for index, output in tables(outline.table, "outputs"):
+    for index, output in tables(written_linkage(outline).table, "outputs"):
         path: Path = ("mechanism", "outputs", index)
         yield from _check_name(output, path, seen)
         yield from _check_choice(output, path)
@@ -58,10 +59,11 @@ def _check_choice(output: Raw, path: Path) -> Iterator[Finding]:
 
 
 def _check_point(outline: Outline, name: str, path: Path) -> Iterator[Finding]:
-    if None in outline.points.values() or not outline.ids_complete:
+    linkage = written_linkage(outline)
+    if None in linkage.points.values() or not linkage.ids_complete:
         return
-    moving = sorted({name for link, points in outline.points.items() if link != FRAME for name in points or ()})
-    if name not in outline.names:
+    moving = sorted({name for link, points in linkage.points.items() if link != FRAME for name in points or ()})
+    if name not in linkage.names:
         hint = " (the centre of mass of a link needs its center)" if name[:1] == "S" and name[1:].isdigit() else ""
         guess = did_you_mean(name, moving)
         yield Finding(
@@ -69,7 +71,7 @@ def _check_point(outline: Outline, name: str, path: Path) -> Iterator[Finding]:
             f"no link has a point {show(name)}{hint}",
             f"{guess} the points are: {listing(moving)}".strip(),
         )
-    elif name in (outline.points[FRAME] or ()) and (name not in moving or _is_pinned(outline, name)):
+    elif name in (linkage.points[FRAME] or ()) and (name not in moving or _is_pinned(outline, name)):
         yield Finding(
             path,
             f"{show(name)} is a point of the frame and does not move",
@@ -79,20 +81,22 @@ def _check_point(outline: Outline, name: str, path: Path) -> Iterator[Finding]:
 
 def _is_pinned(outline: Outline, name: str) -> bool:
     """Return whether a revolute joint holds the point of this name to the frame."""
-    return any(j.links and FRAME in j.links and j.pins == (name, name) for j in outline.joints)
+    return any(j.links and FRAME in j.links and j.pins == (name, name) for j in written_linkage(outline).joints)
 
 
 def _check_link(outline: Outline, link: int, path: Path) -> Iterator[Finding]:
-    moving = listing(id_ for id_ in outline.ids if id_ != FRAME)
-    if link > FRAME and outline.ids_complete and link not in outline.ids:  # others are out of range
+    linkage = written_linkage(outline)
+    moving = listing(id_ for id_ in linkage.ids if id_ != FRAME)
+    if link > FRAME and linkage.ids_complete and link not in linkage.ids:  # others are out of range
         yield Finding(path, f"there is no link {link}", f"the moving links are: {moving}")
 
 
 def _check_joint(outline: Outline, name: str, path: Path) -> Iterator[Finding]:
-    if not outline.joints:
+    linkage = written_linkage(outline)
+    if not linkage.joints:
         return
-    joint = outline.joint_named(name)
-    prismatic = [str(joint.name) for joint in outline.joints if joint.kind == "prismatic"]
+    joint = linkage.joint_named(name)
+    prismatic = [str(joint.name) for joint in linkage.joints if joint.kind == "prismatic"]
     known = f"the prismatic joints are: {listing(prismatic)}"
     if joint is None:
         yield Finding(path, f"there is no joint {show(name)}", f"{did_you_mean(name, prismatic)} {known}".strip())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, subtable, tables, word
@@ -38,7 +39,7 @@ def check_output(outline: Outline) -> Iterator[Finding]:
     name = table.get("output")
     if not isinstance(name, str):
         return
-    known = [_name(output) for _, output in tables(outline.table, "outputs")]
+    known = [_name(output) for _, output in tables(written_linkage(outline).table, "outputs")]
     if name not in known:
         guess = did_you_mean(name, known)
         remedy = f"{guess} outputs: {listing(known)}; add [[mechanism.outputs]] for another".strip()
@@ -50,7 +51,8 @@ def check_output(outline: Outline) -> Iterator[Finding]:
 
 def check_dimensions(outline: Outline) -> Iterator[Finding]:
     """Speeds and coordinates are those of the input joint, the ends those of the output where one is named."""
-    joint = outline.input_joint
+    linkage = written_linkage(outline)
+    joint = linkage.input_joint
     if joint is None or joint.kind not in ("revolute", "prismatic"):
         return
     table, own = _table(outline), _SLIDING if joint.kind == "prismatic" else _TURNING
@@ -60,7 +62,7 @@ def check_dimensions(outline: Outline) -> Iterator[Finding]:
         wanted |= dict.fromkeys(_ENDS, own["coordinate"])
     for key, dimension in wanted.items():
         yield from _of(table, key, dimension, who)
-    output = next((each for _, each in tables(outline.table, "outputs") if _name(each) == table.get("output")), None)
+    output = next((each for _, each in tables(linkage.table, "outputs") if _name(each) == table.get("output")), None)
     if output is not None:
         turns = "link" in output
         who = f"output {table['output']} is {'an angle' if turns else 'a length'}"

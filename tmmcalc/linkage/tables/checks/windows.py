@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from tmmcalc.linkage.tables.checks.loads import loads
+from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, is_integer, subtable, tables
@@ -53,7 +54,7 @@ def outputs(outline: Outline) -> list[tuple[str, Raw]]:
     """Return the outputs by name: their own, or that of the point, the link or the joint."""
     named = [
         (next((str(output[key]) for key in ("name", "point", "link", "joint") if key in output), ""), output)
-        for _, output in tables(outline.table, "outputs")
+        for _, output in tables(written_linkage(outline).table, "outputs")
     ]
     return [(name, output) for name, output in named if name]
 
@@ -70,18 +71,19 @@ def cycle(outline: Outline) -> float:
 
 def travel(outline: Outline) -> str:
     """Return the dimension of the input's travel."""
-    return "length" if outline.slides else "angle"
+    return "length" if written_linkage(outline).slides else "angle"
 
 
 def check_travel(outline: Outline, value: object, limit: float, path: Path) -> Iterator[Finding]:
     """A distance along the motion has the dimension of the input, and lies within ``limit``."""
+    linkage = written_linkage(outline)
     needed, written = travel(outline), dimension_of(value)
     number = amount(value, "angle", "length")  # a bare number as well, whatever its size
-    if written in ("angle", "length") and written != needed and outline.input_joint is not None:
+    if written in ("angle", "length") and written != needed and linkage.input_joint is not None:
         yield Finding(
             path,
-            f'{show(value)} is {DIMENSIONS[written].noun}; the input joint "{outline.input_joint.name}" is '
-            f"{outline.input_joint.kind}, so {DIMENSIONS[needed].noun} is needed",
+            f'{show(value)} is {DIMENSIONS[written].noun}; the input joint "{linkage.input_joint.name}" is '
+            f"{linkage.input_joint.kind}, so {DIMENSIONS[needed].noun} is needed",
             f'write {DIMENSIONS[needed].noun}, such as "{DIMENSIONS[needed].example}"',
         )
     elif number is not None and number > limit * (1 + 1e-12):
@@ -99,9 +101,10 @@ def beyond(value: object, number: float, limit: float, path: Path) -> Finding:
 
 
 def _check_between(outline: Outline, pair: object, path: Path) -> Iterator[Finding]:
+    linkage = written_linkage(outline)
     if not isinstance(pair, list) or len(pair) != 2:
         return
-    limit = math.inf if outline.slides else cycle(outline)
+    limit = math.inf if linkage.slides else cycle(outline)
     for index, value in enumerate(pair):
         yield from check_travel(outline, value, limit, (*path, index))
     first, last = (amount(value, "angle", "length") for value in pair)
@@ -109,7 +112,7 @@ def _check_between(outline: Outline, pair: object, path: Path) -> Iterator[Findi
         return
     if first == last:
         yield Finding(path, f"{show(pair)} begins where it ends", "write from and to; remove between for always")
-    elif first > last and outline.slides:
+    elif first > last and linkage.slides:
         yield Finding(
             path, f"{show(pair)} runs backwards: a driven slider passes each place once", "write from, then to"
         )
@@ -118,7 +121,7 @@ def _check_between(outline: Outline, pair: object, path: Path) -> Iterator[Findi
 def _check_positions(outline: Outline, pair: object, path: Path) -> Iterator[Finding]:
     if not isinstance(pair, list) or len(pair) != 2:
         return
-    steps, grid = grid_steps(outline), subtable(outline.table, "grid")
+    steps, grid = grid_steps(outline), subtable(written_linkage(outline).table, "grid")
     for index, label in enumerate(pair):
         digits = str(label).rstrip("'") if is_integer(label) or isinstance(label, str) else ""
         if steps is not None and digits.isdecimal() and len(digits) < 8 and int(digits) > steps:
@@ -137,7 +140,7 @@ def _check_positions(outline: Outline, pair: object, path: Path) -> Iterator[Fin
 
 def grid_steps(outline: Outline) -> int | None:
     """Return the number of steps of the grid, which is the number of its last position."""
-    grid = subtable(outline.table, "grid")
+    grid = subtable(written_linkage(outline).table, "grid")
     strokes = [grid[key] for key in ("working", "idle") if key in grid]
     parts = strokes or [grid.get("positions", 24)]
     return sum(parts) if all(map(is_integer, parts)) else None

@@ -27,8 +27,8 @@ from tmmcalc.linkage.loading import (
     Window,
 )
 from tmmcalc.linkage.tables.joints import RevoluteTable
+from tmmcalc.linkage.tables.names import load_names, spring_names
 from tmmcalc.linkage.tables.tasks.mechanism import Points, link_points, place
-from tmmcalc.spec.names import load_names, spring_names
 from tmmcalc.spec.units import unit_direction
 
 if TYPE_CHECKING:

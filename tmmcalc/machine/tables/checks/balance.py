@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tmmcalc.linkage.tables.checks import places
+from tmmcalc.linkage.tables.checks.written_linkage import FRAME, written_linkage
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.outline import FRAME, Outline, Raw, is_integer, subtable, tables
+from tmmcalc.spec.outline import Outline, Raw, is_integer, subtable, tables
 from tmmcalc.spec.phrases import Path, show
 
 
 def check_crank(outline: Outline) -> Iterator[Finding]:
     """What is balanced turns; weights have a mass or a radius; moments are about a point of the frame."""
+    linkage = written_linkage(outline)
     balance = subtable(outline.document, "balance")
-    if outline.slides and outline.input_joint is not None:
-        joint = f'the input joint "{outline.input_joint.name}" is prismatic'
+    if linkage.slides and linkage.input_joint is not None:
+        joint = f'the input joint "{linkage.input_joint.name}" is prismatic'
         yield Finding(("balance",), f"{joint}; balancing is that of a mechanism with a crank", "remove [balance]")
     yield from _check_measure(balance, ("balance",), needed=False)
     yield from places.check_point(outline, FRAME, balance.get("point"), ("balance", "point"))

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, subtable
 
 
 def check_task(outline: Outline) -> Iterator[Finding]:
     """A flywheel is asked for by the unevenness, or is there with its moment of inertia."""
+    linkage = written_linkage(outline)
     flywheel = subtable(outline.document, "flywheel")
     if not {"delta", "inertia"} & {*flywheel}:
         yield Finding(
@@ -17,10 +19,10 @@ def check_task(outline: Outline) -> Iterator[Finding]:
             "missing key: the allowed unevenness, or the moment of inertia of a flywheel that is there",
             'add delta = "1/25", or inertia = "20 kg*m^2"',
         )
-    if outline.slides and outline.input_joint is not None:
+    if linkage.slides and linkage.input_joint is not None:
         yield Finding(
             ("flywheel",),
-            f'the input joint "{outline.input_joint.name}" is prismatic; a flywheel turns with a crank',
+            f'the input joint "{linkage.input_joint.name}" is prismatic; a flywheel turns with a crank',
             "remove [flywheel]",
         )
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, subtable, word
 from tmmcalc.spec.phrases import either, listing, show
@@ -53,6 +54,7 @@ _SPEEDS = ("speed", "synchronous_speed", "no_load_speed")
 
 def check_source(outline: Outline) -> Iterator[Finding]:
     """A motor has a name or data; one that is chosen has no data yet."""
+    linkage = written_linkage(outline)
     motor = subtable(outline.document, "motor")
     name = motor.get("name")
     if not {"name", *_RATED} & {*motor}:
@@ -80,10 +82,10 @@ def check_source(outline: Outline) -> Iterator[Finding]:
             "inertia and flywheel_moment together: the rotor has one",
             "remove one of them",
         )
-    if outline.slides and outline.input_joint is not None:
+    if linkage.slides and linkage.input_joint is not None:
         yield Finding(
             ("motor",),
-            f'the input joint "{outline.input_joint.name}" is prismatic; a motor turns a crank',
+            f'the input joint "{linkage.input_joint.name}" is prismatic; a motor turns a crank',
             "remove [motor]",
         )
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tmmcalc.linkage.tables.checks import places
+from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, is_integer, subtable, tables, word
 from tmmcalc.spec.phrases import Path, show
@@ -16,9 +17,10 @@ _BRAKING = {"moment": ("moment",), "viscous": ("torsional damping",)}
 
 def check_names(outline: Outline) -> Iterator[Finding]:
     """Every motion has a name of its own; a motion in time is that of a machine with a crank."""
+    linkage = written_linkage(outline)
     yield from places.check_names(outline, tables(outline.document, "transients"), "transients", "transient motion")
-    if outline.slides and outline.input_joint is not None:
-        joint = f'the input joint "{outline.input_joint.name}" is prismatic'
+    if linkage.slides and linkage.input_joint is not None:
+        joint = f'the input joint "{linkage.input_joint.name}" is prismatic'
         rule = f"{joint}; motions in time are those of a machine with a crank"
         yield Finding(("transients",), rule, "remove [[transients]]")
 

@@ -21,7 +21,7 @@ from tmmcalc.machine.model import (
     TorqueTask,
     TransientTask,
 )
-from tmmcalc.spec.names import shaft_names, transient_names
+from tmmcalc.machine.tables.names import shaft_names, transient_names
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.model import CharacteristicKind, Motor

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
-from tmmcalc.cams.tables.law_columns import law_columns
 from tmmcalc.spec.phrases import either, show
 from tmmcalc.spec.quantities import Number
 from tmmcalc.spec.units import UnitError, dimension_of, parse
@@ -14,9 +13,7 @@ from tmmcalc.spec.units import UnitError, dimension_of, parse
 _HEADER = re.compile(r"(.*?)\s*(?:\[\s*(.*?)\s*\])?")
 _DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _NUMBER = re.compile(r"[+\N{MINUS SIGN}-]?[\d.,]*\d[.,]?([eE][+-]?\d+)?", re.ASCII)
-_COUNTED = {"position": "numbers of positions", "stroke": "parts of the stroke"}  # x without a unit
 _PLAIN = ("", "-", "1")  # how a header says that
-LAW_KINDS = {"points", "acceleration", "polynomial"}
 
 
 class FileError(Exception):
@@ -27,6 +24,16 @@ class FileError(Exception):
         super().__init__(message)
 
 
+class ByName(NamedTuple):
+    """Columns that go by their names, in any order, and may do without a header; each row becomes a pair."""
+
+    find: Callable[[Sequence[str]], tuple[tuple[int, int], str] | None]  # where x and value stand, the key of the value
+    without: tuple[str, str]  # header of a file that has none
+    rule: str  # which columns there are
+    remedy: str
+    plain: Mapping[str, tuple[str, str]]  # keys whose values have no unit: the rule, and the remedy
+
+
 class Form(NamedTuple):
     """What a table is of: its words, the key and the dimensions of x, the dimensions of the values."""
 
@@ -35,19 +42,15 @@ class Form(NamedTuple):
     x: tuple[str, ...]  # an empty word among them: plain numbers
     values: tuple[str, ...]
     example: str
+    turns: bool = False  # whether x, an angle, says that it is one: it may be beyond a turn
+    counted: Mapping[str, str] = {}  # by what the table says that x is ``of``: plain numbers, and which
+    by_name: ByName | None = None
+    instead: tuple[str, ...] = ()  # keys of the table that the file stands in place of; empty: x and the values
 
     @property
     def keys(self) -> set[str]:
         """Keys of the table that the file stands in place of."""
-        return {self.key, *self.values} if self is not LAW else LAW_KINDS
-
-
-LOAD = Form("a load", "x", ("angle", "length"), ("force", "moment"), "write a header such as phi[deg],Q[N]")
-TORQUE = Form("a torque diagram", "theta", ("angle",), ("moment",), "write a header such as theta[deg],M[N*m]")
-FORCE = Form("a force on a cam", "phi", ("angle",), ("force", "moment"), "write a header such as phi[deg],Q[N]")
-LAW = Form(
-    "a law of motion", "k", ("angle", ""), ("length", "angle", ""), "write a header such as k,s or phi[deg],s[mm]"
-)
+        return {*self.instead} or {self.key, *self.values}
 
 
 class Column(NamedTuple):
@@ -106,30 +109,28 @@ def columns_of(header: Sequence[str], of: str, line: int, form: Form) -> Columns
     if len(header) != 2:
         count = f"{len(header)} column{'s' if len(header) != 1 else ''}"
         raise FileError(line, f"{count}; a table of {form.noun} has two, {form.key} and the values", form.example)
-    order, key = _of_law(header, line, form) if form is LAW else ((0, 1), "")
+    order, key = ((0, 1), "") if form.by_name is None else _by_name(header, line, form.by_name)
     first, second = (header[place] for place in order)
     x, y = _column(first), _column(second)
-    if of in _COUNTED and x.unit:
-        what = _COUNTED[of]
+    if of in form.counted and x.unit:
+        what = form.counted[of]
         raise FileError(line, f"{show(first)} has a unit; x are {what}", "write a name without unit, such as i")
-    if of not in _COUNTED and not x.is_of(form.x):
+    if of not in form.counted and not x.is_of(form.x):
         raise _not_of(first, form.x, line, form)
-    if key == "acceleration" and y.unit:
-        what = "accelerations are to any scale"
-        raise FileError(line, f"{show(second)} has a unit; {what}", "write a name without unit, such as a")
+    if form.by_name is not None and key in form.by_name.plain and y.unit:
+        what, remedy = form.by_name.plain[key]
+        raise FileError(line, f"{show(second)} has a unit; {what}", remedy)
     if not y.is_of(form.values):
         raise _not_of(second, form.values, line, form)
     return Columns(x, y, order, key or y.dimension)
 
 
-def _of_law(header: Sequence[str], line: int, form: Form) -> tuple[tuple[int, int], str]:
-    """Where k and the values stand in a row, and the key of the values; raise FileError for names that do not say."""
+def _by_name(header: Sequence[str], line: int, named: ByName) -> tuple[tuple[int, int], str]:
+    """Where x and the values stand in a row, and the key of the values; raise FileError for names that do not say."""
     names = [_named(cell)[0] for cell in header]
-    found = law_columns(names)
+    found = named.find(names)
     if found is None:
-        said = f"the columns are {' and '.join(map(show, names))}"
-        rule = f"{said}; {form.noun} has k and its displacement s, or k and its acceleration a"
-        raise FileError(line, rule, "name them k and s, or k and a")
+        raise FileError(line, f"the columns are {' and '.join(map(show, names))}; {named.rule}", named.remedy)
     return found
 
 

@@ -1,0 +1,1 @@
+"""What is said of faults in the tables of the room, by key."""

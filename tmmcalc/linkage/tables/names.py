@@ -1,0 +1,26 @@
+"""Names of loads and springs that a spec leaves without one: what tables, messages and overrides call them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+
+def load_names(names: Sequence[str | None], links: Sequence[object]) -> list[str]:
+    """Q and the link, with a prime for each name that is taken.
+
+    >>> load_names([None, "Q5", None], [5, 3, 5])
+    ["Q5'", 'Q5', "Q5''"]
+    """
+    found: list[str] = []
+    own = set(names)
+    for given, link in zip(names, links, strict=True):
+        name = given or f"Q{link}"
+        while given is None and (name in own or name in found):
+            name += "'"
+        found.append(name)
+    return found
+
+
+def spring_names(names: Sequence[str | None]) -> list[str]:
+    """Springs by their number in the spec."""
+    return [name or f"spring {i}" for i, name in enumerate(names, 1)]

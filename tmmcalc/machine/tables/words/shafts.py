@@ -1,0 +1,3 @@
+"""Words for faults in ``[[shafts]]``."""
+
+ELEMENTS = {"": ("name", 'shaft "{}"')}
