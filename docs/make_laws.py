@@ -1,4 +1,4 @@
-"""Write the laws of motion into the table of docs/spec.md: ``make laws``."""
+"""Write the laws of motion into the table of docs/spec.md: ``make docs``."""
 
 from pathlib import Path
 

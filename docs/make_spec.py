@@ -21,8 +21,8 @@ from typing import Any, Literal, NamedTuple, get_args, get_origin
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from tmmcalc.project.examples import INLINE
 from tmmcalc.project.root import Spec
+from tmmcalc.project.words import words_of
 from tmmcalc.spec.choices import Within
 from tmmcalc.spec.dimensions import DIMENSIONS, UNITS
 from tmmcalc.spec.late import LateTable
@@ -150,7 +150,8 @@ def _row(place: str, field: FieldInfo) -> Row:
 def _key(place: str, field: FieldInfo) -> str:
     """A key, or the header of a table that has lines of its own."""
     plain = any(leaf in (str, int, float) for leaf in _leaves(field.annotation))
-    if plain or place in INLINE or not list(_tables(field)):
+    table, _, within = place.partition(".")
+    if plain or within in words_of(table).inline or not list(_tables(field)):
         return place.rpartition(".")[2]
     return f"[[{place}]]" if get_origin(field.annotation) is list else f"[{place}]"
 

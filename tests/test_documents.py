@@ -98,4 +98,4 @@ def test_the_schema_beside_the_configs_is_current() -> None:
 def test_the_laws_of_motion_in_the_documents_are_current() -> None:
     text = (ROOT / "docs" / "spec.md").read_text()
     found = run_path(str(ROOT / "docs" / "make_laws.py"))
-    assert found["written"](text) == text, "run make laws"
+    assert found["written"](text) == text, "run make docs"

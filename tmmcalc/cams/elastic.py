@@ -28,7 +28,7 @@ from tmmcalc.cams.speed import constant_speed
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.panels import Panels
-from tmmcalc.core.quantity import columns, derived, quantity
+from tmmcalc.core.quantity import derived, headed, quantity
 from tmmcalc.core.records import record
 
 RATIOS = np.arange(1, 241) / 20  # of the spectra: phase time over natural period
@@ -201,4 +201,4 @@ def _spectra(own: list[Law], damping: float) -> Iterator[Spectrum]:
 def elastic_columns(result: ElasticResult) -> dict[str, Values]:
     """The table: y, z and accelerations along the turn by their headers."""
     curves = ("lift", "stretch", "given", "response", "load", "rigid")
-    return columns(result, "phi[deg]", *curves, **along(result.turns))
+    return headed(result, "phi[deg]", *curves, **along(result.turns))

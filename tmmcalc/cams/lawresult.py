@@ -20,7 +20,7 @@ from tmmcalc.cams.overshoot import overshoot_remarks
 from tmmcalc.cams.program import PhaseKind, Positions, Program
 from tmmcalc.cams.rounding import Errors, joints
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.quantity import Quantity, columns, derived, quantity
+from tmmcalc.core.quantity import Quantity, derived, headed, quantity
 from tmmcalc.core.records import record
 
 POINTS = {"rise": "a", "high dwell": "b", "return": "c", "low dwell": "d"}  # at which a phase begins (fig. 5.2)
@@ -200,7 +200,7 @@ def law_columns(result: LawResult) -> dict[str, np.ndarray]:
     places = along(result.turns)
     motion = [DISPLACEMENT.of(**places), *(DERIVATIVE.of(order=order, **places) for order in (1, 2, 3))]
     found: dict[str, np.ndarray] = {"i": np.array(result.positions.labels)}
-    found |= columns(result, "kinds") | columns(result.positions, "degrees") | columns(result, "part")
+    found |= headed(result, "kinds") | headed(result.positions, "degrees") | headed(result, "part")
     found |= {told.key: row for told, row in zip(motion, result.motion, strict=True)}
     timed = result.in_time
     if timed is not None:

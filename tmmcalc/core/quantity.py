@@ -179,7 +179,7 @@ def _scaled(value: Any, factor: float) -> Any:
     return None if value is None else factor * value
 
 
-def columns(of: Any, *names: str, **places: object) -> dict[str, Any]:
+def headed(of: Any, *names: str, **places: object) -> dict[str, Any]:
     """The arrays of a record by the headings of their columns, as they are; ``"angle[deg]"`` is one in another unit."""
     known = quantities(type(of))
     found = {}

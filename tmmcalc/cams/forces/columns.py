@@ -13,7 +13,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import along
 from tmmcalc.cams.forces.results import CamForces
-from tmmcalc.core.quantity import columns
+from tmmcalc.core.quantity import headed
 
 
 def force_columns(result: CamForces) -> dict[str, np.ndarray]:
@@ -25,5 +25,5 @@ def force_columns(result: CamForces) -> dict[str, np.ndarray]:
         shown += ["lower", "upper"]
     if result.pivot is not None:
         shown += ["pivot_x", "pivot_y", "pivot_force"]
-    rows = {"i": np.array(result.positions.labels), **columns(result.positions, "phi[deg]")}
-    return rows | columns(result, *shown, "torque", "driving", **along(result.follower.kind == "oscillating"))
+    rows = {"i": np.array(result.positions.labels), **headed(result.positions, "phi[deg]")}
+    return rows | headed(result, *shown, "torque", "driving", **along(result.follower.kind == "oscillating"))

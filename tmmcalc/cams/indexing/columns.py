@@ -6,7 +6,7 @@ import numpy as np
 
 from tmmcalc.cams.indexing.results import FlankTable, Indexing
 from tmmcalc.core.columns import degrees
-from tmmcalc.core.quantity import Quantity, columns, quantity_of
+from tmmcalc.core.quantity import Quantity, headed, quantity_of
 
 PHI = Quantity("phi[deg]", "angle of the cams")
 BETA = (
@@ -19,14 +19,14 @@ FLANK = ("theta", "radius", "polar", "pressure", "source", "bend", "x", "y", "wo
 
 def indexing_columns(result: Indexing) -> dict[str, np.ndarray]:
     """Columns of all rows by their headers; of a law that is known by its B alone only the heads."""
-    found = {"i": np.array(result.labels), **columns(result, "k"), PHI.key: degrees(result.step * result.k)}
+    found = {"i": np.array(result.labels), **headed(result, "k"), PHI.key: degrees(result.step * result.k)}
     if result.cam is None:
         return found
     y, y1, y2, _ = result.motion
     found |= {told.key: row for told, row in zip(BETA, (degrees(y), y1, y2), strict=True)}
     for flank in (result.cam.a, result.cam.b):
         found |= _flank_columns(flank)
-    return found | columns(result.cam.efficiency, "against", "aiding", "cut")
+    return found | headed(result.cam.efficiency, "against", "aiding", "cut")
 
 
 def _flank_columns(flank: FlankTable) -> dict[str, np.ndarray]:

@@ -10,7 +10,7 @@ from tmmcalc.cams.pressure.angle import Reached, pressure, reached, remarks
 from tmmcalc.cams.pressure.errors import pressure_errors
 from tmmcalc.cams.rounding import Errors
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.quantity import columns, derived, quantity
+from tmmcalc.core.quantity import derived, headed, quantity
 from tmmcalc.core.records import record
 
 
@@ -50,4 +50,4 @@ def solve_pressure(task: CamTask, follower: Follower) -> Pressure:
 
 def pressure_columns(result: Pressure) -> dict[str, Values]:
     """The table: positions, theta and the transmission angle by their headers."""
-    return {"i": np.array(result.labels), **columns(result, "phi[deg]", "theta[deg]", "gamma")}
+    return {"i": np.array(result.labels), **headed(result, "phi[deg]", "theta[deg]", "gamma")}

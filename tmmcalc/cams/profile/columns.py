@@ -13,7 +13,7 @@ import numpy as np
 from tmmcalc.cams.follower import Complex, Follower
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.profile.results import Profile
-from tmmcalc.core.quantity import Quantity, columns
+from tmmcalc.core.quantity import Quantity, headed
 
 X = Quantity("x_{curve}[m]", "x of the curve {curve}")
 Y = Quantity("y_{curve}[m]", "y of the curve {curve}")
@@ -34,14 +34,14 @@ def curves_of(result: Profile) -> Iterator[tuple[str, Complex]]:
 def profile_columns(result: Profile) -> dict[str, np.ndarray]:
     """Columns of all rows by their headers."""
     phi = result.positions.phi
-    found = {"i": np.array(result.positions.labels), **columns(result.positions, "degrees")}
+    found = {"i": np.array(result.positions.labels), **headed(result.positions, "degrees")}
     for index, points in curves_of(result):
         found |= {X.of(curve=index).key: points.real, Y.of(curve=index).key: points.imag}
     for index, points in curves_of(result):
         found[RADIUS.of(curve=index).key] = np.abs(points)
         found[POLAR.of(curve=index).key] = np.degrees(polar_angle(result.follower, phi, points))
     bends = ("curvature",) if result.pitch_curvature is None else ("pitch_curvature", "curvature")
-    return found | columns(result, "normal_x", "normal_y", *bends)
+    return found | headed(result, "normal_x", "normal_y", *bends)
 
 
 def polar_angle(follower: Follower, phi: Values, points: Complex) -> Values:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.cams.strength.results import CamStrength
-from tmmcalc.core.quantity import columns, keyed, keys
+from tmmcalc.core.quantity import headed, keyed, keys
 
 MARGIN = (
     *("name", "constraint", "verdict", "formula", "symbol", "unit", "value", "limit", "margin", "phi[deg]"),
@@ -17,10 +17,10 @@ MARGIN = (
 
 def strength_columns(result: CamStrength) -> dict[str, np.ndarray]:
     """Columns of all rows by their headers; D is empty where nothing presses the roller."""
-    found = {"i": np.array(result.positions.labels), **columns(result.positions, "phi[deg]")}
+    found = {"i": np.array(result.positions.labels), **headed(result.positions, "phi[deg]")}
     for name in ("curvature", "run", "slip", "stress", "reduced", "bending", "pressure"):
         if getattr(result, name) is not None:
-            found |= columns(result, name)
+            found |= headed(result, name)
     if result.slip is not None and not result.touching.all():
         found |= dict.fromkeys(keys(CamStrength, "slip"), _with_gaps(result.slip, result.touching))
     return found

@@ -9,7 +9,7 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.pivot import PivotRoom
 from tmmcalc.cams.pressure.angle import Extreme, Reached
 from tmmcalc.cams.rounding import Errors
-from tmmcalc.core.quantity import columns, keys, quantity
+from tmmcalc.core.quantity import headed, keys, quantity
 from tmmcalc.core.records import record
 
 PLANE = "e, S0"  # frames of a region
@@ -127,5 +127,5 @@ def region_columns(result: Synthesis) -> dict[str, Values]:
     if region is None:
         return {key: np.empty(0) for key in keys(Region, "x", "y", **CENTRE)}
     translating = result.kind == "translating"
-    sides = columns(region, "x", "y", "phi[deg]", "side", **(OFFSET if translating else CENTRE))
+    sides = headed(region, "x", "y", "phi[deg]", "side", **(OFFSET if translating else CENTRE))
     return sides | {next(iter(sides)): (result.follower.sense if translating else 1) * region.x}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.core.quantity import columns as headed
+from tmmcalc.core.quantity import headed
 from tmmcalc.gears.meshing.results import MeshPair, Pairs, SlidingTable
 from tmmcalc.gears.meshing.slidingtable import sliding_steps
 

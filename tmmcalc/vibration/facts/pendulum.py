@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from math import degrees, pi
 
 from tmmcalc.core.numerics.panels import Values
-from tmmcalc.core.quantity import columns, keyed, keys
+from tmmcalc.core.quantity import headed, keyed, keys
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 from tmmcalc.vibration.facts.rows import some, whole
@@ -50,7 +50,7 @@ def _modes(result: PendulumResult) -> View:
 
 
 def _swing_view(swing: SwingCourse, patterns: Sequence[str]) -> View:
-    return some(columns(swing, "t", "v", "w", "carrier_x", "carrier_y"), patterns)
+    return some(headed(swing, "t", "v", "w", "carrier_x", "carrier_y"), patterns)
 
 
 def _speeds(values: Values) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from math import degrees, pi
 from typing import Any
 
-from tmmcalc.core.quantity import columns, keyed, quantity_of
+from tmmcalc.core.quantity import headed, keyed, quantity_of
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 from tmmcalc.vibration.facts.rows import some, whole
@@ -43,7 +43,7 @@ def document(result: VibratorResult, title: str, *, patterns: Sequence[str] = ()
 def _modes(result: VibratorResult) -> View:
     """One row a mode: frequency, damping, shape with its largest displacement 1 mm or 1 mrad a metre."""
     shown: dict[str, Any] = {"mode": list(range(1, 8))}
-    shown |= {header: column.tolist() for header, column in columns(result, "hertz", "speeds", "ratio").items()}
+    shown |= {header: column.tolist() for header, column in headed(result, "hertz", "speeds", "ratio").items()}
     for name, unit, shape in zip(COORDINATES, UNITS, result.shapes.tolist(), strict=True):
         shown[COORDINATE.of(coordinate=name, unit="-" if unit == "m" else "1/m").key] = shape
     return View(list(shown), list(shown.values()))
@@ -54,9 +54,9 @@ def _parts(result: VibratorResult, patterns: Sequence[str]) -> Iterator[Document
         if start is None:
             continue
         course = start.course
-        shown = columns(course, "t", "omega") | dict(zip(HEADERS, course.q, strict=True))
+        shown = headed(course, "t", "omega") | dict(zip(HEADERS, course.q, strict=True))
         if isinstance(start, MotorStart):
-            shown |= columns(start, "motor")
+            shown |= headed(start, "motor")
         yield Document(f"course of the {name}", table=some(shown, patterns), wide=not patterns, more=MORE)
 
 

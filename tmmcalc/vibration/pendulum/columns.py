@@ -17,7 +17,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.core.quantity import columns
+from tmmcalc.core.quantity import headed
 from tmmcalc.vibration.pendulum.results import SHAPE, WHIRL, Campbell, PendulumResult
 from tmmcalc.vibration.series import stacked
 
@@ -33,16 +33,16 @@ def _series(result: PendulumResult) -> Iterator[tuple[str, dict[str, np.ndarray]
         for modes in result.modes
         for k, shape in enumerate(modes.shapes, 1)
     }
-    yield "modes", columns(result, "place") | shapes
+    yield "modes", headed(result, "place") | shapes
     if result.campbell is not None:
         yield "campbell", campbell_columns(result.campbell)
     if result.swing is not None:
-        yield "swing", columns(result.swing, "t", "v", "w", "slope_v", "slope_w", "carrier_x", "carrier_y", "energy")
+        yield "swing", headed(result.swing, "t", "v", "w", "slope_v", "slope_w", "carrier_x", "carrier_y", "energy")
 
 
 def campbell_columns(campbell: Campbell) -> dict[str, np.ndarray]:
     """The diagram by its headers."""
-    found = columns(campbell, "spin")
+    found = headed(campbell, "spin")
     for name, rows in (("forward", campbell.forward), ("backward", campbell.backward)):
         found |= {WHIRL.of(whirl=name, mode=k).key: row / (2 * np.pi) for k, row in enumerate(rows, 1)}
-    return found | (columns(campbell, "whirl") if len(campbell.whirl) else {})
+    return found | (headed(campbell, "whirl") if len(campbell.whirl) else {})

@@ -16,7 +16,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
-from tmmcalc.core.quantity import columns, keys
+from tmmcalc.core.quantity import headed, keys
 from tmmcalc.vibration.series import stacked
 from tmmcalc.vibration.vibrator.paths import STEPS
 from tmmcalc.vibration.vibrator.results import DISPLACEMENT, HEADERS, MotorStart, Start, VibratorResult
@@ -29,15 +29,15 @@ def vibrator_columns(result: VibratorResult) -> dict[str, np.ndarray]:
 
 
 def _series(result: VibratorResult) -> Iterator[tuple[str, dict[str, np.ndarray]]]:
-    yield "modes", columns(result, "hertz", "ratio") | _coordinates(result.shapes)
+    yield "modes", headed(result, "hertz", "ratio") | _coordinates(result.shapes)
     if result.curve is not None:
-        yield "curve", columns(result.curve, "omega") | _coordinates(result.curve.amplitude)
+        yield "curve", headed(result.curve, "omega") | _coordinates(result.curve.amplitude)
     if result.steady is not None:
         yield "steady", _turn(result)
     if result.run_up is not None:
         yield "start", _course(result.run_up, result.points)
     if result.drive is not None:
-        yield "drive", _course(result.drive, result.points) | columns(result.drive, "motor")
+        yield "drive", _course(result.drive, result.points) | headed(result.drive, "motor")
 
 
 def _coordinates(q: Values) -> dict[str, np.ndarray]:
@@ -67,4 +67,4 @@ def _points(names: tuple[str, ...], moved: Values) -> dict[str, np.ndarray]:
 def _course(start: Start | MotorStart, names: tuple[str, ...]) -> dict[str, np.ndarray]:
     course = start.course
     moved = _coordinates(course.q) | _points(names, start.points)
-    return columns(course, "t", "psi", "omega") | moved | columns(course, "energy", "work", "lost")
+    return headed(course, "t", "psi", "omega") | moved | headed(course, "energy", "work", "lost")
