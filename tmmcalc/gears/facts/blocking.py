@@ -83,8 +83,7 @@ def _whole(pair: PairContour, title: str) -> Document:
 
 def _line_values(line: ContourLine) -> dict[str, Any]:
     """A line of the picture, with its points, by the numbers of the textbook."""
-    shifts = {key: values.tolist() for key, values in keyed(line, "x1", "x2").items()}
-    return keyed(line, "number", "title", "value") | shifts
+    return keyed(line, "number", "title", "value", "x1", "x2")
 
 
 def _areas(pair: PairContour) -> tuple[tuple[str, Area], ...]:

@@ -104,7 +104,7 @@ def _piece(piece: PieceFacts) -> str:
 
 
 def _values(piece: PieceFacts) -> dict[str, object]:
-    return {key: list(v) if isinstance(v, tuple) else v for key, v in keyed(piece).items() if v is not None}
+    return {key: value for key, value in keyed(piece).items() if value is not None}
 
 
 def _extreme_facts(result: Manipulator) -> Iterator[Fact]:
