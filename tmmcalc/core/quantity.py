@@ -14,7 +14,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, field
-from functools import cache
 from math import pi
 from typing import Any, Generic, NamedTuple, TypeVar, get_args, get_type_hints, overload
 
@@ -128,11 +127,10 @@ def derived(
     return lambda find: Derived(Quantity(key, meaning, symbol, source, header), find)
 
 
-@cache
 def quantities(kind: Any) -> Mapping[str, Quantity]:
     """What a kind of record gives out, by the names of its fields and properties, in their order."""
-    found: dict[str, Quantity] = dict(kind.__record__.quantities)
-    return found | {name: each.quantity for name, each in vars(kind).items() if isinstance(each, Derived)}
+    found: Mapping[str, Quantity] = kind.__record__.quantities
+    return found
 
 
 def quantity_of(kind: Any, name: str, **places: object) -> Quantity:
