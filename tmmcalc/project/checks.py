@@ -27,7 +27,7 @@ MAIN = SUBJECTS[0]  # that of most specs
 def check(data: Raw, line_of: Callable[[Path], int | None], rows: Mapping[Path, Rows]) -> list[Finding]:
     """Return the findings of all checks on the raw document.
 
-    ``line_of`` gives the line of a place, ``rows`` what was read from the CSV files of load tables.
+    ``line_of`` gives the line of a place, ``rows`` what was read from the CSV files of tables.
     """
     outline = Outline(data, line_of, rows)
     return [finding for rule in (check_subject, check_needs, *_of_tables(data)) for finding in rule(outline)]
@@ -57,7 +57,7 @@ def check_subject(outline: Outline) -> Iterator[Finding]:
 
 
 def check_needs(outline: Outline) -> Iterator[Finding]:
-    """Tables of a machine, and of a gear train, have one that they belong to."""
+    """Tables that belong to others have one of them."""
     document = outline.document
     lost = not {*SUBJECTS} & {*document}  # without any subject that is the fault
     for entry in TABLES.values():
