@@ -23,12 +23,16 @@ class CamTables(MachineTables):
     cam: CamTable | None = table(
         "A disk cam and its follower.",
         subject=True,
+        describes="cams",
         checks=("cam", "cam_laws", "cam_sizes", "cam_loads", "cam_search"),
         files=("law.file", "rise_law.file", "return_law.file", "loads.force_table.file"),
         after="pair",
     )
     indexing: IndexingTable | None = table(
-        "Two paired cams that turn a wheel of rollers step by step.", subject=True, files=("law.file",)
+        "Two paired cams that turn a wheel of rollers step by step.",
+        subject=True,
+        describes="cams",
+        files=("law.file",),
     )
 
 

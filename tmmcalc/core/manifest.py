@@ -35,6 +35,7 @@ class Entry:
     annotation: str
     description: str  # for editors
     subject: bool  # a spec may be about it alone
+    describes: str  # what such a spec describes, where this is listed
     belongs_to: tuple[str, ...]  # tables, of which it needs one
     why: str  # it needs them
     read_with: tuple[str, ...]  # further tables that make sense of it
@@ -67,6 +68,7 @@ class _Said(NamedTuple):
 
     description: str
     subject: bool
+    describes: str
     belongs_to: tuple[str, ...]
     why: str
     read_with: tuple[str, ...]
@@ -80,6 +82,7 @@ def table(
     description: str,
     *,
     subject: bool = False,
+    describes: str = "",
     belongs_to: tuple[str, ...] = (),
     why: str = "",
     read_with: tuple[str, ...] = (),
@@ -92,7 +95,7 @@ def table(
 
     Its checks are by default those of one module of its name.
     """
-    return _Said(description, subject, belongs_to, why, read_with, checks, files, named, after)
+    return _Said(description, subject, describes, belongs_to, why, read_with, checks, files, named, after)
 
 
 @record

@@ -21,9 +21,11 @@ else:
 class GearTables(FeasibilityTables):
     """The tables of the room, beside those that its stages read of others."""
 
-    train: TrainTable | None = table("The gear train: layout, ratio, tooth numbers.", subject=True, after="pendulum")
+    train: TrainTable | None = table(
+        "The gear train: layout, ratio, tooth numbers.", subject=True, describes="gears", after="pendulum"
+    )
     gearing: GearingTable | None = table(
-        "A train of gears that is written out: its meshes, known speeds and torques.", subject=True
+        "A train of gears that is written out: its meshes, known speeds and torques.", subject=True, describes="gears"
     )
     strength: StrengthTable | None = table(
         "Strength of the train: torque, materials, modules and face widths.",
@@ -33,7 +35,9 @@ class GearTables(FeasibilityTables):
     criteria: CriteriaTable | None = table(
         "By what the best train is chosen.", belongs_to=("train",), why="they choose one of the gear trains"
     )
-    pair: PairTable | None = table("Pairs of gears: written out, or those of the train that is chosen.", subject=True)
+    pair: PairTable | None = table(
+        "Pairs of gears: written out, or those of the train that is chosen.", subject=True, describes="gears"
+    )
 
 
 ROOM = Room(

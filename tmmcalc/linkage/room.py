@@ -25,9 +25,12 @@ LINKS = ("mechanism",)
 class LinkageTables(FeasibilityTables):
     """The tables of the room, beside those that its stages read of others."""
 
-    mechanism: MechanismTable | None = table("The linkage.", subject=True)
+    mechanism: MechanismTable | None = table("The linkage.", subject=True, describes="a mechanism")
     synthesis: LinkSynthesisTable | None = table(
-        "A linkage to be found by what it is to do.", subject=True, checks=("synthesis", "dwell")
+        "A linkage to be found by what it is to do.",
+        subject=True,
+        describes="a linkage to be found",
+        checks=("synthesis", "dwell"),
     )
     loads: list[LoadTable] = table(
         "Technological forces and moments on the links.",

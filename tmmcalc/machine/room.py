@@ -32,7 +32,9 @@ LINKS, MACHINE = ("mechanism",), ("mechanism", "torque")
 class MachineTables(_Read):
     """The tables of the room, beside those that its stages read of others."""
 
-    torque: TorqueTable | None = table("A torque diagram in place of a linkage.", subject=True, files=("table.file",))
+    torque: TorqueTable | None = table(
+        "A torque diagram in place of a linkage.", subject=True, describes="a torque diagram", files=("table.file",)
+    )
     motor: MotorTable | None = table(
         "The motor.",
         belongs_to=MACHINE,
@@ -77,8 +79,8 @@ class MachineTables(_Read):
     balance: BalanceTable | None = table(
         "Balancing of the linkage.", belongs_to=LINKS, why="the masses are those of a mechanism"
     )
-    engine: EngineTable | None = table("Balance of an engine with several cranks.", subject=True)
-    rotor: RotorTable | None = table("Static and two-plane balancing of a rotor.", subject=True)
+    engine: EngineTable | None = table("Balance of an engine with several cranks.", subject=True, describes="an engine")
+    rotor: RotorTable | None = table("Static and two-plane balancing of a rotor.", subject=True, describes="a rotor")
 
 
 ROOM = Room(

@@ -15,7 +15,10 @@ class ManipulatorTables:
     """The tables of the room."""
 
     manipulator: ManipulatorTable | None = table(
-        "A manipulator: its arm and its motion.", subject=True, checks=("manipulator", "path", "joints", "zones")
+        "A manipulator: its arm and its motion.",
+        subject=True,
+        describes="an arm",
+        checks=("manipulator", "path", "joints", "zones"),
     )
 
 

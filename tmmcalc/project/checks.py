@@ -21,51 +21,48 @@ if TYPE_CHECKING:
 Check = Callable[[Outline], Iterator[Finding]]
 
 SUBJECTS = tuple(entry.name for room in ROOMS for entry in room.tables if entry.subject)
+MAIN = SUBJECTS[0]  # that of most specs
 
 
 def check(data: Raw, line_of: Callable[[Path], int | None], rows: Mapping[Path, Rows]) -> list[Finding]:
     """Return the findings of all checks on the raw document.
 
-    ``line_of`` gives the line of a place, ``rows`` what was read from the CSV files of load tables.
+    ``line_of`` gives the line of a place, ``rows`` what was read from the CSV files of tables.
     """
     outline = Outline(data, line_of, rows)
     return [finding for rule in (check_subject, check_needs, *_of_tables(data)) for finding in rule(outline)]
 
 
 def _of_tables(data: Raw) -> Iterator[Check]:
-    """Yield the checks of the tables that are there; without a mechanism one fault of what needs it is enough."""
+    """Yield the checks of the tables that are there; without the main subject one fault of what needs it is enough."""
     for entry in TABLES.values():
-        if entry.name in data and ("mechanism" in data or entry.belongs_to != ("mechanism",)):
+        if entry.name in data and (MAIN in data or entry.belongs_to != (MAIN,)):
             for module in entry.checks:
                 yield from import_module(f"{entry.home}.tables.checks.{module}").CHECKS
 
 
 def check_subject(outline: Outline) -> Iterator[Finding]:
-    """A spec has a mechanism, or what stands in its place or beside it; a crank's moment has one source."""
-    document = outline.document
-    if not {*SUBJECTS} & {*document}:
-        headers = [TABLES[name].header for name in SUBJECTS[1:]]
-        yield Finding(
-            ("mechanism",),
-            "missing key: a spec describes a mechanism, or else a linkage to be found, a torque diagram, an engine, "
-            "a rotor, gears, cams, a vibratory device, a pendulum-rotor or an arm",
-            f"add [mechanism.input], [[mechanism.links]], [[mechanism.joints]]; {either(headers)}",
-        )
-    if "mechanism" in document and "torque" in document:
-        yield Finding(
-            ("torque",),
-            "torque together with mechanism: a torque diagram stands in place of a mechanism",
-            "remove one of them; a moment on a link of the mechanism is a load, [[loads]]",
-        )
+    """A spec has a subject."""
+    if {*SUBJECTS} & {*outline.document}:
+        return
+    from tmmcalc.project.words import words_of  # late: only faults need it
+
+    first, *others = dict.fromkeys(TABLES[name].describes for name in SUBJECTS if TABLES[name].describes)
+    headers = [TABLES[name].header for name in SUBJECTS[1:]]
+    yield Finding(
+        (MAIN,),
+        f"missing key: a spec describes {first}, or else {either(others)}",
+        f"add {words_of(MAIN).begin}; {either(headers)}",
+    )
 
 
 def check_needs(outline: Outline) -> Iterator[Finding]:
-    """Tables of a machine, and of a gear train, have one that they belong to."""
+    """Tables that belong to others have one of them."""
     document = outline.document
     lost = not {*SUBJECTS} & {*document}  # without any subject that is the fault
     for entry in TABLES.values():
         homes = {*entry.belongs_to, *entry.read_with}
-        if entry.name not in document or not homes or homes & {*document} or (lost and "mechanism" in homes):
+        if entry.name not in document or not homes or homes & {*document} or (lost and MAIN in homes):
             continue
         tables = " or ".join(f"[{name}]" for name in entry.belongs_to)
         rule = f"{entry.header} without {tables}: {entry.why}"

@@ -9,6 +9,7 @@
     ZEROS      what is said of a 0 that is less than the least
     KINDS      lists of tables of several kinds, told by ``kind``: what a kind is of, and which there are
     FOREIGN    of these, by kind, what is said of a key that another kind has
+    BEGIN      the tables that a spec about it begins with
 
 Keys are dotted, from the table on. A table that needs no words has no module.
 """
@@ -38,6 +39,7 @@ class Words(NamedTuple):
     zeros: Mapping[str, Said] = {}
     kinds: Mapping[str, Said] = {}
     foreign: Mapping[str, Mapping[str, Mapping[str, Said]]] = {}
+    begin: str = ""
 
 
 @cache

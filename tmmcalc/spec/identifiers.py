@@ -85,6 +85,5 @@ def _stranger(name: str) -> str:
 
 
 PointName = Annotated[str, Name("point")]
-JointName = Annotated[str, Name("joint")]
 PositionLabel = Annotated[str, Label()]
 NamePair = Annotated[list[PointName], Field(min_length=2, max_length=2)]

@@ -18,6 +18,9 @@ TAGS = {"[key]"}  # what pydantic puts into the places of faults beside TOML key
 
 
 def tag(word: str) -> str:
-    """A tag of one form of a value that has several, for a discriminator; the places of faults go without it."""
+    """A tag of one form of a value that has several, for a discriminator; the places of faults go without it.
+
+    It stands in angle brackets, as no key of a spec does.
+    """
     TAGS.add(f"<{word}>")
     return f"<{word}>"

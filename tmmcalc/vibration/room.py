@@ -18,8 +18,12 @@ else:
 class VibrationTables(MachineTables):
     """The tables of the room, beside those that its stages read of others."""
 
-    vibrator: VibratorTable | None = table("A vibratory assembly device.", subject=True, after="rotor")
-    pendulum: PendulumTable | None = table("A pendulum-rotor: an elastic rod with a disc.", subject=True)
+    vibrator: VibratorTable | None = table(
+        "A vibratory assembly device.", subject=True, describes="a vibratory device", after="rotor"
+    )
+    pendulum: PendulumTable | None = table(
+        "A pendulum-rotor: an elastic rod with a disc.", subject=True, describes="a pendulum-rotor"
+    )
 
 
 ROOM = Room(

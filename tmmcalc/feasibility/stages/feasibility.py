@@ -5,23 +5,15 @@ Of a synthesis every design is judged, by its own row of the table and by the st
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from tmmcalc.core.stage import Another
 from tmmcalc.feasibility.judge import Feasibility, FeasibilityTask
 from tmmcalc.feasibility.stages.judged import judged
+from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
 
-if TYPE_CHECKING:
-    from tmmcalc.feasibility.room import FeasibilityTables
-
+inputs = to_feasibility
 kind = Feasibility
-
-
-def inputs(spec: FeasibilityTables) -> FeasibilityTask:
-    """The constraints and the rule."""
-    from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
-
-    return to_feasibility(spec)
 
 
 def solve(task: FeasibilityTask, another: Another, **upstream: Any) -> Feasibility:

@@ -29,16 +29,16 @@ from tmmcalc.gears.strength.explain import reason as why
 from tmmcalc.gears.trains import Request, Trains
 
 
-def solve_selection(trains: Trains, sizing: Sizing, task: SelectionTask) -> Selection:
+def solve_selection(task: SelectionTask, train: Trains, strength: Sizing) -> Selection:
     """Choose among all sized sets of all variants.
 
     Raises `NoSolutionError` if none is strong enough, `UsageError` for a row that there is not.
     """
-    requests = tuple(variant.request for variant in trains.variants)
-    weighed = tuple(_weighed(*pair, task) for pair in zip(requests, sizing.variants, strict=True))
+    requests = tuple(variant.request for variant in train.variants)
+    weighed = tuple(_weighed(*pair, task) for pair in zip(requests, strength.variants, strict=True))
     everything = pooled(weighed)
     if not len(everything):
-        raise _none_left(sizing, weighed)
+        raise _none_left(strength, weighed)
     if task.kept is not None:
         from tmmcalc.gears.kept import kept_trains
 
@@ -46,9 +46,9 @@ def solve_selection(trains: Trains, sizing: Sizing, task: SelectionTask) -> Sele
         everything = pooled(weighed)
     ranking = ranked(everything, dict(task.weights) or dict.fromkeys(task.objectives, 1.0))
     choose, reason = _choice(everything, ranking, task)
-    winner = _winner(requests, sizing, weighed, everything, reason.winner)
+    winner = _winner(requests, strength, weighed, everything, reason.winner)
     pairs, measured = (
-        paired(requests[winner.variant], sizing.variants[winner.variant], task) if task.series else (None, None)
+        paired(requests[winner.variant], strength.variants[winner.variant], task) if task.series else (None, None)
     )
     return Selection(
         variants=weighed,

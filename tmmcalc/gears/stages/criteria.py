@@ -7,30 +7,16 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.core.conversion import largest
 from tmmcalc.core.stage import said
 from tmmcalc.gears.selection.results import Selection
-from tmmcalc.gears.selection.task import SelectionTask
+from tmmcalc.gears.tables.tasks.sizing import to_selection
 from tmmcalc.gears.wanted import NO_KEPT
 
 if TYPE_CHECKING:
     from tmmcalc.gears.room import GearTables
-    from tmmcalc.gears.sizing import Sizing
-    from tmmcalc.gears.trains import Trains
 
+inputs = to_selection
+solve = "tmmcalc.gears.selection.solve:solve_selection"
 kind = Selection
 columns = "tmmcalc.gears.selection.columns:chosen_columns"
-
-
-def inputs(spec: GearTables) -> SelectionTask:
-    """Objectives, weights, the way of choosing, efficiencies of meshes."""
-    from tmmcalc.gears.tables.tasks.sizing import to_selection
-
-    return to_selection(spec)
-
-
-def solve(task: SelectionTask, train: Trains, strength: Sizing) -> Selection:
-    """Weigh every train that is strong enough, and choose."""
-    from tmmcalc.gears.selection.solve import solve_selection
-
-    return solve_selection(train, strength, task)
 
 
 def errors(result: Selection) -> dict[str, Any]:

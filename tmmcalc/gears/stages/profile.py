@@ -5,20 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.gears.meshing.profiles import Profiles
+from tmmcalc.gears.tables.tasks.pair import profile_points
 
 if TYPE_CHECKING:
     from tmmcalc.gears.meshing.results import Pairs
-    from tmmcalc.gears.room import GearTables
 
+inputs = profile_points
 kind = Profiles
 columns = "tmmcalc.gears.meshing.tooth:profile_columns"
-
-
-def inputs(spec: GearTables) -> int:
-    """Points of each curve of a profile."""
-    from tmmcalc.gears.tables.tasks.pair import profile_points
-
-    return profile_points(spec)
 
 
 def solve(points: int, pair: Pairs) -> Profiles:

@@ -7,20 +7,14 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.core.conversion import largest
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.sizing import Sizing, SizingTask
+from tmmcalc.gears.tables.tasks.sizing import to_sizing
 
 if TYPE_CHECKING:
-    from tmmcalc.gears.room import GearTables
     from tmmcalc.gears.trains import Trains
 
+inputs = to_sizing
 kind = Sizing
 columns = "tmmcalc.gears.strength.columns:stacked"
-
-
-def inputs(spec: GearTables) -> SizingTask:
-    """The torque or where it comes from, materials, rules of rounding."""
-    from tmmcalc.gears.tables.tasks.sizing import to_sizing
-
-    return to_sizing(spec)
 
 
 def solve(task: SizingTask, train: Trains, reduction: Any = None) -> Sizing:

@@ -2,7 +2,7 @@
 
 from pydantic import Field
 
-from tmmcalc.spec.identifiers import JointName
+from tmmcalc.linkage.tables.joints import JointName
 from tmmcalc.spec.quantities import InputAcceleration, InputSpeed, InputStart
 from tmmcalc.spec.table import Table
 

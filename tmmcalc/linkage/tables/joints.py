@@ -4,11 +4,12 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from tmmcalc.spec.identifiers import JointName, NamePair, PointName
+from tmmcalc.spec.identifiers import Name, NamePair, PointName
 from tmmcalc.spec.quantities import Angle, Distance, Friction, LinkPair, Point, Size
 from tmmcalc.spec.table import Table, tag
 
-# Angle brackets: no TOML key of a spec looks like these, so they are told apart in the places of faults.
+JointName = Annotated[str, Name("joint")]
+
 NAME_TAG, POINT_TAG = tag("name"), tag("point")
 
 

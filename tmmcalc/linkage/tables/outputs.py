@@ -4,7 +4,8 @@ from typing import Literal
 
 from pydantic import Field
 
-from tmmcalc.spec.identifiers import JointName, PointName
+from tmmcalc.linkage.tables.joints import JointName
+from tmmcalc.spec.identifiers import PointName
 from tmmcalc.spec.quantities import Angle
 from tmmcalc.spec.table import Table
 

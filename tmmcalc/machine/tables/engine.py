@@ -8,7 +8,6 @@ from pydantic import Discriminator, Field, Tag
 from tmmcalc.spec.quantities import Angle, AngularSpeed, Length, Mass, Size
 from tmmcalc.spec.table import Table, tag
 
-# Angle brackets: no TOML key of a spec looks like these, so they are told apart in the places of faults.
 COUNT_TAG, LIST_TAG = tag("count"), tag("list")
 CylinderNumber = Annotated[int, Field(ge=1)]
 

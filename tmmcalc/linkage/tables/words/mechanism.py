@@ -1,5 +1,7 @@
 """Words for faults in ``[mechanism]``: what a missing key is for, what to write in its lists and tables."""
 
+BEGIN = "[mechanism.input], [[mechanism.links]], [[mechanism.joints]]"
+
 MISSING = {
     "input": (
         "every mechanism needs an input",

@@ -182,4 +182,14 @@ def _check_points(curve: Curve, period: float) -> Iterator[Finding]:
             yield Finding(curve.place("theta"), said, "give points between the ends of the period")
 
 
-CHECKS = (check_laws, check_formula, check_harmonics, check_pieces, check_table)
+def check_alone(outline: Outline) -> Iterator[Finding]:
+    """A crank's moment has one source."""
+    if "mechanism" in outline.document and "torque" in outline.document:
+        yield Finding(
+            ("torque",),
+            "torque together with mechanism: a torque diagram stands in place of a mechanism",
+            "remove one of them; a moment on a link of the mechanism is a load, [[loads]]",
+        )
+
+
+CHECKS = (check_alone, check_laws, check_formula, check_harmonics, check_pieces, check_table)
