@@ -56,7 +56,7 @@ def read_files(data: Raw, folder: FilePath) -> tuple[list[Finding], dict[Path, R
 
 def named_files(spec: Spec, folder: FilePath) -> list[FilePath]:
     """Return the files that a spec from this folder was read with: its tables, its catalogue."""
-    curves: list[Any] = [load.table for load in spec.loads]
+    curves: list[Any] = [getattr(load, key) for load in spec.loads for key in _load_files()]
     curves.append(spec.torque.table if spec.torque is not None else None)
     if spec.cam is not None:
         curves += [getattr(spec.cam, key) for key in LAW_KEYS]
@@ -70,13 +70,21 @@ def named_files(spec: Spec, folder: FilePath) -> list[FilePath]:
 
 def _tables(data: Raw) -> Iterator[tuple[Path, Raw, Form]]:
     for index, load in tables(data, "loads"):
-        yield ("loads", index, "table"), subtable(load, "table"), LOAD
+        for key in _load_files():
+            yield ("loads", index, key), subtable(load, key), LOAD
     yield ("torque", "table"), subtable(subtable(data, "torque"), "table"), TORQUE
     cam = subtable(data, "cam")
     for key in LAW_KEYS:
         yield ("cam", key), subtable(cam, key), LAW
     yield ("cam", "loads", "force_table"), subtable(subtable(cam, "loads"), "force_table"), FORCE
     yield ("indexing", "law"), subtable(subtable(data, "indexing"), "law"), LAW
+
+
+def _load_files() -> tuple[str, ...]:
+    """The keys of loads whose tables may name a file."""
+    from tmmcalc.linkage.loadlaws import laws
+
+    return tuple(key for key, law in laws().items() if key in law.files)
 
 
 def _findings(file: str, faults: list[FileError], path: Path) -> list[Finding]:

@@ -22,7 +22,10 @@ from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.numerics.simpson import simpson
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.loading import Body, Constant, Load, Loading, Quadratic, Spring, Viscous
+from tmmcalc.linkage.loading import Body, Load, Loading, Spring
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.quadratic import Quadratic
+from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.machine.reduction.causes import Causes
 from tmmcalc.machine.reduction.inertia import slope_size
 from tmmcalc.machine.reduction.mesh import SLIGHT
