@@ -183,7 +183,7 @@ _HOMES = {
     "tmmcalc.linkage.structure": ("Structure",),
     "tmmcalc.linkage.unsteady.results": ("Unsteady",),
     "tmmcalc.machine.cycle": ("Cycle",),
-    "tmmcalc.machine.flywheel.task": ("Flywheel",),
+    "tmmcalc.machine.flywheel.results": ("Flywheel",),
     "tmmcalc.machine.motion": ("Motion",),
     "tmmcalc.machine.power": ("Power",),
     "tmmcalc.machine.transient.timed": ("TimedMotions",),

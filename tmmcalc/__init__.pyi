@@ -127,7 +127,7 @@ from tmmcalc.linkage.results import Method as Method
 from tmmcalc.linkage.structure import Structure as Structure
 from tmmcalc.linkage.unsteady.results import Unsteady as Unsteady
 from tmmcalc.machine.cycle import Cycle as Cycle
-from tmmcalc.machine.flywheel.task import Flywheel as Flywheel
+from tmmcalc.machine.flywheel.results import Flywheel as Flywheel
 from tmmcalc.machine.motion import Motion as Motion
 from tmmcalc.machine.power import Power as Power
 from tmmcalc.machine.reduction.results import Reduction as Reduction

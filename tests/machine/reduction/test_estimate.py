@@ -53,7 +53,9 @@ def compared(found: Reduction, causes: Causes, seed: int) -> dict[str, list[tupl
     steep = [slope_size(causes.scene.loading.heavy, causes.scene.place(x).configuration, len(x)) for x in (rows, inner)]
     inertia = max(largest(found.cycle.inertia), largest(at.inertia)) or 1.0
     slope = max(map(largest, steep)) or 1.0
-    moment = max(largest(found.parts), largest(exact), SLIGHT * causes.most(rows)) or 1.0
+    moment = (
+        max(largest(found.parts), largest(exact), SLIGHT * float(np.max(causes.possible(rows), initial=0.0))) or 1.0
+    )
     functions = [
         np.abs(on.at(found.cycle.inertia, inner) - between.inertia) / inertia,
         np.abs(on.at(found.cycle.slope, inner) - between.slope) / slope,
