@@ -24,7 +24,7 @@ NO_FRICTION = tuple(f"mechanism.joints[name={joint}].friction=0" for joint in ("
 
 
 ROOMS = {room.name for room in house.ROOMS}
-PLANE = ("task", "shaking", "schemes", "circle", "moments", "redistribution", "minimax", "contacts", "columns")
+PLANE = ("task", "shaking", "schemes", "circle", "moments", "redistribution", "contacts", "columns")
 
 
 def imported(file: str, target: str | None = None, overrides: tuple[str, ...] = ()) -> set[str]:

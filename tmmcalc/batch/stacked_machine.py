@@ -19,8 +19,8 @@ from tmmcalc.machine.motion import Motion, motion_of
 from tmmcalc.machine.onemass import onto
 from tmmcalc.machine.regime import Regime, regime_of
 from tmmcalc.machine.stacked.figures import FIGURES, figures
+from tmmcalc.machine.stacked.places import places
 from tmmcalc.machine.stacked.regimes import Machines, Regimes, is_smooth, machines_of, regimes
-from tmmcalc.machine.stacked.spots import spots
 from tmmcalc.machine.stages import motion
 
 if TYPE_CHECKING:
@@ -178,7 +178,7 @@ def _constant(machine: Machine, speed: float) -> float:
 def _at_positions(found: Regimes, base: Motion, wanted: Collection[str]) -> Motion:
     """The motion at the positions of all machines."""
     m = found.machines
-    at = spots(m, np.clip(base.theta, 0.0, base.regime.panels.edges[-1]))
+    at = places(m, np.clip(base.theta, 0.0, base.regime.panels.edges[-1]))
     find: dict[str, Callable[[], Values]] = {
         "omega": lambda: at.at(found.omega),
         "eps": lambda: at.at(found.acceleration),

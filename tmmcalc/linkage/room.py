@@ -33,7 +33,7 @@ class LinkageTables(FeasibilityTables):
         "Technological forces and moments on the links.",
         belongs_to=LINKS,
         why="loads act on the links of a mechanism",
-        checks=("loads", "windows", "laws"),
+        checks=("loads", "laws", "windows", "lawdata"),
         after="torque",
     )
     springs: list[SpringTable] = table(

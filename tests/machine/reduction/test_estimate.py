@@ -28,7 +28,7 @@ from tmmcalc.linkage.loadlaws.quadratic import Quadratic
 from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.machine.reduction.causes import Causes
 from tmmcalc.machine.reduction.inertia import slope_size
-from tmmcalc.machine.reduction.mesh import SLIGHT
+from tmmcalc.machine.reduction.panels import SLIGHT
 from tmmcalc.machine.reduction.reduce import solve_reduction
 from tmmcalc.machine.reduction.results import Reduction
 

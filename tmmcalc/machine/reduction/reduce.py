@@ -26,10 +26,10 @@ from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Extreme, Kinematics
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.reduction.causes import Causes, Sample, causes_of
+from tmmcalc.machine.reduction.errors import Solved, estimate
 from tmmcalc.machine.reduction.inertia import lumped, reduced_inertia, rods_of
-from tmmcalc.machine.reduction.mesh import reduced
+from tmmcalc.machine.reduction.panels import reduced
 from tmmcalc.machine.reduction.results import Contribution, Reduction, ReductionError, Rods
-from tmmcalc.machine.reduction.rounding import Solved, estimate
 from tmmcalc.machine.reduction.signs import wrong_signs
 
 

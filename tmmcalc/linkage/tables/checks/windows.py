@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from tmmcalc.linkage.loadlaws import laws
 from tmmcalc.linkage.tables.checks.loads import loads
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
@@ -19,6 +18,8 @@ WINDOWS = ("stroke", "between", "positions")
 
 def check_windows(outline: Outline) -> Iterator[Finding]:
     """A load acts always or in one window, which exists."""
+    from tmmcalc.linkage.loadlaws import laws  # here: the checks of other rooms read this module, but no loads
+
     for path, load in loads(outline):
         windows = [window for window in WINDOWS if window in load]
         for window in windows[1:]:
@@ -61,6 +62,8 @@ def outputs(outline: Outline) -> list[tuple[str, Raw]]:
 
 def cycle(outline: Outline) -> float:
     """Return the angle after which all loads repeat: a turn, of a four-stroke engine two."""
+    from tmmcalc.linkage.loadlaws import laws
+
     given = [(law, load) for _, load in loads(outline) for key, law in laws().items() if key in load]
     return max([2 * math.pi, *(law.cycle(load) for law, load in given)])
 
