@@ -8,7 +8,9 @@ import numpy as np
 
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
 from tmmcalc.linkage.kinematics import solve_kinematics
-from tmmcalc.linkage.loading import Body, Constant, Load, Loading, Pair, Polynomial, Spring, Window
+from tmmcalc.linkage.loading import Body, Load, Loading, Pair, Spring, Window
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.polynomial import Polynomial
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.results import Kinematics

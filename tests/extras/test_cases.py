@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.extras.pyramid import influence
+from tmmcalc.extras.influence import influence
 
 CASES: dict[str, Any] = {
     case["id"].removeprefix("c2008-"): case

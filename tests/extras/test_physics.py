@@ -17,7 +17,7 @@ from tmmcalc.extras.activeset import active_set
 from tmmcalc.extras.contact import ContactTask, GapTable
 from tmmcalc.extras.falling_ball import BallTask
 from tmmcalc.extras.hertz import hertz
-from tmmcalc.extras.pyramid import hexagon, influence, settlement
+from tmmcalc.extras.influence import hexagon, influence, settlement
 from tmmcalc.extras.reliability import LifeTest, ReliabilityTask
 from tmmcalc.extras.tie_down import Support, TieDownTask
 

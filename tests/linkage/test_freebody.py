@@ -14,7 +14,8 @@ from sparing import sparing
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.freebody import Acting, FreeBody, cleared, free_bodies
 from tmmcalc.linkage.kinematics import solve_kinematics
-from tmmcalc.linkage.loading import Body, Constant, GearDrive, Load, Loading
+from tmmcalc.linkage.loading import Body, GearDrive, Load, Loading
+from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.loads.scene import compile_scene
 
 CASES = {c["id"]: c for c in json.loads((Path(__file__).parents[1] / "cases" / "dynamics.json").read_text())}

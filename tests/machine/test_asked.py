@@ -7,10 +7,10 @@ import math
 import pytest
 from machines import positions, sine
 
-from tmmcalc.machine.asked import INPUT, off_rated, off_speed
 from tmmcalc.machine.driver import ConstantInertia, driver_of
 from tmmcalc.machine.motion import solve_motion
 from tmmcalc.machine.motors.model import Motor
+from tmmcalc.machine.offspeed import INPUT, off_rated, off_speed
 
 RPM = math.pi / 30
 

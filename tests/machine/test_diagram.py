@@ -24,7 +24,7 @@ from tmmcalc.machine.diagram import (
     from_table,
     superposed,
 )
-from tmmcalc.machine.flywheel.positional import positional_flywheels
+from tmmcalc.machine.flywheel.methods import positional_flywheels
 
 TURN = 2 * math.pi
 
@@ -319,7 +319,7 @@ class TestBalanced:
 def test_scipy_stays_out() -> None:
     code = (
         "import sys; from tmmcalc.machine.diagram import from_formula, superposed;"
-        "from tmmcalc.machine.flywheel.positional import positional_flywheels as f;"
+        "from tmmcalc.machine.flywheel.methods import positional_flywheels as f;"
         "f(superposed(from_formula('abs(sin(theta))', 1.0), (0, 1)), 0.0, 0.1);"
         "sys.exit('scipy' in sys.modules)"
     )

@@ -12,8 +12,8 @@ from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.motors.characteristics import kloss, parabolic, straight
 from tmmcalc.machine.motors.gearing import reduced
+from tmmcalc.machine.stacked.places import places
 from tmmcalc.machine.stacked.regimes import is_smooth, machines_of, regimes
-from tmmcalc.machine.stacked.spots import spots
 from tmmcalc.machine.steady import driven
 
 PERIOD = 2 * np.pi
@@ -57,7 +57,7 @@ def test_regimes_are_those_of_each_machine(name: str, constant: float) -> None:
     given, alone = cycles()
     found = regimes(machines_of(*given, len(alone), constant, MOTORS[name]))
     theta = np.linspace(0.0, PERIOD, 41)
-    at = spots(found.machines, theta)
+    at = places(found.machines, theta)
     assert found.clear.all()
     for k, cycle in enumerate(alone):
         regime = driven(cycle, constant, MOTORS[name])

@@ -13,7 +13,7 @@ from tmmcalc.manipulators.arms import direct, elbow_point, inverse, meridian
 from tmmcalc.manipulators.routes import legs_of
 from tmmcalc.manipulators.solve import solve_manipulator
 from tmmcalc.manipulators.task import ArcRoute, Drive, PolyRoute
-from tmmcalc.manipulators.timed import timed
+from tmmcalc.manipulators.timedroute import timed
 
 from .scenes import ARMS, PLANE, SPACE, derivative, task
 

@@ -12,7 +12,7 @@ from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.manipulators.routes import legs_of
 from tmmcalc.manipulators.solve import solve_manipulator
 from tmmcalc.manipulators.task import ArcRoute, ArcThrough, PolyRoute
-from tmmcalc.manipulators.timed import timed
+from tmmcalc.manipulators.timedroute import timed
 
 from .scenes import task
 

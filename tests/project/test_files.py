@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tmmcalc.core.errors import Fault, SpecError
-from tmmcalc.linkage.loading import Tabulated
+from tmmcalc.linkage.loadlaws.tabulated import Tabulated
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.machine.model import TorquePoints
 from tmmcalc.machine.tables.tasks.machine import to_torque

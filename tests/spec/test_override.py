@@ -7,7 +7,7 @@ import pytest
 from project.scenes import MACHINE
 
 from tmmcalc.core.errors import SpecError, UsageError
-from tmmcalc.linkage.loading import Constant
+from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.project import parse_spec
 from tmmcalc.spec.override import apply

@@ -16,7 +16,10 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
 import tmmcalc
-from tmmcalc.linkage.loading import Constant, GearDrive, Indicator, Load, Loading, Polynomial
+from tmmcalc.linkage.loading import GearDrive, Load, Loading
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.indicator import Indicator
+from tmmcalc.linkage.loadlaws.polynomial import Polynomial
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage

@@ -20,7 +20,7 @@ NO_FRICTION = tuple(f"mechanism.joints[name={joint}].friction=0" for joint in ("
 
 
 ROOMS = {room.name for room in house.ROOMS}
-PLANE = ("task", "shaking", "schemes", "circle", "moments", "redistribution", "minimax", "contacts", "columns")
+PLANE = ("task", "shaking", "schemes", "circle", "moments", "redistribution", "contacts", "columns")
 
 
 @cache
@@ -95,8 +95,8 @@ def test_power_imports_no_flywheel_and_no_motion() -> None:
 
 def test_positional_motion_imports_no_regime_under_a_motor() -> None:
     names = imported("press.toml", "motion")
-    assert within(names, "tmmcalc.machine.positional", "tmmcalc.machine.flywheel.positional")
-    under_motor = ("steady", "stall", "settling", "resisted", "flywheel.required", "flywheel.search", "flywheel.drive")
+    assert within(names, "tmmcalc.machine.positional", "tmmcalc.machine.flywheel.methods")
+    under_motor = ("steady", "stall", "settling", "resisted", "flywheel.required", "flywheel.search")
     assert not within(names, *(f"tmmcalc.machine.{name}" for name in under_motor))
 
 

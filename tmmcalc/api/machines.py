@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from tmmcalc.api import solved
 
 if TYPE_CHECKING:
-    from tmmcalc.machine.flywheel.task import Flywheel
+    from tmmcalc.machine.flywheel.results import Flywheel
     from tmmcalc.machine.motion import Motion
     from tmmcalc.machine.power import Power
     from tmmcalc.machine.stages.balance import Balances

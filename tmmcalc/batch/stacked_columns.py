@@ -25,7 +25,7 @@ Flags = NDArray[np.bool_]
 
 BLOCK = 256  # variants
 STAGES = ("kinematics", "forces", "motion")  # whose columns blocks tell
-OTHERS = {"equilibrium", "virtual", "omega_idle", "omega_textbook"}  # columns that no block tells
+CHECKS = {"equilibrium", "virtual"}  # columns of forces that no block tells
 
 
 class Asked(NamedTuple):
@@ -38,12 +38,14 @@ class Asked(NamedTuple):
 
 def asked(name: str, base: RunResult) -> Asked | None:
     """What a name asks for; None for what is no column, and none of the few facts."""
+    from tmmcalc.batch.stacked_machine import COLUMNS
     from tmmcalc.linkage.stacked.tables import STROKES
     from tmmcalc.machine.stacked.figures import FIGURES
 
     column = OF_COLUMN.fullmatch(name)
     if column is not None:
-        return Asked(*column.groups()) if column[1] in STAGES and column[3] not in OTHERS else None
+        told = column[3] in ("phi", *COLUMNS.values()) if column[1] == "motion" else column[3] not in CHECKS
+        return Asked(*column.groups()) if column[1] in STAGES and told else None
     stage, _, fact = name.rpartition("[")[0].partition(".") if name.endswith("]") else name.partition(".")
     if stage == "motion" and fact in FIGURES:
         return Asked(stage, "", fact)

@@ -9,10 +9,10 @@ import numpy as np
 
 from tmmcalc.batch.stacked_machine import Machine, given_of, machines_without, regime_of_one
 from tmmcalc.core.numerics.alike import Rows
-from tmmcalc.machine.flywheel.comparison import Comparison, beside
+from tmmcalc.machine.flywheel.comparison import beside
 from tmmcalc.machine.flywheel.required import ample, result_of, searched
+from tmmcalc.machine.flywheel.results import Comparison, Trial
 from tmmcalc.machine.flywheel.search import Model, corrections
-from tmmcalc.machine.flywheel.trials import Trial
 from tmmcalc.machine.stacked.figures import figures
 from tmmcalc.machine.stacked.regimes import Machines, regimes
 from tmmcalc.machine.stacked.searches import replayed
@@ -22,8 +22,7 @@ if TYPE_CHECKING:
     from tmmcalc.core.numerics.panels import Values
     from tmmcalc.core.numerics.roots import Indices
     from tmmcalc.linkage.stacked.scene import Block
-    from tmmcalc.machine.flywheel.task import Flywheel
-    from tmmcalc.machine.flywheel.trials import RequiredInertia
+    from tmmcalc.machine.flywheel.results import Flywheel, RequiredInertia
     from tmmcalc.machine.stacked.reduction import Cycles
 
 Found = Mapping[str, Any]  # results by stage, reduction and power among them

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -12,14 +12,15 @@ from numpy.typing import NDArray
 from tmmcalc.core.numerics.alike import Rows
 from tmmcalc.core.numerics.gauss import ORDER
 from tmmcalc.core.numerics.panels import Panels, Values
+from tmmcalc.core.quantity import quantities
 from tmmcalc.machine.driver import Driver, driver_of
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
 from tmmcalc.machine.motion import Motion, motion_of
 from tmmcalc.machine.onemass import onto
 from tmmcalc.machine.regime import Regime, regime_of
 from tmmcalc.machine.stacked.figures import FIGURES, figures
+from tmmcalc.machine.stacked.places import places
 from tmmcalc.machine.stacked.regimes import Machines, Regimes, is_smooth, machines_of, regimes
-from tmmcalc.machine.stacked.spots import spots
 from tmmcalc.machine.stages import motion
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ Machine = tuple[MotorChoice | None, Gears, MotionTask, FlywheelTask | None]
 
 
 MACHINE = ("power", "flywheel", "motion")  # stages that read the machine
+COLUMNS = {field: quantities(Motion)[field].name for field in ("omega", "eps", "time", "driving", "load")}
 
 
 def given_of(stage: str, machine: Machine, key: str) -> Any:
@@ -176,16 +178,13 @@ def _constant(machine: Machine, speed: float) -> float:
 def _at_positions(found: Regimes, base: Motion, wanted: Collection[str]) -> Motion:
     """The motion at the positions of all machines."""
     m = found.machines
-    at = spots(m, np.clip(base.theta, 0.0, base.regime.panels.edges[-1]))
-    rows: dict[str, Any] = {"phi": np.tile(base.phi, len(m.low))}
-    if "omega" in wanted:
-        rows["omega"] = at.at(found.omega).ravel()
-    if "eps" in wanted:
-        rows["eps"] = at.at(found.acceleration).ravel()
-    if "t" in wanted:
-        rows["time"] = at.primitive(m, 1 / found.omega).ravel()
-    if "M_d" in wanted:
-        rows["driving"] = at.at(found.driving).ravel()
-    if "M_load" in wanted:
-        rows["load"] = at.at(found.load).ravel()
-    return replace(base, **rows)
+    at = places(m, np.clip(base.theta, 0.0, base.regime.panels.edges[-1]))
+    find: dict[str, Callable[[], Values]] = {
+        "omega": lambda: at.at(found.omega),
+        "eps": lambda: at.at(found.acceleration),
+        "time": lambda: at.primitive(m, 1 / found.omega),
+        "driving": lambda: at.at(found.driving),
+        "load": lambda: at.at(found.load),
+    }
+    rows: dict[str, Any] = {field: find[field]().ravel() for field, column in COLUMNS.items() if column in wanted}
+    return replace(base, phi=np.tile(base.phi, len(m.low)), **rows)

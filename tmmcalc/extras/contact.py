@@ -18,7 +18,7 @@ from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.extras.activeset import Mask, active_set
 from tmmcalc.extras.hertz import Hertz, hertz
-from tmmcalc.extras.pyramid import HEIGHT, hexagon, settlement
+from tmmcalc.extras.influence import HEIGHT, hexagon, settlement
 
 BORDER = "warning: the contact reaches the border of the grid; a larger size shows all of it"
 SMALL = 0.3  # half-axis over radius up to which a body is a half-space to the contact

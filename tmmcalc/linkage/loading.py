@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Literal
 
 from tmmcalc.core.records import record
+from tmmcalc.linkage.loadlaws.law import Law
 from tmmcalc.linkage.model import FRAME
 
 
@@ -20,69 +21,6 @@ class Body:
     mass: float  # [kg]
     inertia: float  # about the centre of mass [kg*m^2]
     center: complex  # centre of mass in the link's axes [m]
-
-
-@record
-class Constant:
-    """The same value wherever the load acts [N or N*m]."""
-
-    value: float
-
-
-@record
-class Polynomial:
-    """sum c_k (theta - theta_0)^k, theta_0 the beginning of the load's window [N or N*m, per rad^k]."""
-
-    coefficients: tuple[float, ...]
-
-
-@record
-class Tabulated:
-    """Values at the abscissae ``x``, ascending.
-
-    ``of``: "angle" theta [rad]; "position" numbers of the grid; "displacement" S of an output from its lesser
-    extreme [m or rad]; "stroke" the same from 0 to 1. ``period``: of theta [rad]; None for the other abscissae.
-    """
-
-    of: Literal["angle", "position", "displacement", "stroke"]
-    x: tuple[float, ...]
-    values: tuple[float, ...]
-    interpolation: Literal["linear", "pchip"] = "linear"
-    output: str | None = None  # whose displacement; None: the first output
-    period: float | None = None
-
-
-@record
-class Indicator:
-    """Pressure in a cylinder, one table a stroke, in the order of the motion from the outer dead centre on.
-
-    ``x`` of each table: distance of the piston from the outer dead centre (the cylinder's closed end) as a part
-    of the stroke, from 0 to 1 or from 1 to 0; ``p`` absolute pressure [Pa]. Two tables: a cycle of one turn; four:
-    of two turns. The load is (p - back) area along its direction, which points from the closed end to the crank.
-    ``delay`` [rad]: the first stroke begins at the first outer dead centre at or after theta = delay.
-    """
-
-    strokes: tuple[tuple[tuple[float, ...], tuple[float, ...]], ...]
-    area: float  # [m^2]
-    back: float = 101325.0  # pressure on the other side [Pa]
-    delay: float = 0.0
-
-
-@record
-class Viscous:
-    """Against the velocity of the point along the direction (or the link's speed): -c v [N*s/m or N*m*s/rad]."""
-
-    coefficient: float
-
-
-@record
-class Quadratic:
-    """Against the velocity, -c v |v| [N*s^2/m^2 or N*m*s^2/rad^2]."""
-
-    coefficient: float
-
-
-Law = Constant | Polynomial | Tabulated | Indicator | Viscous | Quadratic
 
 
 @record

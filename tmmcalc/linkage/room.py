@@ -36,7 +36,7 @@ class LinkageTables(FeasibilityTables):
         "Technological forces and moments on the links.",
         belongs_to=LINKS,
         why="loads act on the links of a mechanism",
-        checks=("loads", "windows", "curves", "indicator"),
+        checks=("loads", "laws", "windows", "lawdata"),
         files=("table.file",),
         named=("load_names", "name", "link"),
         after="torque",

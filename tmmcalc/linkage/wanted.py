@@ -73,5 +73,8 @@ def is_long(spec: LinkageTables) -> bool:
 
 def interpolated(spec: LinkageTables) -> bool:
     """Whether monotone cubics run through the points of a load."""
-    curves = (load.table for load in spec.loads)
-    return any(curve is not None and curve.interpolation == "pchip" for curve in curves)
+    if not spec.loads:
+        return False
+    from tmmcalc.linkage.loadlaws import laws
+
+    return any(law.smooth(load) for load in spec.loads for law in set(laws().values()))

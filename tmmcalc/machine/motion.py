@@ -11,10 +11,10 @@ from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
-from tmmcalc.machine.asked import INPUT, off_speed
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver
 from tmmcalc.machine.motorside import MotorSide, motor_side
+from tmmcalc.machine.offspeed import INPUT, off_speed
 from tmmcalc.machine.positional import positional
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.textbook import Textbook, Turn

@@ -108,7 +108,7 @@ def _regime(machine: OneMass, orbit: Orbit) -> Regime:
     driving, excess, last, noise = orbit.y[1] if machine.lag else motor.moment(omega), None, orbit, 0.0
     counters = {"newton": orbit.iterations, "meshes": orbit.passes}
     if _is_steep(machine, panels, omega, driving):
-        from tmmcalc.machine.steep import regained
+        from tmmcalc.machine.steepmotor import regained
 
         again = regained(machine, panels, omega, driving)
         if again is not None:

@@ -19,7 +19,7 @@ from tmmcalc.manipulators.obstacles import Flags, crossed, joined, segment_hits
 from tmmcalc.manipulators.results import Contact
 from tmmcalc.manipulators.routes import chord
 from tmmcalc.manipulators.task import ManipulatorTask, Obstacle, PathTask
-from tmmcalc.manipulators.timed import Timed
+from tmmcalc.manipulators.timedroute import Timed
 
 HALVINGS = 40
 

@@ -19,7 +19,7 @@ from tmmcalc.manipulators.courses import Course, course_of_laws, course_of_table
 from tmmcalc.manipulators.routes import legs_of
 from tmmcalc.manipulators.singular import check_reach
 from tmmcalc.manipulators.task import Arm, JointLimit, LawTask, ManipulatorTask, PathTask, TableTask
-from tmmcalc.manipulators.timed import Timed, timed
+from tmmcalc.manipulators.timedroute import Timed, timed
 
 States = Callable[[Values, Indices | int], Values]
 

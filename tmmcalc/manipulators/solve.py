@@ -10,14 +10,14 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.timerows import TimedExtreme, extremes, time_rows
 from tmmcalc.manipulators.arms import direct, elbow_angle, elbow_point, inverse
 from tmmcalc.manipulators.contacts import contact_grades, find_contacts
+from tmmcalc.manipulators.errors import motion_errors
+from tmmcalc.manipulators.jointlimits import excess_grades, find_excesses
 from tmmcalc.manipulators.motions import Motion, motion_of
-from tmmcalc.manipulators.ranges import excess_grades, find_excesses
 from tmmcalc.manipulators.results import LegFacts, Manipulator, PieceFacts
-from tmmcalc.manipulators.rounding import motion_errors
 from tmmcalc.manipulators.routes import Piece
 from tmmcalc.manipulators.singular import SINGULAR, find_singular, singular_grades
 from tmmcalc.manipulators.task import Drive, ManipulatorTask, PathTask
-from tmmcalc.manipulators.timed import Timed, speed_limit
+from tmmcalc.manipulators.timedroute import Timed, speed_limit
 
 
 def solve_manipulator(task: ManipulatorTask) -> Manipulator:

@@ -24,7 +24,9 @@ from tmmcalc.linkage.forces.iteration import textbook_iteration
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.kinematics import solve_kinematics
-from tmmcalc.linkage.loading import Body, Constant, GearDrive, Load, Loading, Pair, Viscous, Window
+from tmmcalc.linkage.loading import Body, GearDrive, Load, Loading, Pair, Window
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Extreme

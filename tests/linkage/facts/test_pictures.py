@@ -18,7 +18,8 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.kinematics import solve_kinematics
-from tmmcalc.linkage.loading import Constant, Load, Loading
+from tmmcalc.linkage.loading import Load, Loading
+from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.model import Grid, Input, Joint, Link, Mechanism, Output
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.polygons import polygons

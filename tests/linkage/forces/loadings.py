@@ -7,19 +7,11 @@ from dataclasses import replace
 import numpy as np
 from random_mechanisms import RandomMechanism
 
-from tmmcalc.linkage.loading import (
-    Body,
-    Constant,
-    Coupling,
-    GearDrive,
-    Load,
-    Loading,
-    Pair,
-    Polynomial,
-    Quadratic,
-    Spring,
-    Viscous,
-)
+from tmmcalc.linkage.loading import Body, Coupling, GearDrive, Load, Loading, Pair, Spring
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.polynomial import Polynomial
+from tmmcalc.linkage.loadlaws.quadratic import Quadratic
+from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.linkage.model import Mechanism
 
 LAWS = (

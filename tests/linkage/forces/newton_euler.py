@@ -15,17 +15,11 @@ from numpy.typing import NDArray
 from reference import Motion, Placements, Reference, solve
 
 from tmmcalc.linkage.chain import chain_of
-from tmmcalc.linkage.loading import (
-    Constant,
-    GearDrive,
-    Load,
-    Loading,
-    Pair,
-    Polynomial,
-    Quadratic,
-    Spring,
-    Viscous,
-)
+from tmmcalc.linkage.loading import GearDrive, Load, Loading, Pair, Spring
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.polynomial import Polynomial
+from tmmcalc.linkage.loadlaws.quadratic import Quadratic
+from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
 from tmmcalc.linkage.results import Kinematics
 

@@ -20,7 +20,8 @@ from tmmcalc.linkage.forces.iteration import textbook_iteration
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.forces.wrench import Pivot, Plan, Seat, Slideway, Wrench
-from tmmcalc.linkage.loading import Body, Constant, Coupling, GearDrive, Load, Loading
+from tmmcalc.linkage.loading import Body, Coupling, GearDrive, Load, Loading
+from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Assembly, Input, Link, Mechanism, Output
 from tmmcalc.linkage.structure import Group

@@ -25,7 +25,8 @@ from tmmcalc.linkage.forces.iteration import Iteration, textbook_iteration
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.forces.wrench import Pivot, Slideway, Wrench
-from tmmcalc.linkage.loading import Body, Constant, GearDrive, Load, Loading, Pair
+from tmmcalc.linkage.loading import Body, GearDrive, Load, Loading, Pair
+from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Assembly, Grid, Input, Link, Mechanism
 

@@ -26,20 +26,12 @@ from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.forces.stack import Stack, stacked
-from tmmcalc.linkage.loading import (
-    Body,
-    Constant,
-    GearDrive,
-    Load,
-    Loading,
-    Pair,
-    Polynomial,
-    Quadratic,
-    Spring,
-    Tabulated,
-    Viscous,
-    Window,
-)
+from tmmcalc.linkage.loading import Body, GearDrive, Load, Loading, Pair, Spring, Window
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.polynomial import Polynomial
+from tmmcalc.linkage.loadlaws.quadratic import Quadratic
+from tmmcalc.linkage.loadlaws.tabulated import Tabulated
+from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Extreme

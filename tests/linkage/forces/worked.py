@@ -10,7 +10,8 @@ import numpy as np
 
 from linkage.scenes import CONFIGS, crank_slider, full_turn, with_input
 from tmmcalc import solve_kinematics
-from tmmcalc.linkage.loading import Body, Load, Loading, Pair, Polynomial, Window
+from tmmcalc.linkage.loading import Body, Load, Loading, Pair, Window
+from tmmcalc.linkage.loadlaws.polynomial import Polynomial
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Kinematics
 

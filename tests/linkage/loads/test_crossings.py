@@ -12,7 +12,8 @@ from linkage.scenes import crank_slider, full_turn, part, slotted, with_input
 from tmmcalc import solve_kinematics
 from tmmcalc.linkage.chain import Configuration
 from tmmcalc.linkage.crossings import crossings
-from tmmcalc.linkage.loading import Load, Loading, Tabulated
+from tmmcalc.linkage.loading import Load, Loading
+from tmmcalc.linkage.loadlaws.tabulated import Tabulated
 from tmmcalc.linkage.loads.scene import Scene, compile_scene
 from tmmcalc.linkage.model import Mechanism
 

@@ -12,7 +12,8 @@ from linkage.forces.test_cases import cylinder
 from linkage.loads.acting import scene_of, value, work
 from linkage.scenes import crank_slider, full_turn, part, with_input
 from tmmcalc import NoSolutionError
-from tmmcalc.linkage.loading import Indicator, Load
+from tmmcalc.linkage.loading import Load
+from tmmcalc.linkage.loadlaws.indicator import Indicator
 from tmmcalc.linkage.loads.scene import Scene
 from tmmcalc.linkage.model import Mechanism
 

@@ -24,8 +24,14 @@ from linkage.scenes import (
     with_output,
 )
 from tmmcalc import NoSolutionError, solve_kinematics
-from tmmcalc.linkage.loading import Constant, Law, Load, Polynomial, Quadratic, Spring, Tabulated, Viscous, Window
-from tmmcalc.linkage.loads.laws import interpolant
+from tmmcalc.linkage.loading import Load, Spring, Window
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.law import Law
+from tmmcalc.linkage.loadlaws.polynomial import Polynomial
+from tmmcalc.linkage.loadlaws.quadratic import Quadratic
+from tmmcalc.linkage.loadlaws.tabulated import Tabulated
+from tmmcalc.linkage.loadlaws.viscous import Viscous
+from tmmcalc.linkage.loads.interpolation import interpolant
 from tmmcalc.linkage.model import Assembly, Input, Link, Mechanism, Output
 
 TURN = 2 * np.pi

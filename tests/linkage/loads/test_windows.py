@@ -21,7 +21,10 @@ from linkage.scenes import (
 )
 from tmmcalc import NoSolutionError, solve_kinematics
 from tmmcalc.linkage.forces.forces import solve_forces
-from tmmcalc.linkage.loading import Constant, Load, Loading, Polynomial, Tabulated, Window
+from tmmcalc.linkage.loading import Load, Loading, Window
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.polynomial import Polynomial
+from tmmcalc.linkage.loadlaws.tabulated import Tabulated
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.machine.reduction.reduce import solve_reduction
 

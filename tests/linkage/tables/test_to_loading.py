@@ -7,22 +7,13 @@ import math
 import pytest
 from project.scenes import CONFIGS, MACHINE
 
-from tmmcalc.linkage.loading import (
-    Body,
-    Constant,
-    Coupling,
-    GearDrive,
-    Indicator,
-    Load,
-    Loading,
-    Pair,
-    Polynomial,
-    Quadratic,
-    Spring,
-    Tabulated,
-    Viscous,
-    Window,
-)
+from tmmcalc.linkage.loading import Body, Coupling, GearDrive, Load, Loading, Pair, Spring, Window
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.indicator import Indicator
+from tmmcalc.linkage.loadlaws.polynomial import Polynomial
+from tmmcalc.linkage.loadlaws.quadratic import Quadratic
+from tmmcalc.linkage.loadlaws.tabulated import Tabulated
+from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.project import load_spec, parse_spec
 

@@ -18,12 +18,12 @@ from tmmcalc import UsageError
 from tmmcalc.core.numerics.fourier import Series
 from tmmcalc.linkage.loading import Body
 from tmmcalc.machine.balance.circle import enclosing_circle, smallest_circle
-from tmmcalc.machine.balance.minimax import minimax_counterweight
 from tmmcalc.machine.balance.schemes import (
     Balance,
     RotatingWeight,
     lanchester,
     least_squares_counterweight,
+    minimax_counterweight,
     rotating_weights,
     with_weights,
 )

@@ -19,8 +19,13 @@ from tmmcalc import TmmError
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.loading import Body
-from tmmcalc.machine.balance.minimax import minimax_counterweight
-from tmmcalc.machine.balance.schemes import Balance, lanchester, least_squares_counterweight, per_moment
+from tmmcalc.machine.balance.schemes import (
+    Balance,
+    lanchester,
+    least_squares_counterweight,
+    minimax_counterweight,
+    per_moment,
+)
 from tmmcalc.machine.balance.shaking import Shaking, crank_angle, inertia_loads, shaking
 
 pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here: the estimate has no reference")

@@ -16,9 +16,9 @@ from transforms import moved, with_axes
 from machine.balance.balanced import SCENES, TURN, Array, Scene, chain_of, scene
 from tmmcalc import AssemblyError, NoSolutionError, UsageError
 from tmmcalc.linkage.loading import Body
+from tmmcalc.machine.balance.moments import sufficient_links
 from tmmcalc.machine.balance.redistribution import Place, Redistribution, redistribute
 from tmmcalc.machine.balance.shaking import inertia_loads
-from tmmcalc.machine.balance.sufficient import sufficient_links
 
 SPEED = 8.0
 X = np.arange(48) * TURN / 48

@@ -25,7 +25,8 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.panels import panels
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
-from tmmcalc.machine.flywheel.task import Flywheel, Machine, solve_flywheel
+from tmmcalc.machine.flywheel.results import Flywheel
+from tmmcalc.machine.flywheel.solve import Machine, solve_flywheel
 from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.motion import solve_motion
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor

@@ -27,7 +27,8 @@ from tmmcalc.machine.facts.motion import document as motion_document
 from tmmcalc.machine.facts.motion import summary as motion_summary
 from tmmcalc.machine.facts.power import document as power_document
 from tmmcalc.machine.facts.power import summary as power_summary
-from tmmcalc.machine.flywheel.task import Flywheel, Machine, solve_flywheel
+from tmmcalc.machine.flywheel.results import Flywheel
+from tmmcalc.machine.flywheel.solve import Machine, solve_flywheel
 from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.motion import Motion, solve_motion
 from tmmcalc.machine.motors.characteristics import Parabolic

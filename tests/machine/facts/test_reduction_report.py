@@ -15,7 +15,9 @@ from loaded import DEG, press
 from tmmcalc.linkage.facts.forces import summary as forces_summary
 from tmmcalc.linkage.facts.kinematics import summary as kinematics_summary
 from tmmcalc.linkage.kinematics import solve_kinematics
-from tmmcalc.linkage.loading import Body, Constant, Load, Loading, Spring, Viscous
+from tmmcalc.linkage.loading import Body, Load, Loading, Spring
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Grade
 from tmmcalc.machine.facts.reduction import document as reduction_document

@@ -21,7 +21,7 @@ from tmmcalc.core.errors import TmmError
 from tmmcalc.machine.driver import ConstantInertia
 from tmmcalc.machine.flywheel.methods import METHODS
 from tmmcalc.machine.flywheel.required import required_inertia
-from tmmcalc.machine.flywheel.task import Machine, solve_flywheel
+from tmmcalc.machine.flywheel.solve import Machine, solve_flywheel
 
 TANGENT = tuple(rule for rule in METHODS if rule.find is rule.draw)  # those that draw the tangents that they find
 APART = 1e-4  # relative step of the inertia from which its derivative is taken
@@ -114,8 +114,9 @@ def by_methods(machine: Drawn, delta: float) -> list[Any]:
     work, links = primitive(machine, -primitive(machine, WIDE(0), turn) / turn, fine), machine.links(fine)
     found = []
     for rule in TANGENT:
-        exact = {"exact": ((1 + d / 2) ** 2, (1 - d / 2) ** 2), "book": (1 + d, 1 - d)}
-        most, least = exact.get(rule.name, tuple(map(WIDE, rule.find(delta))))
+        one, none = (WIDE(1), WIDE(1)), (WIDE(0), WIDE(0))
+        squares = {"true": ((1 + d / 2) ** 2, (1 - d / 2) ** 2), "dropped": (1 + d, 1 - d), "mean": one, "none": none}
+        most, least = squares[rule.find]
         high, low = peak(work - most * square / 2 * links), -peak(least * square / 2 * links - work)
         found.append((high - low) / (d * square))
     return found

@@ -16,8 +16,7 @@ from tmmcalc.core.numerics.panels import panels
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.diagram import from_harmonics, from_pieces
 from tmmcalc.machine.flywheel.curve import energy_curve, nodal_work
-from tmmcalc.machine.flywheel.methods import METHODS
-from tmmcalc.machine.flywheel.positional import FlywheelMethod, on_nodes, positional_flywheels
+from tmmcalc.machine.flywheel.methods import METHODS, FlywheelMethod, nodal_flywheels, positional_flywheels
 from tmmcalc.machine.flywheel.resimulation import motions
 from tmmcalc.machine.flywheel.wittenbauer import energy_mass
 from tmmcalc.machine.positional import positional
@@ -63,7 +62,7 @@ class TestPress:
         work, drive = nodal_work(moment)
         np.testing.assert_allclose(work, expected["A"], atol=6e-5)
         assert printed(drive, expected["M_drive_const"])
-        found = by_name(on_nodes(work, inertia, 0.0, 0.04, 5.0))
+        found = by_name(nodal_flywheels(work, inertia, 0.0, 0.04, 5.0))
         assert printed(found["exact"].inertia, expected["J_F_exact"])
         assert printed(found["book"].inertia, expected["J_F_book_linearised_tangents"])
         assert printed(found["mertsalov"].inertia, expected["J_F_mertsalov"])
@@ -280,7 +279,7 @@ class TestVerdicts:
 
     def test_nodes_must_match(self) -> None:
         with pytest.raises(UsageError, match="same nodes"):
-            on_nodes(np.zeros(5), np.zeros(6), 0.0, 0.04, 5.0)
+            nodal_flywheels(np.zeros(5), np.zeros(6), 0.0, 0.04, 5.0)
 
     def test_no_load_at_all(self) -> None:
         """Steady moment and constant inertia: nothing fluctuates, and nothing is asked for."""

@@ -17,11 +17,10 @@ from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.diagram import from_harmonics
 from tmmcalc.machine.flywheel.comparison import compared
-from tmmcalc.machine.flywheel.drive import fluctuation
-from tmmcalc.machine.flywheel.positional import positional_flywheels
-from tmmcalc.machine.flywheel.required import correction_history, required_inertia
+from tmmcalc.machine.flywheel.methods import positional_flywheels
+from tmmcalc.machine.flywheel.required import correction_history, fluctuation, required_inertia
+from tmmcalc.machine.flywheel.results import Trial
 from tmmcalc.machine.flywheel.search import least_inertia, tried
-from tmmcalc.machine.flywheel.trials import Trial
 from tmmcalc.machine.motors.characteristics import (
     ConstantMoment,
     Kloss,

@@ -10,8 +10,8 @@ import pytest
 
 from machine.flywheel.scenes import CASES, TURN, parabola, upsetter
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.machine.flywheel.results import Trial
 from tmmcalc.machine.flywheel.search import corrections, least_inertia, tried
-from tmmcalc.machine.flywheel.trials import Trial
 
 
 def recurrence(inertia: float, n: int = 24) -> float:

@@ -12,7 +12,8 @@ from sparing import sparing
 
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver
-from tmmcalc.machine.flywheel.task import Flywheel, Machine, solve_flywheel
+from tmmcalc.machine.flywheel.results import Flywheel
+from tmmcalc.machine.flywheel.solve import Machine, solve_flywheel
 from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.motors.characteristics import Kloss, kloss
 from tmmcalc.machine.positional import positional

@@ -15,20 +15,13 @@ from random_mechanisms import build
 
 from tmmcalc import TmmError, solve_kinematics
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.loading import (
-    Body,
-    Constant,
-    Law,
-    Load,
-    Loading,
-    Pair,
-    Polynomial,
-    Quadratic,
-    Spring,
-    Tabulated,
-    Viscous,
-    Window,
-)
+from tmmcalc.linkage.loading import Body, Load, Loading, Pair, Spring, Window
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.law import Law
+from tmmcalc.linkage.loadlaws.polynomial import Polynomial
+from tmmcalc.linkage.loadlaws.quadratic import Quadratic
+from tmmcalc.linkage.loadlaws.tabulated import Tabulated
+from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.machine.reduction.causes import Causes, causes_of

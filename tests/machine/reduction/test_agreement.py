@@ -29,20 +29,12 @@ import tmmcalc
 from tmmcalc import NoSolutionError, solve_kinematics
 from tmmcalc.core.numerics.simpson import simpson
 from tmmcalc.linkage.forces.forces import solve_forces
-from tmmcalc.linkage.loading import (
-    Body,
-    Constant,
-    GearDrive,
-    Load,
-    Loading,
-    Pair,
-    Polynomial,
-    Quadratic,
-    Spring,
-    Tabulated,
-    Viscous,
-    Window,
-)
+from tmmcalc.linkage.loading import Body, GearDrive, Load, Loading, Pair, Spring, Window
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.polynomial import Polynomial
+from tmmcalc.linkage.loadlaws.quadratic import Quadratic
+from tmmcalc.linkage.loadlaws.tabulated import Tabulated
+from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.machine.reduction.causes import causes_of

@@ -9,7 +9,10 @@ import pytest
 from linkage.scenes import crank_slider, full_turn, with_input
 
 from tmmcalc import NoSolutionError, solve_kinematics
-from tmmcalc.linkage.loading import Body, Constant, Load, Loading, Pair, Quadratic, Viscous
+from tmmcalc.linkage.loading import Body, Load, Loading, Pair
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.quadratic import Quadratic
+from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.machine.reduction.reduce import solve_back, solve_reduction
 
 TURN = 2 * np.pi

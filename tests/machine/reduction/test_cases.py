@@ -11,7 +11,9 @@ from linkage.forces.worked import CASES, DEGREE, press, press_loading
 from linkage.scenes import bar, four_bar, full_turn, pin, shaper, slide, with_input
 
 from tmmcalc import solve_kinematics
-from tmmcalc.linkage.loading import Body, Constant, Load, Loading, Tabulated, Window
+from tmmcalc.linkage.loading import Body, Load, Loading, Window
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.tabulated import Tabulated
 from tmmcalc.linkage.model import Assembly, Input, Link, Mechanism, Output
 from tmmcalc.machine.reduction.inertia import lumped, reduced_inertia
 from tmmcalc.machine.reduction.reduce import solve_reduction

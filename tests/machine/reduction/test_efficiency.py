@@ -11,7 +11,8 @@ import pytest
 from linkage.scenes import crank_slider, full_turn, with_grid, with_input
 
 from tmmcalc import solve_kinematics
-from tmmcalc.linkage.loading import Constant, Load, Loading, Pair, Window
+from tmmcalc.linkage.loading import Load, Loading, Pair, Window
+from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.machine.facts.reduction import document as reduction_document
 from tmmcalc.machine.reduction.columns import cells, columns
 from tmmcalc.machine.reduction.efficiency import efficiency

@@ -22,10 +22,13 @@ from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.numerics.simpson import simpson
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.loading import Body, Constant, Load, Loading, Quadratic, Spring, Viscous
+from tmmcalc.linkage.loading import Body, Load, Loading, Spring
+from tmmcalc.linkage.loadlaws.constant import Constant
+from tmmcalc.linkage.loadlaws.quadratic import Quadratic
+from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.machine.reduction.causes import Causes
 from tmmcalc.machine.reduction.inertia import slope_size
-from tmmcalc.machine.reduction.mesh import SLIGHT
+from tmmcalc.machine.reduction.panels import SLIGHT
 from tmmcalc.machine.reduction.reduce import solve_reduction
 from tmmcalc.machine.reduction.results import Reduction
 
@@ -50,7 +53,9 @@ def compared(found: Reduction, causes: Causes, seed: int) -> dict[str, list[tupl
     steep = [slope_size(causes.scene.loading.heavy, causes.scene.place(x).configuration, len(x)) for x in (rows, inner)]
     inertia = max(largest(found.cycle.inertia), largest(at.inertia)) or 1.0
     slope = max(map(largest, steep)) or 1.0
-    moment = max(largest(found.parts), largest(exact), SLIGHT * causes.most(rows)) or 1.0
+    moment = (
+        max(largest(found.parts), largest(exact), SLIGHT * float(np.max(causes.possible(rows), initial=0.0))) or 1.0
+    )
     functions = [
         np.abs(on.at(found.cycle.inertia, inner) - between.inertia) / inertia,
         np.abs(on.at(found.cycle.slope, inner) - between.slope) / slope,

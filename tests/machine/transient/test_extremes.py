@@ -10,13 +10,13 @@ import pytest
 from sparing import sparing
 
 from machine.transient.scenes import constant, cycle, kloss, line, run
-from tmmcalc.machine.transient import between
-from tmmcalc.machine.transient.between import Found
+from tmmcalc.machine.transient import extremes
+from tmmcalc.machine.transient.extremes import Found
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
-from tmmcalc.machine.transient.peaks import Point, turnings
 from tmmcalc.machine.transient.results import Transient
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.simulate import _gap
+from tmmcalc.machine.transient.turning import Point, turnings
 
 ROUNDING = 1e-14
 WAYS = [
@@ -112,7 +112,7 @@ def test_steps_that_cannot_be_made_again(off: float, monkeypatch: pytest.MonkeyP
     scenario = Scenario("cut", 0.2, motor=((0.0, off),))
     exact = run(drive, scenario).largest_moment[0, 0]
     assert exact == pytest.approx(160 * (1 - math.exp(-off / 0.1)), rel=1e-3)
-    monkeypatch.setattr(between, "_again", lambda *_: None)
+    monkeypatch.setattr(extremes, "_again", lambda *_: None)
     found = run(drive, scenario)
     assert 0 < found.largest_moment[0, 0] <= exact
     assert 1 - found.largest_moment[0, 0] / exact <= found.extremes_error < 1.5

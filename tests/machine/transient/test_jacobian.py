@@ -7,12 +7,12 @@ import pytest
 
 from machine.transient.scenes import cycle, kloss
 from tmmcalc.machine.transient.equations import Regime, derivative
+from tmmcalc.machine.transient.initial import assembled
 from tmmcalc.machine.transient.jacobian import jacobian
 from tmmcalc.machine.transient.model import Drive, Mass, Shaft
+from tmmcalc.machine.transient.pointwise import stretches
 from tmmcalc.machine.transient.profile import profile
-from tmmcalc.machine.transient.reading import stretches
 from tmmcalc.machine.transient.scenario import Brake, Scenario
-from tmmcalc.machine.transient.setup import assembled
 
 LOADED = cycle(
     lambda p: -30 - 20 * np.cos(p) + np.where(p < 2.0, 15.0, 0.0),

@@ -10,8 +10,8 @@ import pytest
 from machine.transient.scenes import PERIOD, Shape, cycle, travel, upsetter
 from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.transient.pointwise import reader, slopes, stretches, tabulated
 from tmmcalc.machine.transient.profile import Profile, profile
-from tmmcalc.machine.transient.reading import reader, slopes, stretches, tabulated
 
 RNG = np.random.default_rng(7)
 ANGLES = RNG.uniform(-40.0, 40.0, 300)

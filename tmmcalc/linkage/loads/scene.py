@@ -12,10 +12,11 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.chain import Chain, Configuration, chain_of
 from tmmcalc.linkage.crossings import crossings
-from tmmcalc.linkage.loading import Load, Loading, Quadratic, Viscous
+from tmmcalc.linkage.loading import Load, Loading
+from tmmcalc.linkage.loadlaws.placed import Placed
 from tmmcalc.linkage.loads.sources import Place, Source, resisting, springs, technological, weights
 from tmmcalc.linkage.loads.travel import Travel, surveyed, travel_of
-from tmmcalc.linkage.loads.values import Knot, value_of
+from tmmcalc.linkage.loads.values import Acting, Knot
 from tmmcalc.linkage.loads.windows import Inside, handed_over, window_of
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Grade, Kinematics
@@ -78,7 +79,7 @@ def scene_of(compiled: Chain, loading: Loading, travel: Travel, dense: Survey, k
     Of the survey and of the kinematics is taken what is the same for all.
     """
     acting = [load for load in loading.loads if load.factor]
-    windows = {load.name: window_of(compiled, kinematics, travel, load) for load in acting if _placed(load)}
+    windows = {load.name: window_of(compiled, kinematics, travel, load) for load in acting if load.law.placed}
     parts = [_part(compiled, kinematics, travel, dense, load, windows, acting) for load in acting]
     sources = [*weights(loading), *(part.source for part in parts)]
     sources += [source for spring in loading.springs for source in springs(spring, dense)]
@@ -94,11 +95,6 @@ def scene_of(compiled: Chain, loading: Loading, travel: Travel, dense: Survey, k
     )
 
 
-def _placed(load: Load) -> bool:
-    """Whether a load depends on the position, and may have a window."""
-    return not isinstance(load.law, Viscous | Quadratic)
-
-
 def _part(
     chain: Chain,
     kinematics: Kinematics,
@@ -108,10 +104,10 @@ def _part(
     windows: dict[str, Inside],
     loads: list[Load],
 ) -> _Part:
-    if not _placed(load):
+    if not isinstance(load.law, Placed):
         return _resisting(load, dense)
     window = windows[load.name]
-    value = value_of(chain, kinematics, travel, dense, load, window)
+    value = load.law.along(Acting(chain, kinematics, travel, dense, load, window))
     beside = [o for o in loads if o.name in windows and (o.link, o.kind) == (load.link, load.kind)]
     inside = handed_over(travel, window, [windows[o.name] for o in beside if o is not load])
 

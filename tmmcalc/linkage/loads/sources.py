@@ -17,7 +17,8 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.plane import LinkMotion, Plane, Point, Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Configuration
-from tmmcalc.linkage.loading import Body, Load, Loading, Quadratic, Spring, Viscous
+from tmmcalc.linkage.loading import Body, Load, Loading, Spring
+from tmmcalc.linkage.loadlaws.resistance import Resistance
 from tmmcalc.linkage.model import FRAME
 from tmmcalc.linkage.survey import Survey
 
@@ -128,13 +129,12 @@ def technological(load: Load, value: Callable[[Place], Real]) -> Source:
 
 
 def resisting(load: Load) -> Source:
-    """A viscous or quadratic load: against the velocity of its point along its direction, or of its link."""
+    """A resistance: against the velocity of its point along its direction, or of its link."""
     law = load.law
-    assert isinstance(law, Viscous | Quadratic)
-    order = 1 if isinstance(law, Viscous) else 2
+    assert isinstance(law, Resistance)
 
     def against(rate: Real) -> Real:
-        return -load.factor * law.coefficient * (rate if order == 1 else rate * np.abs(rate))
+        return law.against(load.factor, rate)
 
     def actions(place: Place) -> list[Action]:
         motions = place.configuration.motions
@@ -146,7 +146,7 @@ def resisting(load: Load) -> Source:
         other = same_place(motions[load.against], at)
         return _forces(load, place, against((np.conj(direction) * (at.v - other.v)).real) * direction)
 
-    return Source(load.name, "load", order, actions)
+    return Source(load.name, "load", law.order, actions)
 
 
 def _direction(load: Load, place: Place) -> Plane:

@@ -18,7 +18,7 @@ import numpy as np
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain
-from tmmcalc.linkage.loading import Indicator, Load
+from tmmcalc.linkage.loading import Load
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.survey import Survey, survey
 
@@ -115,18 +115,10 @@ def travel_of(chain: Chain, kinematics: Kinematics, loads: Sequence[Load]) -> Tr
         acceleration=kinematics.acceleration,
         turns=chain.turns,
         whole=whole,
-        period=TURN * math.lcm(*(turns_of(load) for load in loads)) if whole else float(np.max(along)),
+        period=TURN * math.lcm(*(load.law.turns for load in loads)) if whole else float(np.max(along)),
         names=kinematics.labels,
         along=along,
     )
-
-
-def turns_of(load: Load) -> int:
-    """Turns of the crank after which a load repeats."""
-    if isinstance(load.law, Indicator):
-        return len(load.law.strokes) // 2
-    period = getattr(load.law, "period", None)
-    return max(1, round(period / TURN)) if period is not None else 1
 
 
 def surveyed(chain: Chain, travel: Travel) -> Survey:

@@ -17,10 +17,10 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain
-from tmmcalc.linkage.loading import Load, Polynomial
+from tmmcalc.linkage.loading import Load
 from tmmcalc.linkage.loads.sources import Place
 from tmmcalc.linkage.loads.strokes import Strokes, strokes_of
-from tmmcalc.linkage.loads.travel import EDGE, Travel, turns_of
+from tmmcalc.linkage.loads.travel import EDGE, Travel
 from tmmcalc.linkage.results import Grade, Kinematics
 
 Flags = NDArray[np.bool_]
@@ -40,9 +40,9 @@ class Inside(NamedTuple):
 def window_of(chain: Chain, kinematics: Kinematics, travel: Travel, load: Load) -> Inside:
     """The window of a load; raises `NoSolutionError` for a stroke or a position that is not there."""
     window, where = load.window, f"load {load.name}"
-    own = TURN * turns_of(load)
+    own = TURN * load.law.turns
     if window is None:
-        edges = travel.repeated([0.0], own) if isinstance(load.law, Polynomial) else []
+        edges = travel.repeated([0.0], own) if load.law.counted else []
         return Inside(lambda place: True, lambda theta: travel.since(0.0, theta, own), edges)
     if window.stroke is not None:
         which = 0 if window.stroke == "working" else 1

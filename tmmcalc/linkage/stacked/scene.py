@@ -15,15 +15,13 @@ from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, compile_chain
 from tmmcalc.linkage.forces.forces import rows_of
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
-from tmmcalc.linkage.loading import Constant, Loading, Polynomial, Tabulated, Viscous
+from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.loads.scene import Scene, compile_scene, scene_of
 from tmmcalc.linkage.loads.travel import EDGE
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.stacked.settle import ROWS, Settled, settle
 from tmmcalc.linkage.variants import given_variants, sketched_groups
-
-LAWS = (Constant, Polynomial, Viscous)
 
 
 class Same(NamedTuple):
@@ -71,8 +69,7 @@ def refusal(mechanism: Mechanism, loading: Loading | None, same: Same) -> str | 
 
 def _loads_refusal(loading: Loading, scene: Scene) -> str | None:
     for load in loading.loads:
-        angular = isinstance(load.law, Tabulated) and load.law.of in ("angle", "position")
-        if not (isinstance(load.law, LAWS) or angular) or (load.window is not None and load.window.stroke):
+        if not load.law.alike or (load.window is not None and load.window.stroke):
             return f"load {load.name} depends on a stroke, or on the square of a speed"
     if any(spring.kind != "linear" for spring in loading.springs):
         return "a torsion spring"

@@ -6,7 +6,8 @@ from cmath import phase
 from collections.abc import Iterator
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.linkage.loading import Constant, Load
+from tmmcalc.linkage.loading import Load
+from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.model import Assembly, Grid, Joint, Link, Mechanism, Output
 from tmmcalc.linkage.synthesis.strokes import TURN
 

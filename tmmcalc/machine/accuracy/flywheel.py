@@ -25,13 +25,11 @@ from tmmcalc.core.studies.study import Reference, Series, Study
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import Driver
 from tmmcalc.machine.flywheel.curve import energy_curve, nodal_work
-from tmmcalc.machine.flywheel.drive import fluctuation
-from tmmcalc.machine.flywheel.methods import METHODS, Rule, tangents
-from tmmcalc.machine.flywheel.positional import on_nodes
-from tmmcalc.machine.flywheel.required import required_inertia
+from tmmcalc.machine.flywheel.methods import METHODS, Rule, nodal_flywheels, tangents
+from tmmcalc.machine.flywheel.required import fluctuation, required_inertia
 from tmmcalc.machine.flywheel.resimulation import motions
+from tmmcalc.machine.flywheel.results import Flywheel
 from tmmcalc.machine.flywheel.search import Model, corrections
-from tmmcalc.machine.flywheel.task import Flywheel
 from tmmcalc.machine.onemass import onto
 from tmmcalc.machine.recurrence import nodal_tables
 from tmmcalc.machine.stages.flywheel import asked
@@ -150,7 +148,7 @@ class _Problem:
         """By the textbook's method on the nodes of a table."""
         moment, inertia = nodal_tables(self.cycle, count, self.speed)
         work, _ = nodal_work(moment, self.cycle.period)
-        return on_nodes(work, inertia, 0.0, self.delta, self.speed, period=self.cycle.period)[BOOK].inertia
+        return nodal_flywheels(work, inertia, 0.0, self.delta, self.speed, period=self.cycle.period)[BOOK].inertia
 
 
 def _series(problem: _Problem, errors: tuple[Missed, Missed], scene: Scene) -> Iterator[tuple[Series, ...]]:

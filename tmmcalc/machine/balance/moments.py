@@ -13,6 +13,7 @@ of them; so the squares summed are those of the force, and vectors u_j that depe
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import combinations
 
 import numpy as np
 
@@ -25,6 +26,7 @@ from tmmcalc.linkage.loading import Body
 from tmmcalc.linkage.model import FRAME
 from tmmcalc.machine.balance.shaking import WHERE, check_sound, crank_angle
 
+EXACT = 1e-9  # part of the force left that counts as rounding
 DEPENDENT = 1e-10  # singular values below this part of the largest are dependences
 
 
@@ -92,3 +94,31 @@ def default_pin(chain: Chain, link: int) -> complex:
         if joint.kind == "revolute" and set(joint.links) == {FRAME, link}:
             return joint.points[joint.links.index(link)]
     return chain.evaluate(np.zeros(1), order=0).motions[link].base
+
+
+def sufficient_links(chain: Chain, bodies: Sequence[Body]) -> tuple[tuple[int, ...], ...]:
+    """The smallest sets of links on which counterweights, of whatever masses, balance the shaking force exactly.
+
+    They do if the unit vectors of these links and a constant span the mass moment of the mechanism and the paths of the
+    links' own pins. Empty if there is none: a link of some mass moves on prismatic joints only. ``((),)`` if nothing
+    needs balancing.
+    """
+    links = [link.id for link in chain.mechanism.links]
+    terms = mass_moments(chain, bodies, [(link, default_pin(chain, link)) for link in links], 1.0, 0.0)
+    turning = [j for j in range(len(links)) if np.linalg.norm(terms.units[:, j]) > DEPENDENT]
+    for size in range(len(turning) + 1):
+        sets = [some for some in combinations(turning, size) if _suffices(terms, some)]
+        if sets:
+            return tuple(tuple(links[j] for j in some) for some in sets)
+    return ()
+
+
+def _suffices(terms: MassMoments, some: tuple[int, ...]) -> bool:
+    """Whether the unit vectors of these links span the mechanism's force and that of a mass on each of their pins."""
+    columns = terms.units[:, some]
+    targets = np.column_stack((terms.given, terms.moved[:, some]))
+    left = np.linalg.norm(targets + columns @ least(columns, targets), axis=0)
+    # pins on the frame stand still but for rounding
+    moving = np.linalg.norm(terms.moved, axis=0)
+    whole = np.array([terms.single, *np.maximum(moving[list(some)], DEPENDENT * np.max(moving))])
+    return bool(np.all(left <= EXACT * whole))

@@ -18,9 +18,8 @@ from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.loading import Body
-from tmmcalc.machine.balance.moments import MassMoments, default_pin, least, mass_moments
+from tmmcalc.machine.balance.moments import EXACT, MassMoments, default_pin, least, mass_moments, sufficient_links
 from tmmcalc.machine.balance.shaking import WHERE, Shaking, check_balanceable, shaking
-from tmmcalc.machine.balance.sufficient import EXACT, sufficient_links
 from tmmcalc.machine.balance.weights import check_choice
 
 ITERATIONS = 60

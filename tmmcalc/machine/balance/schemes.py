@@ -20,7 +20,8 @@ from tmmcalc.core.numerics.fourier import Magnitude, Series, magnitude
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
-from tmmcalc.machine.balance.shaking import WHERE, Shaking
+from tmmcalc.machine.balance.circle import enclosing_circle
+from tmmcalc.machine.balance.shaking import MARGIN, WHERE, Shaking
 
 NOTHING = 1e-12  # a force below this part of the whole needs no weight
 
@@ -126,6 +127,25 @@ def with_weights(
 def least_squares_counterweight(shaking: Shaking) -> Balance:
     """One counterweight on the crank, for the least mean square of the force left. Textbook (3.74)."""
     return rotating_weights(shaking, (1,), scheme="least squares")
+
+
+def minimax_counterweight(shaking: Shaking) -> Balance:
+    """One counterweight on the crank, for the least possible maximum of the force left.
+
+    In the crank frame the shaking force runs through a closed hodograph and the counterweight's force stands still, so
+    that what remains is the distance of the hodograph from a fixed point. It is least at the worst position where that
+    point is the centre of the smallest circle around the hodograph.
+
+    ``gap`` of the result bounds how far its maximum can be above the least. Raises `AccuracyError` if that bound
+    does not close.
+    """
+    scale = shaking.scale or 1.0
+    # the contacts are peaks of the force: no margin for angles that were not looked at
+    circle = enclosing_circle(shaking.series.turned(-1), shaking.error / MARGIN * scale)
+    factor = per_moment(1, shaking.speed, shaking.acceleration)
+    weight = RotatingWeight(1, -circle.center / factor, shaking.pivot)
+    gap = circle.gap / circle.radius if circle.radius else 0.0
+    return with_weights(shaking, [weight], "minimax", gap, circle.error / scale)
 
 
 def lanchester(shaking: Shaking, highest: int = 1) -> Balance:

@@ -14,13 +14,13 @@ from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.loading import Body
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.machine.balance.minimax import minimax_counterweight
 from tmmcalc.machine.balance.redistribution import Place, Redistribution, redistribute
 from tmmcalc.machine.balance.schemes import (
     Balance,
     RotatingWeight,
     lanchester,
     least_squares_counterweight,
+    minimax_counterweight,
     with_weights,
 )
 from tmmcalc.machine.balance.shaking import Shaking, shaking

@@ -16,10 +16,9 @@ from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.linkage.facts.places import Shaft, phi_of
 from tmmcalc.machine.facts.motion import inertia_fact, unevenness
 from tmmcalc.machine.flywheel.materials import RECOMMENDED
+from tmmcalc.machine.flywheel.methods import FlywheelMethod
 from tmmcalc.machine.flywheel.placement import Wheel
-from tmmcalc.machine.flywheel.positional import FlywheelMethod
-from tmmcalc.machine.flywheel.task import Flywheel
-from tmmcalc.machine.flywheel.trials import RequiredInertia, Trial
+from tmmcalc.machine.flywheel.results import Flywheel, RequiredInertia, Trial
 from tmmcalc.report.document import Document, Fact, View, untold
 from tmmcalc.report.numbers import angle, number
 

@@ -1,6 +1,6 @@
 """Flywheels: inertia by the classical methods and under the real motor, its place, its rim.
 
-`positional` compares the methods for forces of position, `wittenbauer` holds their picture, `required` finds the true
+`methods` compares those for forces of position, `wittenbauer` holds their picture, `required` finds the true
 inertia under a motor, `comparison` sets all side by side; `placement` and `rim` turn inertia into a
 wheel.
 """

@@ -5,31 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.machine.flywheel.positional import FlywheelMethod, positional_flywheels
-from tmmcalc.machine.flywheel.trials import RequiredInertia
+from tmmcalc.machine.flywheel.methods import positional_flywheels
+from tmmcalc.machine.flywheel.results import Comparison, RequiredInertia, Row
 
 if TYPE_CHECKING:
     from tmmcalc.machine.flywheel.search import Model
     from tmmcalc.machine.motors.characteristics import Characteristic
-
-
-@record
-class Row:
-    """One method in the comparison; the last two are None without a motor, or where the machine stalls."""
-
-    positional: FlywheelMethod  # what it asks for under forces of position
-    delta: float | None  # coefficient reached under the motor's characteristic [-]
-    error: float | None  # relative error of the total constant inertia against the true one [-]
-
-
-@record
-class Comparison:
-    """The methods for forces of position beside the true flywheel."""
-
-    rows: tuple[Row, ...]
-    required: RequiredInertia | None  # None without a motor
 
 
 def compared(

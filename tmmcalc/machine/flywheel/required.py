@@ -14,13 +14,13 @@ from itertools import pairwise
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import energy_curve
-from tmmcalc.machine.flywheel.drive import fluctuation
-from tmmcalc.machine.flywheel.methods import METHODS, tangents
-from tmmcalc.machine.flywheel.positional import check
+from tmmcalc.machine.flywheel.methods import METHODS, check, tangents
+from tmmcalc.machine.flywheel.results import RequiredInertia, Trial
 from tmmcalc.machine.flywheel.search import Model, between, corrections, least_inertia, sufficient, tried
-from tmmcalc.machine.flywheel.trials import RequiredInertia, Trial
 from tmmcalc.machine.motors.characteristics import Characteristic
+from tmmcalc.machine.onemass import OneMass, vanishing
 from tmmcalc.machine.regime import Regime
+from tmmcalc.machine.settling import Guess, Halt, settled
 from tmmcalc.machine.stall import stall_inertia
 from tmmcalc.machine.steady import driven
 
@@ -65,6 +65,33 @@ def required_inertia(
     if first.delta is None:
         carrying = _carrying(cycle, characteristic, time_constant, first.inertia)
     return result_of(first, root, regime, trials, carrying, delta)
+
+
+def fluctuation(
+    cycle: Cycle, characteristic: Characteristic, time_constant: float = 0.0, near: Regime | None = None
+) -> Model:
+    """The function constant inertia [kg*m^2] -> delta of the steady motion.
+
+    None where the machine stalls or runs away, or where its inertia vanishes and nothing bounds the speed.
+
+    Each motion is the first guess of the next, and ``near`` that of the first.
+    """
+    last: Guess | None = None if near is None else (near.panels, near.omega)
+
+    def delta(inertia: float) -> float | None:
+        nonlocal last
+        if vanishing(cycle, inertia) is not None:
+            return None
+        machine = OneMass(cycle, inertia, characteristic, time_constant)
+        orbit = settled(machine, last)
+        if isinstance(orbit, Halt):
+            return None
+        omega = machine.speed(orbit.panels, orbit.y[0])
+        last = orbit.panels, omega
+        (slowest, _), (fastest, _) = orbit.panels.extremes(omega)
+        return 2 * (fastest - slowest) / (fastest + slowest)
+
+    return delta
 
 
 def searched(

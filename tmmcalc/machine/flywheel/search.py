@@ -14,7 +14,7 @@ import math
 from collections.abc import Callable
 
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
-from tmmcalc.machine.flywheel.trials import Trial
+from tmmcalc.machine.flywheel.results import Trial
 
 Model = Callable[[float], float | None]  # constant inertia [kg*m^2] -> delta, or None where the machine stalls
 

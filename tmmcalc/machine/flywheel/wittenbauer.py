@@ -11,8 +11,7 @@ from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import energy_curve
-from tmmcalc.machine.flywheel.methods import METHODS, tangents
-from tmmcalc.machine.flywheel.positional import check
+from tmmcalc.machine.flywheel.methods import METHODS, check, tangents
 
 
 @record

@@ -16,9 +16,7 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 from tmmcalc.core.plane import Real
 from tmmcalc.machine.facts.flywheel import called
 from tmmcalc.machine.facts.motion import unevenness
-from tmmcalc.machine.flywheel.comparison import Row
-from tmmcalc.machine.flywheel.task import Flywheel
-from tmmcalc.machine.flywheel.trials import RequiredInertia, Trial
+from tmmcalc.machine.flywheel.results import Flywheel, RequiredInertia, Row, Trial
 from tmmcalc.machine.flywheel.wittenbauer import EnergyMass
 from tmmcalc.machine.pictures.energymass import draw_energy_mass, label_energy_mass
 from tmmcalc.report.drawing.curves import Diagram, Line, bottom

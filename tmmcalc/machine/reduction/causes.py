@@ -151,12 +151,8 @@ class Causes(NamedTuple):
         on_faces, in_pins = (np.concatenate(pair) for pair in zip((on_faces, in_pins), forces, strict=True))
         return Sample(rows, on_faces, in_pins, np.maximum(growth, further))
 
-    def most(self, theta: Real) -> float:
-        """What the moment of a source could be over theta (n,) if its forces lay along the motion of their points."""
-        return float(np.max(self.possible(theta), initial=0.0))
-
     def possible(self, theta: Real) -> Real:
-        """The same at theta (n,)."""
+        """What the moment of a source could be at theta (n,) if its forces lay along the motion of their points."""
         place, speed, found = self.scene.place(theta), self.scene.travel.speed, np.zeros(len(theta))
         motions = place.configuration.motions
         for source in self.scene.sources:

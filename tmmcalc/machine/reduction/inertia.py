@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tmmcalc.core.plane import Plane, Real, square
+from tmmcalc.core.plane import Real, square
 from tmmcalc.linkage.chain import Configuration
 from tmmcalc.linkage.loading import Body, Loading
 from tmmcalc.linkage.model import FRAME, Mechanism
@@ -20,7 +20,7 @@ def reduced_inertia(bodies: Sequence[Body], configuration: Configuration, n: int
         if body.mass:
             at = motion.point(body.center)
             inertia = inertia + body.mass * square(at.v)
-            slope = slope + 2 * body.mass * _dot(at.v, at.a)
+            slope = slope + 2 * body.mass * (np.conj(at.v) * at.a).real
         if body.inertia:
             inertia = inertia + body.inertia * motion.omega**2
             slope = slope + 2 * body.inertia * motion.omega * motion.eps
@@ -36,10 +36,6 @@ def slope_size(bodies: Sequence[Body], configuration: Configuration, n: int) -> 
         size = size + 2 * body.mass * np.abs(at.v) * np.abs(at.a)
         size = size + 2 * body.inertia * np.abs(motion.omega * motion.eps)
     return size
-
-
-def _dot(a: Plane, b: Plane) -> Real:
-    return (np.conj(a) * b).real
 
 
 def rods_of(mechanism: Mechanism, loading: Loading) -> tuple[int, ...]:

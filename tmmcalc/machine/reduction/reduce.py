@@ -20,16 +20,16 @@ from tmmcalc.core.numerics.peaks import peaks
 from tmmcalc.core.numerics.simpson import simpson
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.forces.kinetostatics import Statics
-from tmmcalc.linkage.loading import Load, Loading
+from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.loads.scene import Scene, compile_scene
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Extreme, Kinematics
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.reduction.causes import Causes, Sample, causes_of
+from tmmcalc.machine.reduction.errors import Solved, estimate
 from tmmcalc.machine.reduction.inertia import lumped, reduced_inertia, rods_of
-from tmmcalc.machine.reduction.mesh import reduced
+from tmmcalc.machine.reduction.panels import reduced
 from tmmcalc.machine.reduction.results import Contribution, Reduction, ReductionError, Rods
-from tmmcalc.machine.reduction.rounding import Solved, estimate
 from tmmcalc.machine.reduction.signs import wrong_signs
 
 
@@ -103,11 +103,12 @@ def _contributions(
     causes: Causes, works: list[tuple[float, float, float | None]], ranges: list[tuple[Extreme, Extreme]]
 ) -> Iterator[Contribution]:
     """The records of all causes, from the work of each with its error and that by Simpson's rule, and its extremes."""
+    roles = {load.name: load.role for load in causes.scene.loading.loads}
     for (name, kind, order), (work, error, simple), (least, largest) in zip(causes.names, works, ranges, strict=True):
         yield Contribution(
             name=name,
             kind=cast(Any, kind),
-            role=_role(causes.scene.loading.loads, name) if kind == "load" else None,
+            role=roles[name] if kind == "load" else None,
             order=order,
             work=work,
             error=error,
@@ -151,10 +152,6 @@ def _turned_back(causes: Causes) -> Causes:
 
     quiet = causes.quiet
     return causes._replace(statics=back(causes.statics), quiet=back(quiet) if quiet is not None else None)
-
-
-def _role(loads: tuple[Load, ...], name: str) -> Any:
-    return next(load.role for load in loads if load.name == name)
 
 
 def _cycles(causes: Causes, dense: Panels, values: Real, error: float) -> tuple[Cycle, Real, Cycle]:

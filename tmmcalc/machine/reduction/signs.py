@@ -12,7 +12,7 @@ import numpy as np
 
 from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.core.numerics.roots import bracketed
-from tmmcalc.linkage.loading import Indicator, Load
+from tmmcalc.linkage.loading import Load
 from tmmcalc.linkage.loads.travel import Travel
 from tmmcalc.linkage.results import Grade
 
@@ -49,7 +49,7 @@ def _of_work(load: Load, dense: Panels, part: Values) -> Grade | None:
 
 def _of_part(travel: Travel, load: Load, dense: Panels, part: Values) -> Grade | None:
     """The part of the cycle on which a resistance drives."""
-    if load.role == "drive" or isinstance(load.law, Indicator) or float(np.max(part)) <= 0:
+    if load.role == "drive" or not load.law.judged or float(np.max(part)) <= 0:
         return None
     ranges = driving(dense, part, whole=travel.whole)
     gained, work = sum(done for _, _, done in ranges), float(dense.total(part))

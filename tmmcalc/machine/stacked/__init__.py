@@ -5,5 +5,5 @@ records.py    results of single variants, cut out of those of many
 regimes.py    the machines of stacked cycles on their panels, and the regimes that they settle in
 searches.py   the regimes that a search for the flywheel asks for
 figures.py    unevenness, mean and extreme speeds, power
-spots.py      speeds, moments and times at angles
+places.py     speeds, moments and times at angles
 """

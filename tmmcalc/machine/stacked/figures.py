@@ -6,28 +6,31 @@ import numpy as np
 
 from tmmcalc.core.numerics.gauss import ORDER, rule
 from tmmcalc.core.numerics.panels import Panels, Values
+from tmmcalc.core.quantity import quantities
+from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.stacked.regimes import Machines, Regimes
+
+FIELDS = ("delta", "omega_min", "omega_max", "mean", "time_mean", "cycle_time", "mean_moment", "mean_power")
+FIGURES = tuple(quantities(Regime)[name].name for name in FIELDS)
 
 
 def figures(found: Regimes) -> dict[str, Values]:
-    """Figures (V,) of the regimes, under their names in the summary of a motion."""
+    """Figures (V,) of the regimes, under their names as `Regime` declares them."""
     m = found.machines
     low, high = _extremes(m, found.omega)
     r, period = rule(ORDER), np.sum(m.width, axis=1)
     time, work = (np.einsum("vkn,n,vk->v", v, r.weights, m.width) for v in (1 / found.omega, found.driving))
-    return {
-        "delta": (high - low) / ((high + low) / 2),
-        "omega_min": low,
-        "omega_max": high,
-        "omega_mean": (high + low) / 2,
-        "omega_time_mean": period / time,
-        "cycle_time": time,
-        "M_d_mean": work / period,
-        "P_mean": work / time,
-    }
-
-
-FIGURES = ("delta", "omega_min", "omega_max", "omega_mean", "omega_time_mean", "cycle_time", "M_d_mean", "P_mean")
+    values = (
+        (high - low) / ((high + low) / 2),
+        low,
+        high,
+        (high + low) / 2,
+        period / time,
+        time,
+        work / period,
+        work / time,
+    )
+    return dict(zip(FIGURES, values, strict=True))
 
 
 def _extremes(m: Machines, omega: Values) -> tuple[Values, Values]:

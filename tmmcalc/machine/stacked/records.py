@@ -28,10 +28,10 @@ from tmmcalc.linkage.stacked.summaries import qualities_of, summaries_of
 from tmmcalc.linkage.stacked.tables import SAFE, jumps_alike, kinematics_of
 from tmmcalc.linkage.trace import trace
 from tmmcalc.machine.reduction.causes import causes_in
+from tmmcalc.machine.reduction.errors import unmeasured
 from tmmcalc.machine.reduction.inertia import lumped, reduced_inertia, rods_of
 from tmmcalc.machine.reduction.reduce import reduction_of
 from tmmcalc.machine.reduction.results import Reduction, Rods
-from tmmcalc.machine.reduction.rounding import unmeasured
 from tmmcalc.machine.stacked.reduction import AS_ALONE, Cycles, cycles_of, sampled
 
 _STACKS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "s", "ds", "dds")

@@ -14,7 +14,7 @@ from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.stacked.scene import Block
 from tmmcalc.linkage.stacked.tables import SAFE, turning_of
 from tmmcalc.machine.reduction.causes import MOMENTS, Names, Sample, causes_in, joined, orders_of
-from tmmcalc.machine.reduction.mesh import FINE, SAMPLED, Fineness, resolved, scales_of
+from tmmcalc.machine.reduction.panels import FINE, SAMPLED, Fineness, resolved, scales_of
 
 AT_ONCE = 16384  # rows that are computed together: calls cost nothing then
 COARSE = Fineness(8, 1e-12, np.array([0.5]), 8, 0)  # for the motion alone: some panels less

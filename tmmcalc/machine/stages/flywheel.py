@@ -6,14 +6,14 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tmmcalc.core.stage import said
-from tmmcalc.machine.flywheel.task import Flywheel, Machine, flywheel_of, solve_flywheel
+from tmmcalc.machine.flywheel.results import Flywheel
+from tmmcalc.machine.flywheel.solve import Machine, flywheel_of, solve_flywheel
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
 from tmmcalc.machine.wanted import NO_REGIME, constant_moment, curved
 
 if TYPE_CHECKING:
     from tmmcalc.machine.driver import ConstantInertia, Driver
-    from tmmcalc.machine.flywheel.comparison import Comparison
-    from tmmcalc.machine.flywheel.trials import Trial
+    from tmmcalc.machine.flywheel.results import Comparison, Trial
     from tmmcalc.machine.room import MachineTables
 
 

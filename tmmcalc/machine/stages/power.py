@@ -70,7 +70,7 @@ def solve(
 
 def _told(duty: MotorDuty, gears: Gears, speed: float, turns: float, key: str) -> MotorDuty:
     """The duty with whose ratio it has, and how far the motor misses the speed of the spec."""
-    from tmmcalc.machine.asked import off_rated
+    from tmmcalc.machine.offspeed import off_rated
 
     return replace(duty, ratio_of=gears.ratio_of, off_speed=off_rated(duty.motor.speed, duty.ratio, speed, turns, key))
 

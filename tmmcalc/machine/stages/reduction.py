@@ -56,7 +56,7 @@ def solve(
 ) -> Reduction:
     """Reduce everything to the input link."""
     if isinstance(given, TorqueTask):
-        from tmmcalc.machine.diagram.task import cycle_of
+        from tmmcalc.machine.diagram.solve import cycle_of
         from tmmcalc.machine.stages.diagram import reduced_diagram
 
         return reduced_diagram(given.name, cycle_of(given))

@@ -13,7 +13,7 @@ from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
 
 if TYPE_CHECKING:
     from tmmcalc.gears.selection.results import Selection
-    from tmmcalc.machine.flywheel.task import Flywheel
+    from tmmcalc.machine.flywheel.results import Flywheel
     from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
     from tmmcalc.machine.power import Power
     from tmmcalc.machine.reduction.results import Reduction

@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from tmmcalc.core.numerics.steps import Derivative, State
 from tmmcalc.machine.transient.model import Reduced
-from tmmcalc.machine.transient.reading import Stretch, reader
+from tmmcalc.machine.transient.pointwise import Stretch, reader
 
 Curve = Callable[[float], float]
 WORKS = 4

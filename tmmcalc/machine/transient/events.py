@@ -8,8 +8,8 @@ from operator import itemgetter
 from typing import NamedTuple
 
 from tmmcalc.core.numerics.steps import Derivative, State
-from tmmcalc.machine.transient.peaks import Point, settled, turnings
 from tmmcalc.machine.transient.steppers import Stepper
+from tmmcalc.machine.transient.turning import Point, settled, turnings
 
 ITERATIONS = 60
 SAME = 8  # units in the last place of the time within which two events happen at once

@@ -9,8 +9,8 @@ import numpy as np
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.numerics.steps import Derivative
 from tmmcalc.machine.transient.equations import Regime, System
+from tmmcalc.machine.transient.pointwise import Slopes, slopes
 from tmmcalc.machine.transient.profile import Profile
-from tmmcalc.machine.transient.reading import Slopes, slopes
 
 Jacobian = Callable[[float, Values], Values]
 

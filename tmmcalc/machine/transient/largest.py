@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.numerics.panels import Values
-from tmmcalc.machine.transient.between import Found, Reading, farthest
+from tmmcalc.machine.transient.extremes import Found, Reading, farthest
 from tmmcalc.machine.transient.model import Drive, shaft_ratios
 from tmmcalc.machine.transient.outcome import Curves
 from tmmcalc.machine.transient.run import Row, Run

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from tmmcalc.machine.transient.equations import Layout, Regime
 from tmmcalc.machine.transient.events import Watch, level
-from tmmcalc.machine.transient.reading import Stretch
+from tmmcalc.machine.transient.pointwise import Stretch
 from tmmcalc.machine.transient.scenario import Scenario
 
 PASSED = {

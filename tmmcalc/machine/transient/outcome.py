@@ -9,9 +9,9 @@ import numpy as np
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.transient.equations import System
 from tmmcalc.machine.transient.model import Drive, ratios, shaft_ratios
-from tmmcalc.machine.transient.reading import tabulated
+from tmmcalc.machine.transient.pointwise import tabulated
+from tmmcalc.machine.transient.profile import Profiles
 from tmmcalc.machine.transient.run import Row
-from tmmcalc.machine.transient.ways import Ways
 
 
 class Curves(NamedTuple):
@@ -47,7 +47,7 @@ class _Moments(NamedTuple):
     alpha: Values  # (n, S)
 
 
-def curves(drive: Drive, system: System, ways: Ways, rows: list[Row], brake_mass: int) -> Curves:
+def curves(drive: Drive, system: System, ways: Profiles, rows: list[Row], brake_mass: int) -> Curves:
     """All curves of a run whose brake, if any, is on the mass ``brake_mass``."""
     layout, chain = system.layout, system.chain
     n, group = layout.groups, list(chain.group)
@@ -72,7 +72,7 @@ def curves(drive: Drive, system: System, ways: Ways, rows: list[Row], brake_mass
     )
 
 
-def _moments(drive: Drive, system: System, ways: Ways, rows: list[Row], y: Values) -> _Moments:
+def _moments(drive: Drive, system: System, ways: Profiles, rows: list[Row], y: Values) -> _Moments:
     chain, n = system.chain, system.layout.groups
     regimes = [row.regime for row in rows]
     table = np.array([(r.motor, r.braked, r.slip, r.factor, r.stretch, r.base) for r in regimes], dtype=float).T

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left, bisect_right
-from functools import cache
+from dataclasses import replace
+from functools import cache, cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -19,6 +20,7 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.gauss import rule
 from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.transient.model import Drive
 
 PARTS = 4  # pieces of a panel: they need fewer coefficients than the panel, and reading costs by coefficients
 CUT = 1e-15  # a last coefficient that is smaller everywhere, relative to its function, is left out
@@ -186,3 +188,35 @@ def _parted(panels: Panels, coefficients: Values, breaks: Values, loaded: Values
     unloaded = tuple(not turned[a:b].any() for a, b in pairwise(starts))
     starts = tuple(PARTS * k for k in starts)
     return Profile(period, pieces, rolled[0], rolled[1:4], rolled[4:], starts, not at, unloaded)
+
+
+class Profiles:
+    """The profile of a drive forwards and, made when it is first needed, that backwards.
+
+    Friction and quadratic resistances turn round with the motion; technological loads, weights and springs depend on
+    the angle alone and stay as they are. What rubs presses on other places when it is turned back, so the friction
+    backwards is not the mirror image of that forwards: a drive carries both cycles, and the one backwards is reduced
+    when the crank is first asked whether it turns back.
+    """
+
+    def __init__(self, drive: Drive) -> None:
+        self._drive = drive
+        self.forward = profile(drive.cycle, drive.idle)
+        own = [cycle for cycle in (drive.cycle, drive.idle) if cycle is not None]
+        self.sided = drive.back is not None or any(bool(np.any(cycle.quadratic)) for cycle in own)
+
+    @cached_property
+    def back(self) -> Profile:
+        """The profile of the crank turning back."""
+        drive = self._drive
+        cycle, idle = drive.back() if drive.back is not None else (drive.cycle, drive.idle)
+        return profile(_turned(cycle), _turned(idle))
+
+    def of(self, way: float) -> Profile:
+        """The profile in a direction: 1 forwards, -1 backwards."""
+        return self.forward if way > 0 or not self.sided else self.back
+
+
+def _turned(cycle: Cycle | None) -> Cycle | None:
+    """A cycle whose quadratic part, given for a positive speed, resists a negative one."""
+    return None if cycle is None else replace(cycle, quadratic=-cycle.quadratic)

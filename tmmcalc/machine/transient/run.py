@@ -15,16 +15,16 @@ from tmmcalc.core.errors import AccuracyError
 from tmmcalc.core.numerics.steps import Derivative, State
 from tmmcalc.machine.transient.equations import Regime, System, derivative
 from tmmcalc.machine.transient.events import Hit, Watch, extreme, hits, level
+from tmmcalc.machine.transient.initial import Sizes
 from tmmcalc.machine.transient.jacobian import jacobian
 from tmmcalc.machine.transient.levels import PASSED, Limits, borders, ends, escapes, noted
-from tmmcalc.machine.transient.reading import Stretch, stretches
-from tmmcalc.machine.transient.repeats import Repeats
-from tmmcalc.machine.transient.rest import Holder
+from tmmcalc.machine.transient.periodicity import Periodicity
+from tmmcalc.machine.transient.pointwise import Stretch, stretches
+from tmmcalc.machine.transient.profile import Profiles
 from tmmcalc.machine.transient.results import End, Event
 from tmmcalc.machine.transient.scenario import Scenario
-from tmmcalc.machine.transient.setup import Sizes
+from tmmcalc.machine.transient.standstill import Holder
 from tmmcalc.machine.transient.steppers import Stepper
-from tmmcalc.machine.transient.ways import Ways
 
 CHATTER = 100  # pieces without progress in time
 
@@ -44,7 +44,7 @@ class Run:
     def __init__(
         self,
         system: System,
-        ways: Ways,
+        ways: Profiles,
         scenario: Scenario,
         stepper: Stepper,
         limits: Limits,
@@ -64,7 +64,7 @@ class Run:
         self._armed = self._rests = False
         self._factor = scenario.load[0].factor
         self._passed: set[tuple[str, float]] = set()
-        self._repeats = Repeats(system, size, ways.forward.period)
+        self._repeats = Periodicity(system, size, ways.forward.period)
 
     def go(self, y: State, instants: Sequence[float]) -> End:
         """Run from the state ``y`` at t = 0; rows and events are left in their lists."""

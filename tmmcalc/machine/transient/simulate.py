@@ -10,24 +10,24 @@ from typing import NamedTuple, cast
 import numpy as np
 
 from tmmcalc.core.errors import AccuracyError
-from tmmcalc.machine.transient.between import Found
-from tmmcalc.machine.transient.choice import plan
 from tmmcalc.machine.transient.collocation import Collocation
-from tmmcalc.machine.transient.compared import FEW, instants_of, missed, second
-from tmmcalc.machine.transient.compared import left as left_of
 from tmmcalc.machine.transient.equations import System
+from tmmcalc.machine.transient.errors import FEW, instants_of, missed, second
+from tmmcalc.machine.transient.errors import left as left_of
+from tmmcalc.machine.transient.extremes import Found
+from tmmcalc.machine.transient.initial import Sizes, allowed, assembled, brake_mass, initial, sizes
 from tmmcalc.machine.transient.largest import largest_moments
 from tmmcalc.machine.transient.levels import RUNAWAY, Limits
+from tmmcalc.machine.transient.methodchoice import plan
 from tmmcalc.machine.transient.methods import Method, MethodName, habit
 from tmmcalc.machine.transient.model import Drive
 from tmmcalc.machine.transient.outcome import Curves, curves
+from tmmcalc.machine.transient.profile import Profiles
 from tmmcalc.machine.transient.results import Transient
 from tmmcalc.machine.transient.run import Run
 from tmmcalc.machine.transient.scenario import Scenario
-from tmmcalc.machine.transient.setup import Sizes, allowed, assembled, brake_mass, initial, sizes
 from tmmcalc.machine.transient.steppers import Controlled, Stepper, fixed
 from tmmcalc.machine.transient.verdicts import verdicts
-from tmmcalc.machine.transient.ways import Ways
 
 STEPS = 3_000  # that an asked error is spread over: a start seldom takes more
 FINEST, COARSEST = 1e-13, 1e-4  # tolerances of a step
@@ -108,7 +108,7 @@ def _integrated(
     rigid: frozenset[int] | None = None,
 ) -> tuple[Transient, _Guess]:
     """The motion by one method, its error but for that of the steps, which is guessed beside it."""
-    ways = Ways(drive)
+    ways = Profiles(drive)
     shape = ways.forward
     chosen = plan(drive, scenario, shape, method, rigid)
     system = assembled(drive, scenario, shape, chosen.rigid)
@@ -166,7 +166,7 @@ def _stepper(name: str, step: float | None, errors: list[float]) -> Stepper:
         return Controlled(errors)
     if name == "collocation":
         return Collocation(errors)
-    from tmmcalc.machine.transient.library import Library
+    from tmmcalc.machine.transient.scipymethods import Library
 
     return Library(name, errors)
 

@@ -11,7 +11,8 @@ import math
 from typing import Literal
 
 from tmmcalc.core.records import record
-from tmmcalc.linkage.loading import Constant, Load, Loading
+from tmmcalc.linkage.loading import Load, Loading
+from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.model import FRAME, Assembly, Grid, Input, Joint, Link, Mechanism, Output
 from tmmcalc.linkage.synthesis.dwell.linkages import Linkages
 

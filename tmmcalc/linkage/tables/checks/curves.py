@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from tmmcalc.linkage.tables.checks.loads import loads
 from tmmcalc.linkage.tables.checks.windows import beyond, check_output, check_travel, grid_steps, outputs, travel
 from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.dimensions import DIMENSIONS
@@ -40,16 +39,14 @@ class Curve(NamedTuple):
         return f"{rows.file}, line {rows.lines[index]}: " if rows else ""
 
 
-def check_tables(outline: Outline) -> Iterator[Finding]:
-    """Yield the faults of all load tables."""
-    for path, load in loads(outline):
-        table = load.get("table")
-        if not isinstance(table, dict):
-            continue
-        curve = Curve(outline, table, (*path, "table"), word(table, "of", "angle"))
-        yield from _check_source(curve)
-        yield from _check_options(curve)
-        yield from _check_abscissae(curve)
+def check_table(outline: Outline, table: object, path: Path) -> Iterator[Finding]:
+    """Yield the faults of a load table."""
+    if not isinstance(table, dict):
+        return
+    curve = Curve(outline, table, path, word(table, "of", "angle"))
+    yield from _check_source(curve)
+    yield from _check_options(curve)
+    yield from _check_abscissae(curve)
 
 
 def _check_source(curve: Curve) -> Iterator[Finding]:
@@ -221,6 +218,3 @@ def _check_numbers(curve: Curve, listed: list[object], numbers: list[float]) -> 
                 f"the positions are {known} ([mechanism.grid])",
             )
             return
-
-
-CHECKS = (check_tables,)

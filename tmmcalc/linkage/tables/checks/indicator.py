@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tmmcalc.linkage.tables.checks.loads import loads
 from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, tables
@@ -12,22 +11,21 @@ from tmmcalc.spec.phrases import Path, show
 from tmmcalc.spec.values import amounts, first_disorder
 
 
-def check_indicators(outline: Outline) -> Iterator[Finding]:
-    """Yield the faults of all indicator diagrams."""
-    for load_path, load in loads(outline):
-        indicator, path = load.get("indicator"), (*load_path, "indicator")
-        if not isinstance(indicator, dict):
-            continue
-        yield from _check_piston(outline, load, indicator, path)
-        strokes = indicator.get("strokes")
-        if isinstance(strokes, list) and len(strokes) not in (2, 4):
-            yield Finding(
-                (*path, "strokes"),
-                f"{len(strokes)} stroke{'s' if len(strokes) != 1 else ''}: the cycle of a cylinder has two or four",
-                "write one { x = [...], p = [...] } for each stroke of the cycle",
-            )
-        for index, stroke in tables(indicator, "strokes"):
-            yield from _check_stroke(stroke, (*path, "strokes", index))
+def check_indicator(outline: Outline, load: Raw, path: Path) -> Iterator[Finding]:
+    """Yield the faults of the indicator diagram of a load, which stands at this path."""
+    indicator = load["indicator"]
+    if not isinstance(indicator, dict):
+        return
+    yield from _check_piston(outline, load, indicator, path)
+    strokes = indicator.get("strokes")
+    if isinstance(strokes, list) and len(strokes) not in (2, 4):
+        yield Finding(
+            (*path, "strokes"),
+            f"{len(strokes)} stroke{'s' if len(strokes) != 1 else ''}: the cycle of a cylinder has two or four",
+            "write one { x = [...], p = [...] } for each stroke of the cycle",
+        )
+    for index, stroke in tables(indicator, "strokes"):
+        yield from _check_stroke(stroke, (*path, "strokes", index))
 
 
 def _check_piston(outline: Outline, load: Raw, indicator: Raw, path: Path) -> Iterator[Finding]:
@@ -70,6 +68,3 @@ def _check_stroke(stroke: Raw, path: Path) -> Iterator[Finding]:
             f"{stroke['x'][disorder]} after {stroke['x'][disorder - 1]}: the distances run one way",
             "put them in order",
         )
-
-
-CHECKS = (check_indicators,)

@@ -19,6 +19,8 @@ WINDOWS = ("stroke", "between", "positions")
 
 def check_windows(outline: Outline) -> Iterator[Finding]:
     """A load acts always or in one window, which exists."""
+    from tmmcalc.linkage.loadlaws import laws  # here: the checks of other rooms read this module, but no loads
+
     for path, load in loads(outline):
         windows = [window for window in WINDOWS if window in load]
         for window in windows[1:]:
@@ -27,11 +29,11 @@ def check_windows(outline: Outline) -> Iterator[Finding]:
                 f"{' and '.join(windows)} together: a load acts in one window",
                 "keep one of them, or write one [[loads]] for each",
             )
-        law = next((law for law in ("viscous", "quadratic") if law in load), None)
-        if law and windows:
+        key = next((key for key, law in laws().items() if key in load and not law.placed), None)
+        if key and windows:
             yield Finding(
                 (*path, windows[0]),
-                f"{windows[0]} together with {law}: a resistance against the velocity acts all the time",
+                f"{windows[0]} together with {key}: a resistance against the velocity acts all the time",
                 f"remove {windows[0]}",
             )
         if "output" in load and "stroke" not in load:
@@ -61,12 +63,10 @@ def outputs(outline: Outline) -> list[tuple[str, Raw]]:
 
 def cycle(outline: Outline) -> float:
     """Return the angle after which all loads repeat: a turn, of a four-stroke engine two."""
-    turn, longest = 2 * math.pi, 2 * math.pi
-    for _, load in loads(outline):
-        strokes = subtable(load, "indicator").get("strokes")
-        longest = max(longest, 2 * turn if isinstance(strokes, list) and len(strokes) == 4 else 0.0)
-        longest = max(longest, amount(subtable(load, "table").get("period"), "angle") or 0.0)
-    return longest
+    from tmmcalc.linkage.loadlaws import laws
+
+    given = [(law, load) for _, load in loads(outline) for key, law in laws().items() if key in load]
+    return max([2 * math.pi, *(law.cycle(load) for law, load in given)])
 
 
 def travel(outline: Outline) -> str:

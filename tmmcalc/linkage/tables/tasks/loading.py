@@ -6,26 +6,11 @@ without a name get one here.
 
 from __future__ import annotations
 
-import math
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
-from tmmcalc.linkage.loading import (
-    Body,
-    Constant,
-    Coupling,
-    GearDrive,
-    Indicator,
-    Law,
-    Load,
-    Loading,
-    Pair,
-    Polynomial,
-    Quadratic,
-    Spring,
-    Tabulated,
-    Viscous,
-    Window,
-)
+from tmmcalc.linkage.loading import Body, Coupling, GearDrive, Load, Loading, Pair, Spring, Window
+from tmmcalc.linkage.loadlaws import laws
+from tmmcalc.linkage.loadlaws.law import Kind, Law
 from tmmcalc.linkage.tables.joints import RevoluteTable
 from tmmcalc.linkage.tables.names import load_names, spring_names
 from tmmcalc.linkage.tables.tasks.mechanism import Points, link_points, place
@@ -36,11 +21,8 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.tables.drive import DriveTable
     from tmmcalc.linkage.tables.joints import JointTable
     from tmmcalc.linkage.tables.links import LinkTable
-    from tmmcalc.linkage.tables.loads import IndicatorTable, LoadCurveTable, LoadTable, PolynomialTable
+    from tmmcalc.linkage.tables.loads import LoadTable
     from tmmcalc.linkage.tables.springs import SpringTable
-
-Kind = Literal["force", "moment"]
-TURN = 2 * math.pi
 
 
 def to_loading(spec: LinkageTables) -> Loading:
@@ -84,43 +66,9 @@ def _load(table: LoadTable, name: str, points: Points) -> Load:
 
 
 def _law(table: LoadTable) -> tuple[Kind, Law]:
-    """The one law of a load, and whether it is a force; a resistance is one if it has a point."""
-    if table.force is not None:
-        return "force", Constant(table.force)
-    if table.moment is not None:
-        return "moment", Constant(table.moment)
-    if table.polynomial is not None:
-        kind, coefficients = _values(table.polynomial)
-        return kind, Polynomial(coefficients)
-    if table.table is not None:
-        kind, values = _values(table.table)
-        return kind, _tabulated(table.table, values)
-    if table.indicator is not None:
-        return "force", _indicator(table.indicator)
-    resisted: Kind = "moment" if table.point is None else "force"
-    return resisted, Viscous(table.viscous) if table.viscous is not None else Quadratic(table.quadratic or 0.0)
-
-
-def _values(table: PolynomialTable | LoadCurveTable) -> tuple[Kind, tuple[float, ...]]:
-    return ("force", tuple(table.force)) if table.force is not None else ("moment", tuple(table.moment or ()))
-
-
-def _tabulated(table: LoadCurveTable, values: tuple[float, ...]) -> Tabulated:
-    period = (table.period or TURN) if table.of == "angle" else None
-    x = _abscissae(table, len(values)) if table.x is None else tuple(table.x)
-    return Tabulated(table.of, x, values, table.interpolation, table.output, period)
-
-
-def _abscissae(table: LoadCurveTable, n: int) -> tuple[float, ...]:
-    """n equal steps over the period, the whole stroke with both its ends, or the positions from 0 on."""
-    step = {"angle": (table.period or TURN) / n, "stroke": 1 / (n - 1)}.get(table.of, 1.0)
-    return tuple(k * step for k in range(n))
-
-
-def _indicator(table: IndicatorTable) -> Indicator:
-    area = table.area if table.area is not None else math.pi / 4 * (table.diameter or 0.0) ** 2
-    strokes = tuple((tuple(stroke.x), tuple(stroke.p)) for stroke in table.strokes)
-    return Indicator(strokes, area, table.back_pressure, table.delay)
+    """The one law of a load, and whether it is a force."""
+    key, law = next((key, law) for key, law in laws().items() if getattr(table, key) is not None)
+    return law.from_table(table, key)
 
 
 def _window(table: LoadTable) -> Window | None:

@@ -17,13 +17,13 @@ from tmmcalc.core.errors import AccuracyError
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.timescales import TimeScales, time_scales
 from tmmcalc.machine.transient.equations import Regime, System, derivative
+from tmmcalc.machine.transient.initial import assembled, known_speeds, sizes
 from tmmcalc.machine.transient.jacobian import jacobian
 from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Drive, rigid_shafts
+from tmmcalc.machine.transient.pointwise import stretches
 from tmmcalc.machine.transient.profile import Profile
-from tmmcalc.machine.transient.reading import stretches
 from tmmcalc.machine.transient.scenario import Scenario
-from tmmcalc.machine.transient.setup import assembled, known_speeds, sizes
 from tmmcalc.machine.transient.stability import growth, stable_step
 
 EXPLICIT = 1_000  # explicit steps for the sake of stability that one mass takes before an implicit method is quicker

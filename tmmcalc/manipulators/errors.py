@@ -25,7 +25,7 @@ from tmmcalc.manipulators.courses import course_of_laws, table_in
 from tmmcalc.manipulators.motions import Motion
 from tmmcalc.manipulators.routes import legs_of
 from tmmcalc.manipulators.task import Arm, LawTask, ManipulatorTask, PathTask
-from tmmcalc.manipulators.timed import timed
+from tmmcalc.manipulators.timedroute import timed
 
 CHOSEN = 128  # rows, beside those of the largest values
 ORDERS = ("place", "velocity", "acceleration")

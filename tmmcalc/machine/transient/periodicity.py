@@ -5,12 +5,12 @@ from __future__ import annotations
 from tmmcalc.core.numerics.steps import State
 from tmmcalc.machine.transient.equations import Regime, System
 from tmmcalc.machine.transient.events import Hit, Watch, level
-from tmmcalc.machine.transient.setup import Sizes, allowed
+from tmmcalc.machine.transient.initial import Sizes, allowed
 
 SAME = 1e-6  # of the sizes of the drive: a state that differs by less from that of a cycle before has come back
 
 
-class Repeats:
+class Periodicity:
     """Compares the states at the same angle of every cycle, as long as nothing is switched."""
 
     def __init__(self, system: System, size: Sizes, period: float) -> None:

@@ -10,8 +10,8 @@ import numpy as np
 from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.transient.equations import WORKS, Curve, System
 from tmmcalc.machine.transient.model import Drive, reduced
+from tmmcalc.machine.transient.pointwise import reader, stretches
 from tmmcalc.machine.transient.profile import Profile
-from tmmcalc.machine.transient.reading import reader, stretches
 from tmmcalc.machine.transient.scenario import Scenario
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""The flywheel of a machine: what all methods ask for, what is there, the wheel on its shaft and its rim."""
+"""The flywheel of a machine from its cycle: all methods, the true inertia, the wheel on its shaft and its rim."""
 
 from __future__ import annotations
 
@@ -6,88 +6,21 @@ import numpy as np
 
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.core.numerics.extended import EPS
-from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import UNDRIVEN, ConstantInertia, Driver
-from tmmcalc.machine.flywheel.comparison import Comparison, Row, compared
+from tmmcalc.machine.flywheel.comparison import compared
 from tmmcalc.machine.flywheel.curve import nodal_work
-from tmmcalc.machine.flywheel.placement import Wheel, wheels
-from tmmcalc.machine.flywheel.positional import FlywheelMethod, on_nodes
-from tmmcalc.machine.flywheel.rim import Rim
-from tmmcalc.machine.flywheel.trials import RequiredInertia, Trial
-from tmmcalc.machine.flywheel.wittenbauer import EnergyMass, energy_mass
+from tmmcalc.machine.flywheel.methods import FlywheelMethod, nodal_flywheels
+from tmmcalc.machine.flywheel.placement import wheels
+from tmmcalc.machine.flywheel.results import Comparison, Flywheel, RequiredInertia, Trial
+from tmmcalc.machine.flywheel.wittenbauer import energy_mass
 from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.power import moment_at
 from tmmcalc.machine.verdicts import Verdict
 
 ROUNDING = 4 * EPS  # of the intercepts of a tangent, relative to what they are summed up from
 BOOK = 1  # place of the textbook's method among all
-
-
-@record
-class Flywheel:
-    """Result of the flywheel stage; inertias are reduced to the input shaft [kg*m^2] unless said otherwise."""
-
-    delta: float = quantity("delta_allowed", "coefficient of speed fluctuation that is allowed")
-    at_hand: ConstantInertia  # rotor, gears, further; the flywheel left out
-    rows: tuple[Row, ...]  # the methods for forces of position, the exact one first
-    required: RequiredInertia | None  # under the motor, or the loads alone; None: a constant moment drives
-    inertia: float = quantity("J_F[kg*m^2]", "total constant inertia needed")
-    addition: float = quantity("J_add[kg*m^2]", "flywheel needed at the input shaft")
-    existing: float = quantity("J_existing[kg*m^2]", "flywheel that is there, at the input shaft")
-    sufficient: bool | None = quantity("existing_suffices", "the flywheel that is there does")  # None: there is none
-    wheels: tuple[Wheel, ...]  # the needed flywheel on its shaft, then on the others for comparison
-    nodal: FlywheelMethod | None  # the textbook's method on the table of positions; None if its steps differ
-    picture: EnergyMass  # Wittenbauer's energy-mass curve with the tangents
-    history: tuple[Trial, ...]  # J_c := J_c delta/[delta] on the true model (3.60); empty without a motor
-    verdicts: tuple[Verdict, ...]
-    sense: float = 1.0  # of the input's motion: -1 clockwise; places are sense theta
-    undriven: bool = False  # without a motor: the loads alone set the speed
-    error: float = 0.0  # estimated relative error of the total constant inertia
-    uneven: float = 0.0  # and of the unevenness with it, or with what is at hand where that is more
-
-    @property
-    def under(self) -> str:
-        """What the machine really runs under, in words."""
-        if self.undriven:
-            return "its loads"
-        return "forces of position" if self.required is None else "the motor"
-
-    @derived("J_at_hand[kg*m^2]", "constant inertia at hand without a flywheel")
-    def without(self) -> float:
-        """Of rotor, gears and what is further there."""
-        return self.at_hand.total
-
-    @derived("J_own[kg*m^2]", "inertia of the needed flywheel on its own shaft")
-    def own(self) -> float:
-        """J_add over the square of the ratio."""
-        return self.wheels[0].inertia
-
-    @derived("ratio_flywheel", "speed of the flywheel's shaft over that of the input shaft")
-    def ratio(self) -> float:
-        """Negative where it turns against the input shaft."""
-        return self.wheels[0].ratio
-
-    @derived("omega_flywheel_max[rad/s]", "largest speed of the flywheel")
-    def fastest(self) -> float:
-        """On its own shaft."""
-        return self.wheels[0].speed
-
-    @derived("delta_reached", "coefficient of speed fluctuation reached")
-    def reached(self) -> float | None:
-        """Under what the machine runs under.
-
-        None where it stalls, and where forces of position ask for a flywheel: then it is the allowed one.
-        """
-        if self.required is not None:
-            return self.required.delta
-        return self.rows[0].positional.delta if self.addition <= 0 else None
-
-    @property
-    def rim(self) -> Rim | None:
-        """Its rim; None if no flywheel is needed, or none can be made."""
-        return self.wheels[0].rim
 
 
 @record
@@ -156,7 +89,7 @@ def flywheel_of(machine: Machine, comparison: Comparison, history: tuple[Trial, 
         picture=energy_mass(cycle, task.delta, mean),
         history=history,
         verdicts=(
-            *_rim_verdicts(made[0]),
+            *(Verdict("warning", remark) for remark in made[0].remarks),
             *_verdicts(addition, existing, required),
             *(_resisted_verdicts(cycle, at_hand.total + addition, speed) if driver is None else ()),
         ),
@@ -200,11 +133,7 @@ def _nodal(cycle: Cycle, at_hand: float, delta: float, speed: float, steps: int)
 
     moment, inertia = nodal_tables(cycle, steps, speed)
     work, _ = nodal_work(moment, cycle.period)
-    return on_nodes(work, inertia, at_hand, delta, speed, period=cycle.period)[BOOK]
-
-
-def _rim_verdicts(wheel: Wheel) -> list[Verdict]:
-    return [Verdict("warning", remark) for remark in wheel.remarks]
+    return nodal_flywheels(work, inertia, at_hand, delta, speed, period=cycle.period)[BOOK]
 
 
 def _verdicts(addition: float, existing: float, required: RequiredInertia | None) -> list[Verdict]:

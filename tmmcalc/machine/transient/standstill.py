@@ -14,9 +14,9 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.steps import State
 from tmmcalc.machine.transient.equations import Regime, System, surplus
 from tmmcalc.machine.transient.events import Watch, level
-from tmmcalc.machine.transient.reading import Stretch
+from tmmcalc.machine.transient.pointwise import Stretch
+from tmmcalc.machine.transient.profile import Profiles
 from tmmcalc.machine.transient.scenario import Scenario
-from tmmcalc.machine.transient.ways import Ways
 
 SLACK = 1e-12  # of the largest moment: by so much a moment must exceed what holds a mass at rest
 
@@ -24,7 +24,7 @@ SLACK = 1e-12  # of the largest moment: by so much a moment must exceed what hol
 class Holder:
     """Decides what is held, and remembers which mass has just been released and in which direction."""
 
-    def __init__(self, system: System, scenario: Scenario, moment: float, ways: Ways) -> None:
+    def __init__(self, system: System, scenario: Scenario, moment: float, ways: Profiles) -> None:
         self._system, self._scenario, self._slack, self._ways = system, scenario, SLACK * moment, ways
         self._passes = scenario.standstill == "pass"
         self._first, self._last = system.layout.speed, len(system.chain.inertia) - 1

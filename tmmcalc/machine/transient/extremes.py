@@ -16,8 +16,8 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.numerics.steps import Derivative, State
 from tmmcalc.machine.transient.equations import derivative
 from tmmcalc.machine.transient.jacobian import jacobian
-from tmmcalc.machine.transient.peaks import Point, settled, turnings
 from tmmcalc.machine.transient.run import Run
+from tmmcalc.machine.transient.turning import Point, settled, turnings
 
 NOISE = 1e-13  # relative: a turning point that is beyond the rows by less is not looked at
 LOOKS = 8  # steps that are made again for one quantity

@@ -12,7 +12,7 @@ from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.machine.stacked.regimes import Machines
 
 
-class Spots(NamedTuple):
+class Places(NamedTuple):
     """Angles (n,) within the panels of V machines: the panel of each (V, n), its place there and what points count."""
 
     panel: Indices  # (V, n)
@@ -39,7 +39,7 @@ class Spots(NamedTuple):
         return values[np.arange(len(values))[:, None], self.panel]
 
 
-def spots(m: Machines, theta: Values) -> Spots:
+def places(m: Machines, theta: Values) -> Places:
     """Where angles (n,) lie in the panels of all machines."""
     panel = np.maximum(np.sum(m.low[:, :, None] <= theta, axis=1) - 1, 0)
     low, width = (np.take_along_axis(v, panel, axis=1) for v in (m.low, m.width))
@@ -47,4 +47,4 @@ def spots(m: Machines, theta: Values) -> Spots:
     gap = place[..., None] - rule(ORDER).points
     hit = gap == 0
     parts = np.where(hit.any(axis=-1, keepdims=True), hit, rule(ORDER).barycentric / np.where(hit, 1.0, gap))
-    return Spots(panel, place, parts / parts.sum(axis=-1, keepdims=True))
+    return Places(panel, place, parts / parts.sum(axis=-1, keepdims=True))

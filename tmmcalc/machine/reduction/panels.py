@@ -68,7 +68,7 @@ def reduced(
     side = np.concatenate((scene.travel.sides(theta), np.ones(len(between))))
     everything = causes.sampled(np.concatenate((theta, between)), side, named)
     nodes, first = everything.columns(slice(n)), everything.columns(slice(n, None)).over(on)
-    most = np.array([causes.most(np.linspace(0.0, period, SAMPLED))])
+    most = np.max(causes.possible(np.linspace(0.0, period, SAMPLED)), keepdims=True)
     largest = on.largest(np.max(np.abs(first.rows), axis=-1))
     scales, scale = scales_of(largest, causes.powers[:, None], most, 1.0 if scene.travel.turns else TURN / period)
     found = resolved(on, first, lambda new: causes.along(new.x.ravel()).over(new), scales, FINE, period, edges)
