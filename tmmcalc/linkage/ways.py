@@ -16,12 +16,12 @@ from tmmcalc.core.plane import Real
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.assembly import coordinate
 from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.dyads import ONE_ASSEMBLY
+from tmmcalc.linkage.dyads.base import Motions
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.mounts import Motions
 from tmmcalc.linkage.steps import build
 from tmmcalc.linkage.structure import Group
 
-ONE_ASSEMBLY = ("PRP", "RPP")
 TIED = 1e-6  # relative difference of distances that does not tell two assemblies apart
 
 

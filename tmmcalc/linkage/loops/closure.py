@@ -16,8 +16,8 @@ import numpy as np
 
 from tmmcalc.core.numerics.systems import solve
 from tmmcalc.core.plane import Guide, Plane, Point, Real, rotated
+from tmmcalc.linkage.dyads.base import Motions, Slide, Slides, carried, slid
 from tmmcalc.linkage.loops.equations import Equations
-from tmmcalc.linkage.mounts import Motions, Slide, Slides, carried, slid
 
 PASSES = 12
 NEAR = 1e-7  # a step of Newton, against the unknowns, after which one more leaves nothing

@@ -8,10 +8,10 @@ import numpy as np
 
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage import solvers
+from tmmcalc.linkage.dyads.base import Motions, Slides
 from tmmcalc.linkage.loops.branch import guess
 from tmmcalc.linkage.loops.closure import Closed, Loops
 from tmmcalc.linkage.loops.equations import Equations
-from tmmcalc.linkage.mounts import Motions, Slides
 from tmmcalc.linkage.results import Branch
 from tmmcalc.linkage.structure import Group
 
