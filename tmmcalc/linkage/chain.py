@@ -14,9 +14,9 @@ import numpy as np
 
 from tmmcalc.core.plane import LinkMotion, Plane, Real, frame
 from tmmcalc.linkage import solvers
+from tmmcalc.linkage.dyads.base import Motions, Slide, Slides, element
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
-from tmmcalc.linkage.mounts import Motions, Slide, Slides
-from tmmcalc.linkage.steps import Step, build, seat
+from tmmcalc.linkage.steps import Step, build
 from tmmcalc.linkage.structure import Group, Structure
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ class Chain(NamedTuple):
 
     def _input_motion(self, x: Real, slides: Slides, order: int) -> LinkMotion:
         joint = self.input_joint
-        own, at = seat(joint, self.structure.input_link), seat(joint, FRAME)
+        own, at = element(joint, self.structure.input_link), element(joint, FRAME)
         still, zero = np.zeros(()), np.zeros((), np.complex128)
         if joint.kind == "prismatic":
             sense = at.direction if own.slider else -at.direction

@@ -14,11 +14,9 @@ import numpy as np
 from tmmcalc.core.errors import AssemblyError, SingularityError
 from tmmcalc.core.plane import Guide, LinkMotion, Point, Real
 from tmmcalc.core.records import record
-from tmmcalc.linkage.dyads import PRP, RPP, RPR, RRP, RRR, Dyad
-from tmmcalc.linkage.mounts import Motions, Mount, PRPMount, RPPMount, RPRMount, RRPMount, RRRMount, Sites, Slide
+from tmmcalc.linkage.dyads.base import Dyad, Motions, Sites, Slide
 from tmmcalc.linkage.quality import SINGULAR
 from tmmcalc.linkage.solvers import closed
-from tmmcalc.linkage.steps import rates
 
 A, B, SOURCE_1, SOURCE_2 = 1, 2, 3, 4
 
@@ -35,16 +33,6 @@ class DyadMotion:
     slides: tuple[Slide, ...]
     inner: Point | None
 
-    @property
-    def phi_a(self) -> Real:
-        """Angle of the x axis of link a [rad], in (-pi, pi]."""
-        return np.angle(self.a.u)
-
-    @property
-    def phi_b(self) -> Real:
-        """Angle of the x axis of link b [rad], in (-pi, pi]."""
-        return np.angle(self.b.u)
-
 
 def solve_dyad(dyad: Dyad, port1: Point | Guide, port2: Point | Guide) -> DyadMotion:
     """Positions, velocities and accelerations of one dyad from the states of its outer joints.
@@ -53,6 +41,7 @@ def solve_dyad(dyad: Dyad, port1: Point | Guide, port2: Point | Guide) -> DyadMo
     where it has a prismatic one; arrays of shape (n,) or scalars. Derivatives are with respect to the variable of
     the ports. Raises `AssemblyError` where the links do not reach and `SingularityError` at a dead point.
 
+    >>> from tmmcalc.linkage.dyads import RRR
     >>> p1 = Point(0.1 + 0.2j, 0.3 - 0.4j, 0.5 + 0.1j)
     >>> p2 = Point(0.9 + 0.4j, -0.2 + 0.1j, 0.3j)
     >>> round(float(solve_dyad(RRR(0.7, 0.5, -1), p1, p2).a.omega), 8)
@@ -63,14 +52,14 @@ def solve_dyad(dyad: Dyad, port1: Point | Guide, port2: Point | Guide) -> DyadMo
     _check_assembly(dyad, port1, port2, f"dyad {name}")
     with np.errstate(divide="ignore", invalid="ignore"):
         placed = dyad.place(port1, port2)
-        reach = float(np.max(np.abs(placed.q))) if isinstance(dyad, RPR) else 0.0
-        regularity = np.nan_to_num(dyad.regularity(placed, reach), nan=0.0)  # the pin on the pivot: no direction
+        regularity = np.nan_to_num(dyad.regularity(placed), nan=0.0)  # the pin on the pivot: no direction
     _check_regular(regularity, f"dyad {name}")
     motions: Motions = {k: _carrier(port) for k, port in ((SOURCE_1, port1), (SOURCE_2, port2))}
     slides: dict[str, Slide] = {}
     sites = Sites((A, B), (SOURCE_1, SOURCE_2), port1, port2)
-    _mount(dyad).move(sites, motions, slides, placed, rates(dyad, (port1, port2), placed, closed))
-    inner = motions[A].point(_inner(dyad)) if isinstance(dyad, RRR | RRP | PRP) else None
+    mount, pin = dyad.alone()
+    mount.move(sites, motions, slides, placed, dyad.rates(port1, port2, placed, closed))
+    inner = None if pin is None else motions[A].point(pin)
     return DyadMotion(motions[A], motions[B], tuple(slides[key] for key in sorted(slides)), inner)
 
 
@@ -122,22 +111,3 @@ def _carrier(port: Point | Guide) -> LinkMotion:
         port.omega,
         port.eps,
     )
-
-
-def _inner(dyad: RRR | RRP | PRP) -> complex:
-    return complex(dyad.l_a) if isinstance(dyad, RRR) else complex(dyad.l) if isinstance(dyad, RRP) else 0j
-
-
-def _mount(dyad: Dyad) -> Mount:
-    """Constants of links whose axes stand along their vectors; slides are named by their letter's place."""
-    if isinstance(dyad, RRR):
-        return RRRMount(0j, 0j, complex(dyad.l_a), complex(dyad.l_b))
-    if isinstance(dyad, RRP):
-        return RRPMount(0j, complex(dyad.l), complex(dyad.l), 0j, 1 + 0j, 0.0, "2", 1)
-    if isinstance(dyad, RPR):
-        return RPRMount(0j, 0j, 1 + 0j, 1 + 0j, 0.0, "1", 1)
-    if isinstance(dyad, PRP):
-        return PRPMount(0j, 0j, 1 + 0j, 1 + 0j, 0.0, 0.0, ("0", "2"), (1, 1))
-    if isinstance(dyad, RPP):
-        return RPPMount(0j, 0j, dyad.d, 1 + 0j, 0.0, 0.0, "1", "2", (1, 1))
-    raise TypeError(f"{type(dyad).__name__} is not a dyad")

@@ -19,7 +19,7 @@ from typing import Any, Literal
 import numpy as np
 
 from tmmcalc.core.records import record
-from tmmcalc.linkage.forces.kinetostatics import State, Statics
+from tmmcalc.linkage.forces.kinetostatics import ForceState, Statics
 from tmmcalc.linkage.forces.wrench import Slideway
 from tmmcalc.linkage.loading import GearDrive
 from tmmcalc.linkage.loads.sources import Place, Source
@@ -120,7 +120,7 @@ def _without(body: FreeBody, force: float, couple: float) -> FreeBody:
 class _Cut:
     """The mechanism at one position while it is cut into free bodies."""
 
-    def __init__(self, statics: Statics, place: Place, state: State) -> None:
+    def __init__(self, statics: Statics, place: Place, state: ForceState) -> None:
         self.statics, self.place, self.state = statics, place, state
         self.mechanism = statics.scene.chain.mechanism
         seats = np.array([_one(reaction.seat.r) for reaction in state.reactions.values()])

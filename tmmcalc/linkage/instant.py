@@ -11,7 +11,7 @@ from tmmcalc.linkage.results import Kinematics
 
 
 @record
-class State:
+class LinkState:
     """Motion of a link in time: place, velocity, acceleration of its base point and its rotation."""
 
     base: complex
@@ -36,12 +36,12 @@ class State:
         return self.base + (place - self.r) / self.u
 
 
-def in_time(motion: LinkMotion, result: Kinematics) -> State:
+def in_time(motion: LinkMotion, result: Kinematics) -> LinkState:
     """The motion of a link at one position, at the speed and acceleration of the result."""
     r, u = (complex(np.ravel(z)[0]) for z in (motion.r, motion.u))
     v, a = (complex(np.ravel(z)[0]) for z in result.in_time(motion.v, motion.a))
     omega, eps = (float(np.ravel(z)[0]) for z in result.in_time(motion.omega, motion.eps))
-    return State(motion.base, r, v, a, u, omega, eps)
+    return LinkState(motion.base, r, v, a, u, omega, eps)
 
 
 def turning_links(mechanism: Mechanism) -> set[int]:

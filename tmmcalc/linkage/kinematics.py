@@ -133,7 +133,7 @@ def _method_grades(chain: Chain, method: Method, x: Real) -> tuple[Grade, ...]:
     """What the method has to tell of the way it took."""
     if method.name != "splitting":
         return ()
-    from tmmcalc.linkage.loops.flips import split_grades
+    from tmmcalc.linkage.loops.signchanges import split_grades
 
     return split_grades(chain, x)
 

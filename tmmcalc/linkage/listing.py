@@ -7,12 +7,12 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
+from tmmcalc.linkage.assemblies import assemblies_of, chosen
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.placing import chosen_at, placed
 from tmmcalc.linkage.structure import Structure, solve_structure
 from tmmcalc.linkage.variants import given_variants
-from tmmcalc.linkage.ways import chosen, ways_of
 
 
 @record
@@ -57,14 +57,21 @@ def list_assemblies(mechanism: Mechanism, structure: Structure | None = None) ->
     chain, x = Chain(mechanism, structure, ()), np.array([at])
     motions, found = chain.evaluate(x, order=0).motions, list[GroupAssembly]()
     for group in structure.groups:
-        ways, taken, reason = ways_of(mechanism, group, motions, x), None, ""
+        assemblies, taken, reason = assemblies_of(mechanism, group, motions, x), None, ""
         try:
-            taken = chosen(chain, group, ways, at, told.get(group.name))
+            taken = chosen(chain, group, assemblies, at, told.get(group.name))
         except (NoSolutionError, UsageError) as error:
             reason = error.message
         found += [
-            GroupAssembly(group.name, way.variant, way is taken, way.regularity, way.determinant, way.points)
-            for way in ways
+            GroupAssembly(
+                group.name,
+                assembly.variant,
+                assembly is taken,
+                assembly.regularity,
+                assembly.determinant,
+                assembly.points,
+            )
+            for assembly in assemblies
         ]
         if taken is None:
             return Listing(at, chain.turns, tuple(found), group.name, reason)

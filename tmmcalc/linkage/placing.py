@@ -1,6 +1,6 @@
 """A mechanism in place: its chain on the assembly that is meant, where it assembles, and where position 0 is.
 
-Every group is taken on the assembly that the spec tells or its sketch is nearest to (see `ways`), at the input
+Every group is taken on the assembly that the spec tells or its sketch is nearest to (see `assemblies`), at the input
 coordinate where the sketch was read; a higher group is followed from there along the input.
 """
 
@@ -15,6 +15,7 @@ import numpy as np
 
 from tmmcalc.core.errors import AssemblyError, NoSolutionError, SingularityError
 from tmmcalc.core.plane import Real
+from tmmcalc.linkage.assemblies import assemblies_of, chosen
 from tmmcalc.linkage.assembly import TURN, check_range, coordinate, find_domain
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.grid import analysed_range
@@ -27,7 +28,6 @@ from tmmcalc.linkage.structure import Group, Structure
 from tmmcalc.linkage.survey import survey
 from tmmcalc.linkage.trace import principal
 from tmmcalc.linkage.variants import candidates, distance, given_variants, nearest, sketched_groups
-from tmmcalc.linkage.ways import chosen, ways_of
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.loops.closure import Loops
@@ -62,16 +62,16 @@ def assembled(mechanism: Mechanism, structure: Structure, told: Mapping[str, int
             continue
         if at is not None and group in sketched:
             motions = chain.evaluate(np.array([at]), order=0).motions
-            variant = chosen(chain, group, ways_of(mechanism, group, motions, np.array([at])), at, None).variant
+            variant = chosen(chain, group, assemblies_of(mechanism, group, motions, np.array([at])), at, None).variant
         chain = chain.joined(build(mechanism, group, 1 if variant is None else variant))
     return chain
 
 
 def _followed(chain: Chain, group: Group, at: float | None, number: int | None) -> LoopStep:
     """A higher group behind a chain, on the branch through the assembly that is meant at ``at``."""
+    from tmmcalc.linkage.loops.continuation import follow
     from tmmcalc.linkage.loops.equations import equations_of  # only groups of class III and higher need them
     from tmmcalc.linkage.loops.step import LoopStep
-    from tmmcalc.linkage.loops.track import follow
 
     if at is None:
         raise NoSolutionError(
@@ -81,13 +81,13 @@ def _followed(chain: Chain, group: Group, at: float | None, number: int | None) 
             remedy="give assembly.at, the input coordinate of the sketch, or sketch a point of the crank",
         )
     interval, x = _interval(chain, group, at), np.array([at])
-    ways = ways_of(chain.mechanism, group, chain.evaluate(x, order=0).motions, x)
-    way = chosen(chain, group, ways, at, number)
-    assert way.unknowns is not None  # a higher group has them
+    assemblies = assemblies_of(chain.mechanism, group, chain.evaluate(x, order=0).motions, x)
+    assembly = chosen(chain, group, assemblies, at, number)
+    assert assembly.unknowns is not None  # a higher group has them
     equations = equations_of(chain.mechanism, group)
     turn = TURN if chain.turns else None
-    branch = follow(group.name, partial(loops_at, chain, equations), at, way.unknowns, interval, turn)
-    return LoopStep(group, way.variant, equations, branch)
+    branch = follow(group.name, partial(loops_at, chain, equations), at, assembly.unknowns, interval, turn)
+    return LoopStep(group, assembly.variant, equations, branch)
 
 
 def loops_at(chain: Chain, equations: Equations, x: Real) -> Loops:

@@ -19,7 +19,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmmcalc.linkage.chain import chain_of
-from tmmcalc.linkage.instant import State, in_time, turning_links
+from tmmcalc.linkage.instant import LinkState, in_time, turning_links
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
 from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.results import Kinematics
@@ -48,7 +48,7 @@ def polygons(mechanism: Mechanism, result: Kinematics, position: int) -> VectorP
 class _Plan:
     """The two polygons while they grow."""
 
-    def __init__(self, mechanism: Mechanism, result: Kinematics, states: dict[int, State]) -> None:
+    def __init__(self, mechanism: Mechanism, result: Kinematics, states: dict[int, LinkState]) -> None:
         self.mechanism = mechanism
         self.result = result
         self.states = states

@@ -169,25 +169,17 @@ def check_regular(chain: Chain, qualities: tuple[GroupQuality, ...]) -> None:
             continue
         dead = [e.x for e in quality.singular if e.value < SINGULAR]
         places = f"at {coordinate(chain, *dead)}" if dead else "at every position"
-        what = "dead point" if step.group.kind else "singular position"
+        what, cause = "singular position", "the links of the group come to a limit position, or can go on in two ways"
+        if isinstance(step, Step):
+            what, cause = "dead point", step.dyad.dead_point()
         raise SingularityError(
-            f"{what} {places}: {_CAUSES[step.group.kind]}; velocities are not defined "
+            f"{what} {places}: {cause}; velocities are not defined "
             f"(regularity {quality.regularity:.3g}, limit {SINGULAR:g})",
             where=f"kinematics, group {quality.group}",
             value=quality.regularity,
             limit=SINGULAR,
             remedy="change a length, or analyse a range that keeps clear of it: input.start and grid.span",
         )
-
-
-_CAUSES = {
-    "": "the links of the group come to a limit position, or can go on in two ways",
-    "RRR": "both links stand in line, a change point from which the motion can go on in two ways",
-    "RRP": "the rod stands across the guide, a change point from which the motion can go on in two ways",
-    "RPR": "the pivots come as near as the guide's offset allows, which leaves its direction open",
-    "PRP": "the two guides are parallel",
-    "RPP": "the two lines of the slider are parallel",
-}
 
 
 def grade(chain: Chain, qualities: tuple[GroupQuality, ...]) -> tuple[Grade, ...]:

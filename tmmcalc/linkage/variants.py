@@ -14,12 +14,13 @@ from itertools import product
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.linkage.assemblies import own_points, tied
 from tmmcalc.linkage.assembly import reach_of
 from tmmcalc.linkage.chain import Chain, compile_chain
+from tmmcalc.linkage.dyads import ONE_ASSEMBLY
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Branch, Grade
 from tmmcalc.linkage.structure import Group, Structure
-from tmmcalc.linkage.ways import ONE_ASSEMBLY, own_points, tied
 
 
 def given_variants(mechanism: Mechanism, structure: Structure) -> dict[str, int]:

@@ -11,8 +11,8 @@ import tmmcalc
 from tmmcalc.core.told import facts
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask
 from tmmcalc.linkage.stages.synthesis import table
+from tmmcalc.linkage.synthesis.dwell.constraints import BARRIER, OF, Rule, told_columns, told_values
 from tmmcalc.linkage.synthesis.dwell.criteria import rated
-from tmmcalc.linkage.synthesis.dwell.kept import BARRIER, OF, Rule, told_columns, told_values
 from tmmcalc.linkage.synthesis.dwell.parameters import NAMES, drawn, given
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.turn import whole_turn

@@ -201,12 +201,12 @@ def test_ready_specs_are_solved_and_write_ready_specs(name: str) -> None:
 
 def test_a_ready_spec_is_the_mechanism_that_was_checked() -> None:
     from tmmcalc.linkage.model import Grid, Output
-    from tmmcalc.linkage.synthesis.builders import FourBar, Scene, SliderCrank, four_bar, slider_crank, slotted_link
+    from tmmcalc.linkage.synthesis.builders import FourBar, Operation, SliderCrank, four_bar, slider_crank, slotted_link
     from tmmcalc.linkage.synthesis.ready import ready_spec
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
-    scene = Scene(-1 / 3, 0.1, Grid(18, span=2.0, extra=(0.3, 1.1)), (Output("P", math.pi / 2, label="Py"),))
-    plain = Scene(7.0, None, Grid(12, extremes=True), (Output("E", resistance="positive"),))
+    scene = Operation(-1 / 3, 0.1, Grid(18, span=2.0, extra=(0.3, 1.1)), (Output("P", math.pi / 2, label="Py"),))
+    plain = Operation(7.0, None, Grid(12, extremes=True), (Output("E", resistance="positive"),))
     made = (
         four_bar(FourBar(0.1 + 0.2j, 0.1, 0.3, 0.7 / 3, 0.4j, 1e-3 - 0.1j, -1), scene),
         slider_crank(SliderCrank(0j, 0.1, 0.3, 0.1 + 0.7j, 0.3, 0.1j), scene),

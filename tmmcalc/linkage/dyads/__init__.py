@@ -8,3 +8,6 @@ from tmmcalc.linkage.dyads.rrp import RRP
 from tmmcalc.linkage.dyads.rrr import RRR
 
 __all__ = ["PRP", "RPP", "RPR", "RRP", "RRR", "Dyad"]
+
+KINDS: dict[str, type[Dyad]] = {kind.__name__: kind for kind in (RRR, RRP, RPR, PRP, RPP)}
+ONE_ASSEMBLY = tuple(name for name, kind in KINDS.items() if "variant" not in kind.__annotations__)

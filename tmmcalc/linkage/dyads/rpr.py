@@ -15,8 +15,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.plane import Plane, Point, Real, square
-from tmmcalc.linkage.dyads.base import mm
+from tmmcalc.core.plane import Plane, Point, Real, rotated, square
+from tmmcalc.linkage.dyads.base import Elements, Motions, Rates, Sites, Slides, carried, mm, signed
+from tmmcalc.linkage.solvers import Method
+from tmmcalc.linkage.structure import Group
 
 
 class RPRPlaced(NamedTuple):
@@ -27,11 +29,46 @@ class RPRPlaced(NamedTuple):
     s: Real
 
 
+class RPRMount(NamedTuple):
+    """RPR: both links turn alike, each about its own outer pin."""
+
+    pin_a: complex
+    pin_b: complex
+    axis_b: complex  # direction of the line in the axes of b, unit
+    turn: complex  # axes of a against the axes of b, unit
+    shift: float
+    inner: str
+    sign: int
+
+    def move(self, at: Sites, motions: Motions, slides: Slides, placed: RPRPlaced, rates: Rates) -> None:
+        """Link b carries the direction, link a keeps a constant turn to it."""
+        a, b = at.links
+        u = placed.e if self.axis_b == 1 else placed.e / self.axis_b
+        motions[b] = rotated(self.pin_b, at.port2, u, rates.x, rates.xx)
+        motions[a] = carried(motions[b], self.turn, self.pin_a, at.port1)
+        slides[self.inner] = signed(self.sign, placed.s - self.shift, rates.y, rates.yy)
+
+
 class RPR(NamedTuple):
     """RPR with the offset ``h`` [m] of the line from pivot to pivot and the variant (textbook 2.5.4, (2.19))."""
 
     h: float = 0.0
     variant: int = 1
+
+    @classmethod
+    def read(cls, elements: Elements, group: Group, variant: int) -> tuple[RPR, RPRMount]:
+        """Variant +1 puts the slider's pivot ahead of the guide link's, whichever of the two is link a."""
+        shift = elements.inner_a.along(elements.outer_a.point) - elements.inner_b.along(elements.outer_b.point)
+        mount = RPRMount(
+            pin_a=elements.outer_a.point,
+            pin_b=elements.outer_b.point,
+            axis_b=elements.inner_b.direction,
+            turn=elements.inner_b.direction / elements.inner_a.direction,
+            shift=shift.real,
+            inner=group.inner[0],
+            sign=elements.inner_a.sign,
+        )
+        return cls(shift.imag, variant * elements.inner_a.sign), mount
 
     def margin(self, port1: Point, port2: Point) -> Real:
         """(Q^2 - h^2)/Q^2; negative where the pivots are nearer than the offset."""
@@ -49,25 +86,15 @@ class RPR(NamedTuple):
             return RPRPlaced(q, q / s, s)
         return RPRPlaced(q, q * (s - 1j * self.h) / q2, s)
 
-    def columns(self, placed: RPRPlaced) -> tuple[Plane, Plane]:
+    def rates(self, port1: Point, port2: Point, placed: RPRPlaced, method: Method) -> Rates:
         """v1 = v2 + i omega q + ds e."""
-        return 1j * placed.q, placed.e
+        solve = method(1j * placed.q, placed.e)
+        x, y = solve(port1.v - port2.v)
+        return Rates(x, y, *solve(port1.a - port2.a + x**2 * placed.q - 2j * (x * y) * placed.e))
 
-    def velocity(self, port1: Point, port2: Point, placed: RPRPlaced) -> Plane:
-        """Relative velocity of the pivots."""
-        return port1.v - port2.v
-
-    def acceleration(self, port1: Point, port2: Point, placed: RPRPlaced, x: Real, y: Real) -> Plane:
-        """Relative acceleration of the pivots less normal and Coriolis parts."""
-        return port1.a - port2.a + x**2 * placed.q - 2j * (x * y) * placed.e
-
-    def regularity(self, placed: RPRPlaced, reach: float) -> Real:
+    def regularity(self, placed: RPRPlaced) -> Real:
         """|s| over the largest distance of the pivots: the pin on the pivot is singular."""
-        return np.abs(placed.s) / reach
-
-    def transmission(self, placed: RPRPlaced) -> Real:
-        """|s|/Q, the cosine of the pressure angle between the slot's normal and the pin's circle."""
-        return np.abs(placed.s) / np.abs(placed.q)
+        return np.abs(placed.s) / float(np.max(np.abs(placed.q)))
 
     def limit(self, a: int, b: int, port1: Point, port2: Point) -> str:
         """The pivots at the distance of the offset."""
@@ -76,3 +103,11 @@ class RPR(NamedTuple):
     def gap(self, a: int, b: int, port1: Point, port2: Point) -> str:
         """The pivots nearer than the offset."""
         return f"the pivots are always nearer to each other than the offset {mm(abs(self.h))} of the guide"
+
+    def dead_point(self) -> str:
+        """What makes a dead point."""
+        return "the pivots come as near as the guide's offset allows, which leaves its direction open"
+
+    def alone(self) -> tuple[RPRMount, complex | None]:
+        """Its mount where the axes of the links stand along their vectors, and an inner pin in the axes of a."""
+        return RPRMount(0j, 0j, 1 + 0j, 1 + 0j, 0.0, "1", 1), None

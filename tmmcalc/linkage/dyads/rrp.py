@@ -15,8 +15,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.plane import Guide, Plane, Point, Real
-from tmmcalc.linkage.dyads.base import mm
+from tmmcalc.core.plane import Guide, Plane, Point, Real, rotated
+from tmmcalc.linkage.dyads.base import Elements, Motions, Rates, Sites, Slides, carried, mm, signed
+from tmmcalc.linkage.solvers import Method
+from tmmcalc.linkage.structure import Group
 
 
 class RRPPlaced(NamedTuple):
@@ -29,12 +31,50 @@ class RRPPlaced(NamedTuple):
     offset: Plane  # G -> B [m]
 
 
+class RRPMount(NamedTuple):
+    """RRP: rod a turns about its outer pin, slider b follows the guide; its base point is the inner pin."""
+
+    pin_a: complex
+    vector_a: complex
+    inner_a: complex
+    inner_b: complex
+    turn: complex  # axes of b against the axes of the source link, unit
+    shift: float  # from the slider's line point to the inner pin, along the guide [m]
+    outer: str
+    sign: int
+
+    def move(self, at: Sites, motions: Motions, slides: Slides, placed: RRPPlaced, rates: Rates) -> None:
+        """The rod carries the inner pin, the pin carries the slider."""
+        a, b = at.links
+        motions[a] = rotated(self.pin_a, at.port1, placed.a / self.vector_a, rates.x, rates.xx)
+        pin = motions[a].point(self.inner_a)
+        motions[b] = carried(motions[at.sources[1]], self.turn, self.inner_b, pin)
+        slides[self.outer] = signed(self.sign, placed.s - self.shift, rates.y, rates.yy)
+
+
 class RRP(NamedTuple):
     """RRP with rod length ``l`` [m], offset ``h`` [m] and the variant (textbook 2.5.2, (2.2) to (2.6))."""
 
     l: float
     h: float = 0.0
     variant: int = 1
+
+    @classmethod
+    def read(cls, elements: Elements, group: Group, variant: int) -> tuple[RRP, RRPMount]:
+        """The rod is the vector between its pins; the inner pin stands off the line of the slider by h."""
+        vector = elements.inner_a.point - elements.outer_a.point
+        pin = elements.outer_b.along(elements.inner_b.point)
+        mount = RRPMount(
+            pin_a=elements.outer_a.point,
+            vector_a=vector,
+            inner_a=elements.inner_a.point,
+            inner_b=elements.inner_b.point,
+            turn=elements.port2.direction / elements.outer_b.direction,
+            shift=pin.real,
+            outer=group.outer[1],
+            sign=elements.outer_b.sign,
+        )
+        return cls(abs(vector), pin.imag, variant), mount
 
     def _in_guide(self, port1: Point, port2: Guide) -> Plane:
         return (port1.r - port2.r) * np.conj(port2.e)
@@ -55,27 +95,17 @@ class RRP(NamedTuple):
         a = local * port2.e
         return RRPPlaced(a, along, across, s, port1.r + a - port2.r)
 
-    def columns(self, placed: RRPPlaced) -> tuple[Plane, Plane]:
-        """v1 + i omega_a a = transport + ds e, divided by e."""
-        return 1j * placed.along - placed.across, np.array(-1 + 0j)
-
-    def velocity(self, port1: Point, port2: Guide, placed: RRPPlaced) -> Plane:
-        """Transport velocity of B less the velocity of P1, in guide axes."""
-        return (port2.v + 1j * port2.omega * placed.offset - port1.v) * np.conj(port2.e)
-
-    def acceleration(self, port1: Point, port2: Guide, placed: RRPPlaced, x: Real, y: Real) -> Plane:
-        """Transport and Coriolis acceleration of B less that of P1, and the rod's normal part, in guide axes."""
+    def rates(self, port1: Point, port2: Guide, placed: RRPPlaced, method: Method) -> Rates:
+        """v1 + i omega_a a = transport + ds e, divided by e; accelerations have Coriolis and the rod's normal part."""
+        solve = method(1j * placed.along - placed.across, np.array(-1 + 0j))
+        x, y = solve((port2.v + 1j * port2.omega * placed.offset - port1.v) * np.conj(port2.e))
         transport = port2.a + (1j * port2.eps - port2.omega**2) * placed.offset - port1.a
-        relative: Plane = x**2 * placed.along + 1j * (x**2 * placed.across + 2 * port2.omega * y)
-        return transport * np.conj(port2.e) + relative
+        relative = x**2 * placed.along + 1j * (x**2 * placed.across + 2 * port2.omega * y)
+        return Rates(x, y, *solve(transport * np.conj(port2.e) + relative))
 
-    def regularity(self, placed: RRPPlaced, reach: float) -> Real:
+    def regularity(self, placed: RRPPlaced) -> Real:
         """|cos| of the angle between rod and guide."""
         return np.abs(placed.along) / self.l
-
-    def transmission(self, placed: RRPPlaced) -> Real:
-        """|cos| of the angle between rod and guide: the rod's pressure angle is its complement."""
-        return self.regularity(placed, 0.0)
 
     def limit(self, a: int, b: int, port1: Point, port2: Guide) -> str:
         """The rod across the guide."""
@@ -88,3 +118,11 @@ class RRP(NamedTuple):
         """The distance of the outer pin from the line against the rod's length."""
         off = float(np.abs(self.h - self._in_guide(port1, port2).imag).item())
         return f"the pin is {mm(off)} off its line, more than l_{a} = {mm(self.l)}"
+
+    def dead_point(self) -> str:
+        """What makes a dead point."""
+        return "the rod stands across the guide, a change point from which the motion can go on in two ways"
+
+    def alone(self) -> tuple[RRPMount, complex | None]:
+        """Its mount where the axes of the links stand along their vectors, and an inner pin in the axes of a."""
+        return RRPMount(0j, complex(self.l), complex(self.l), 0j, 1 + 0j, 0.0, "2", 1), complex(self.l)

@@ -14,8 +14,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.plane import Plane, Point, Real, cross, square
-from tmmcalc.linkage.dyads.base import mm
+from tmmcalc.core.plane import Plane, Point, Real, cross, rotated, square
+from tmmcalc.linkage.dyads.base import Elements, Motions, Rates, Sites, Slides, mm
+from tmmcalc.linkage.solvers import Method
+from tmmcalc.linkage.structure import Group
 
 
 class RRRPlaced(NamedTuple):
@@ -25,12 +27,37 @@ class RRRPlaced(NamedTuple):
     b: Plane
 
 
+class RRRMount(NamedTuple):
+    """RRR: both links turn about their outer pins."""
+
+    pin_a: complex  # outer joint of a, in the axes of a
+    pin_b: complex
+    vector_a: complex  # outer to inner joint, in the axes of a
+    vector_b: complex
+
+    def move(self, at: Sites, motions: Motions, slides: Slides, placed: RRRPlaced, rates: Rates) -> None:
+        """Base points are the outer pins."""
+        a, b = at.links
+        motions[a] = rotated(self.pin_a, at.port1, placed.a / self.vector_a, rates.x, rates.xx)
+        motions[b] = rotated(self.pin_b, at.port2, placed.b / self.vector_b, rates.y, rates.yy)
+
+
 class RRR(NamedTuple):
     """RRR with lengths ``l_a``, ``l_b`` [m] and the variant +1 or -1 (textbook 2.5.3, (2.8) to (2.17))."""
 
     l_a: float
     l_b: float
     variant: int = 1
+
+    @classmethod
+    def read(cls, elements: Elements, group: Group, variant: int) -> tuple[RRR, RRRMount]:
+        """Its lengths are those of the vectors between the pins."""
+        vector_a, vector_b = (
+            elements.inner_a.point - elements.outer_a.point,
+            elements.inner_b.point - elements.outer_b.point,
+        )
+        mount = RRRMount(elements.outer_a.point, elements.outer_b.point, vector_a, vector_b)
+        return cls(abs(vector_a), abs(vector_b), variant), mount
 
     def margin(self, port1: Point, port2: Point) -> Real:
         """Squared sine of the angle at B; negative where q is outside [|l_a - l_b|, l_a + l_b]."""
@@ -51,25 +78,15 @@ class RRR(NamedTuple):
         a = ratio * q
         return RRRPlaced(a, a - q)
 
-    def columns(self, placed: RRRPlaced) -> tuple[Plane, Plane]:
-        """V_B is the same on both links: v1 + i omega_a a = v2 + i omega_b b."""
-        return 1j * placed.a, -1j * placed.b
+    def rates(self, port1: Point, port2: Point, placed: RRRPlaced, method: Method) -> Rates:
+        """V_B and its derivative are the same on both links: v1 + i omega_a a = v2 + i omega_b b."""
+        solve = method(1j * placed.a, -1j * placed.b)
+        x, y = solve(port2.v - port1.v)
+        return Rates(x, y, *solve(port2.a - port1.a + x**2 * placed.a - y**2 * placed.b))
 
-    def velocity(self, port1: Point, port2: Point, placed: RRRPlaced) -> Plane:
-        """Relative velocity of the outer pins."""
-        return port2.v - port1.v
-
-    def acceleration(self, port1: Point, port2: Point, placed: RRRPlaced, x: Real, y: Real) -> Plane:
-        """Relative acceleration of the outer pins less the normal parts."""
-        return port2.a - port1.a + x**2 * placed.a - y**2 * placed.b
-
-    def regularity(self, placed: RRRPlaced, reach: float) -> Real:
+    def regularity(self, placed: RRRPlaced) -> Real:
         """|sin| of the angle between the links."""
         return np.abs(cross(placed.a, placed.b)) / (self.l_a * self.l_b)
-
-    def transmission(self, placed: RRRPlaced) -> Real:
-        """|sin| of the angle between the links."""
-        return self.regularity(placed, 0.0)
 
     def _distance(self, port1: Point, port2: Point) -> float:
         return float(np.abs(port2.r - port1.r).item())
@@ -94,3 +111,11 @@ class RRR(NamedTuple):
         if q > most:
             return f"the outer pins are {mm(q)} apart, more than l_{a} + l_{b} = {mm(most)}"
         return f"the outer pins are {mm(q)} apart, less than |l_{a} - l_{b}| = {mm(least)}"
+
+    def dead_point(self) -> str:
+        """What makes a dead point."""
+        return "both links stand in line, a change point from which the motion can go on in two ways"
+
+    def alone(self) -> tuple[RRRMount, complex | None]:
+        """Its mount where the axes of the links stand along their vectors, and an inner pin in the axes of a."""
+        return RRRMount(0j, 0j, complex(self.l_a), complex(self.l_b)), complex(self.l_a)

@@ -12,9 +12,9 @@ from tmmcalc.core.numerics.mesh import Mesh, laid
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
-from tmmcalc.linkage.forces.between import PARTS, Sample, resolved, sample_of
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
-from tmmcalc.linkage.forces.maxima import Held, held, maxima, pairs_of
+from tmmcalc.linkage.forces.maxima import ForceFunctions, force_functions, maxima, pairs_of
+from tmmcalc.linkage.forces.refinement import PARTS, Sample, resolved, sample_of
 from tmmcalc.linkage.forces.results import Forces, Mean
 from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.loading import GearDrive, Loading
@@ -55,7 +55,7 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
         return sample_of(new, (statics, more))
 
     mesh, values, clear = resolved(on, sample_of(on, (statics, over)), sampled, period)
-    functions = held(statics, values)
+    functions = force_functions(statics, values)
     grades = (*scene.grades, *_grades(scene, seen, labels))
     passes = max((s.passes for _, solutions in seen[:1] for s in solutions.values()), default=0)
     error = _amplified(seen, kinematics.error.acceleration)
@@ -69,7 +69,7 @@ def forces_of(
     rows: Stack,
     theta: Real,
     labels: tuple[str, ...],
-    over: tuple[Panels, Held, bool],
+    over: tuple[Panels, ForceFunctions, bool],
     error: float,
     passes: int,
     grades: tuple[Grade, ...],

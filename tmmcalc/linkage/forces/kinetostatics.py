@@ -60,7 +60,7 @@ class Given(NamedTuple):
     loads: dict[int, Wrench]
 
 
-class State(NamedTuple):
+class ForceState(NamedTuple):
     """All reactions at n positions."""
 
     reactions: dict[str, Reaction]
@@ -91,7 +91,7 @@ class Statics(NamedTuple):
         """The joints with friction."""
         return tuple(joint for joint in self.joints if joint.name in self.scales)
 
-    def solve(self, place: Place, side: Real | float = 1.0) -> State:
+    def solve(self, place: Place, side: Real | float = 1.0) -> ForceState:
         """Reactions at a place; ``side`` (n,) or one number is +1 or -1."""
         pole = self.pole(place)
         given = self.given(place, pole)
@@ -105,11 +105,11 @@ class Statics(NamedTuple):
                 solutions[plan.group.name] = held.solution
             drive = held.drive if held.drive is not None else drive
         if drive is not None:
-            return State(reactions, drive, None, solutions, given, pole)
+            return ForceState(reactions, drive, None, solutions, given, pole)
         driven = self._drive(place, side, carried, pole, reactions)
         if driven.solution is not None:
             solutions[self.driver.joint.name] = driven.solution
-        return State(reactions, driven.drive, driven.mesh, solutions, given, pole)
+        return ForceState(reactions, driven.drive, driven.mesh, solutions, given, pole)
 
     def pole(self, place: Place) -> complex:
         """The point that moments are taken about: the input joint's, where it stands first."""

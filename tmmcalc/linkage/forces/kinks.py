@@ -14,7 +14,7 @@ from tmmcalc.core.numerics.gauss import rule
 from tmmcalc.core.numerics.mesh import Mesh
 from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Plane, Real
-from tmmcalc.linkage.forces.kinetostatics import State, Statics
+from tmmcalc.linkage.forces.kinetostatics import ForceState, Statics
 from tmmcalc.linkage.forces.results import edge_reactions
 from tmmcalc.linkage.forces.wrench import Slideway
 
@@ -25,7 +25,7 @@ NOISE = 1e-9  # part of its largest value below which the sign of a force says n
 Flags = NDArray[np.bool_]
 
 
-def faces(statics: Statics, state: State, n: int) -> Real:
+def faces(statics: Statics, state: ForceState, n: int) -> Real:
     """The forces (F, n) whose signs rubbing sliders depend on: N, or N' and N'' of a slider of given length."""
     found = []
     for joint in statics.rubbing:
@@ -40,7 +40,7 @@ def faces(statics: Statics, state: State, n: int) -> Real:
     return np.array([np.broadcast_to(force, n) for force in found]).reshape(len(found), n)
 
 
-def pins(statics: Statics, state: State, n: int) -> Plane:
+def pins(statics: Statics, state: ForceState, n: int) -> Plane:
     """The reactions (F, n) in rubbing pins, whose friction goes with their size: it has a kink where they pass zero."""
     forces = (state.reactions[joint.name].wrench.force for joint in statics.rubbing if joint.kind == "revolute")
     found = [np.broadcast_to(force, n) for force in forces]

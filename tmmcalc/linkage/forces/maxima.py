@@ -34,7 +34,7 @@ class Maxima(NamedTuple):
         return (low, high) if speed > 0 else (high, low)
 
 
-class Held(NamedTuple):
+class ForceFunctions(NamedTuple):
     """The functions whose maxima are asked for, on panels: values (F, K, N), and the rows of couples and edges."""
 
     values: Real
@@ -59,7 +59,7 @@ def functions_of(statics: Statics, over: Stack) -> Real:
     return np.array(rows)
 
 
-def held(statics: Statics, values: Real) -> Held:
+def force_functions(statics: Statics, values: Real) -> ForceFunctions:
     """These functions (F, K, N) on panels, with the numbers of their rows."""
     couples, pressures, row = {}, {}, 2 + len(statics.joints)
     for j, joint in enumerate(statics.joints):
@@ -67,10 +67,10 @@ def held(statics: Statics, values: Real) -> Held:
             couples[j], row = row, row + 1
             if length_of(statics, joint):
                 pressures[j], row = row, row + 1
-    return Held(values, couples, pressures)
+    return ForceFunctions(values, couples, pressures)
 
 
-def maxima(statics: Statics, dense: Panels, functions: Held, resolved: bool = True) -> Maxima:
+def maxima(statics: Statics, dense: Panels, functions: ForceFunctions, resolved: bool = True) -> Maxima:
     """The extremes of everything held on panels; from panels that are not ``resolved``, as the statics gives them."""
     joints = range(len(statics.joints))
     found, at = peaks(dense, functions.values)
@@ -89,7 +89,7 @@ def maxima(statics: Statics, dense: Panels, functions: Held, resolved: bool = Tr
     )
 
 
-def _confirmed(statics: Statics, dense: Panels, functions: Held, at: Real) -> tuple[Real, Real]:
+def _confirmed(statics: Statics, dense: Panels, functions: ForceFunctions, at: Real) -> tuple[Real, Real]:
     """The higher of what the statics gives at the places (F,) found, from either side, and at the points; its place.
 
     The polynomial of a panel swings beyond a force that has a pole beside the path.

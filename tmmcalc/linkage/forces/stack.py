@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from tmmcalc.core.plane import Plane, Real
-from tmmcalc.linkage.forces.kinetostatics import State, Statics
+from tmmcalc.linkage.forces.kinetostatics import ForceState, Statics
 from tmmcalc.linkage.forces.kinks import faces
 from tmmcalc.linkage.forces.verification import residuals, virtual_drive
 from tmmcalc.linkage.forces.wrench import Slideway
@@ -69,7 +69,7 @@ def _joined(parts: list[Stack]) -> Stack:
     return Stack(*columns)
 
 
-def _stack(statics: Statics, state: State, place: Place, checked: bool = True) -> Stack:
+def _stack(statics: Statics, state: ForceState, place: Place, checked: bool = True) -> Stack:
     n, joints = len(place.theta), statics.joints
     reaction = np.empty((len(joints), n), complex)
     normal, couple, friction = (np.empty((len(joints), n)) for _ in range(3))

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.core.plane import Real, cross, square
-from tmmcalc.linkage.forces.kinetostatics import State, Statics
+from tmmcalc.linkage.forces.kinetostatics import ForceState, Statics
 from tmmcalc.linkage.forces.wrench import NOTHING, Slideway, Wrench, seat_of, sliding
 from tmmcalc.linkage.loading import GearDrive
 from tmmcalc.linkage.loads.sources import Place
 from tmmcalc.linkage.model import FRAME
 
 
-def residuals(statics: Statics, state: State, place: Place) -> tuple[Real, Real]:
+def residuals(statics: Statics, state: ForceState, place: Place) -> tuple[Real, Real]:
     """Largest residual of force and moment of a link (n,), each against the largest of its kind."""
     n = len(place.theta)
     total = dict(state.given.loads)
@@ -35,7 +35,7 @@ def residuals(statics: Statics, state: State, place: Place) -> tuple[Real, Real]
     return np.sqrt(force / (np.max(forces) or 1.0)), moment / (np.max(moments) or 1.0)
 
 
-def _drive_wrenches(statics: Statics, state: State, place: Place) -> list[tuple[int, Wrench]]:
+def _drive_wrenches(statics: Statics, state: ForceState, place: Place) -> list[tuple[int, Wrench]]:
     """What the drive does to links, about the pole: to the input link, or to both links of a driven length."""
     chain = statics.scene.chain
     slider, guide = chain.input_joint.links
@@ -47,7 +47,7 @@ def _drive_wrenches(statics: Statics, state: State, place: Place) -> list[tuple[
     return [(slider, push), (guide, push.reversed())]
 
 
-def _drive_wrench(statics: Statics, state: State, place: Place) -> Wrench:
+def _drive_wrench(statics: Statics, state: ForceState, place: Place) -> Wrench:
     """What the drive does to the input link, about the pole."""
     chain = statics.scene.chain
     if not chain.turns:
@@ -60,7 +60,7 @@ def _drive_wrench(statics: Statics, state: State, place: Place) -> Wrench:
     return Wrench(NOTHING.force, state.drive)
 
 
-def virtual_drive(statics: Statics, state: State, place: Place) -> Real:
+def virtual_drive(statics: Statics, state: ForceState, place: Place) -> Real:
     """The drive (n,) from virtual power alone, without any reaction but the friction (textbook 3.31)."""
     configuration = place.configuration
     total = np.zeros(len(place.theta))
@@ -71,7 +71,7 @@ def virtual_drive(statics: Statics, state: State, place: Place) -> Real:
     return -total
 
 
-def friction_power(statics: Statics, state: State, place: Place) -> dict[str, Real]:
+def friction_power(statics: Statics, state: ForceState, place: Place) -> dict[str, Real]:
     """Power (n,) per unit of input speed lost in every rubbing pair: not positive along the motion."""
     return {
         joint.name: state.reactions[joint.name].friction * sliding(joint, place.configuration)[0]

@@ -16,8 +16,8 @@ import numpy as np
 
 from tmmcalc.core.numerics.systems import solve
 from tmmcalc.core.plane import Guide, Plane, Point, Real, rotated
+from tmmcalc.linkage.dyads.base import Motions, Slide, Slides, carried, slid
 from tmmcalc.linkage.loops.equations import Equations
-from tmmcalc.linkage.mounts import Motions, Slide, Slides, carried, slid
 
 PASSES = 12
 NEAR = 1e-7  # a step of Newton, against the unknowns, after which one more leaves nothing
@@ -25,7 +25,7 @@ REFINED = 1e-13  # and in extended precision, where the Jacobian is taken in dou
 STRAY = 1.0  # a step larger than this [rad], or in parts of the group's size, is cut to it
 
 
-class Closed(NamedTuple):
+class PlacedGroup(NamedTuple):
     """A group in place: unknowns q (N, n), U (C, n), coordinates s and directions e (S, n) of the prismatic joints."""
 
     q: Real
@@ -75,7 +75,7 @@ class Loops(NamedTuple):
     given: tuple[Plane, Plane, Plane]
     drive: Real  # (n,) the coordinate of the drive, read where it acts inside the group
 
-    def place(self, q: Real) -> Closed:
+    def place(self, q: Real) -> PlacedGroup:
         """The group at the unknowns q (N, n), closed or not."""
         eq = self.equations
         count = eq.classes.shape[1]
@@ -90,9 +90,9 @@ class Loops(NamedTuple):
         still = [j for j, rail in enumerate(eq.rails) if rail.along.known]
         residual = self.given[0] + whirled.sum(axis=1) + slides[:, still].sum(axis=1)
         columns = np.concatenate((1j * whirled, eq.slides[:, eq.free, None] * e[eq.free]), axis=1)
-        return Closed(q, u, s, e, whirled, np.concatenate((columns.real, columns.imag)), residual)
+        return PlacedGroup(q, u, s, e, whirled, np.concatenate((columns.real, columns.imag)), residual)
 
-    def close(self, q: Real, passes: int = PASSES) -> tuple[Closed, np.ndarray]:
+    def close(self, q: Real, passes: int = PASSES) -> tuple[PlacedGroup, np.ndarray]:
         """Newton from q (N, n): the group in place, and where (n,) it converged."""
         limit = NEAR if q.dtype == np.float64 else REFINED
         size = self.size
@@ -117,7 +117,7 @@ class Loops(NamedTuple):
         finite = lengths[np.isfinite(lengths)]
         return np.array([1.0] * count + [float(np.max(finite, initial=1e-300))] * len(eq.free))
 
-    def rates(self, placed: Closed) -> tuple[Real, Real]:
+    def rates(self, placed: PlacedGroup) -> tuple[Real, Real]:
         """First and second derivative (N, n) of the unknowns by the variable of the source chain."""
         eq, count = self.equations, self.equations.classes.shape[1]
         q1 = solve(placed.jacobian, -self.by_drive(placed))
@@ -129,7 +129,7 @@ class Loops(NamedTuple):
             second = second + eq.slides[:, j, None] * own
         return q1, solve(placed.jacobian, -_real(second))
 
-    def by_drive(self, placed: Closed) -> Real:
+    def by_drive(self, placed: PlacedGroup) -> Real:
         """Derivative (2 L, n) of F by the variable of the source chain while the unknowns stand still."""
         total = self.given[1] + 0 * placed.residual
         for j, rail in enumerate(self.equations.rails):
@@ -137,7 +137,7 @@ class Loops(NamedTuple):
             total = total + self.equations.slides[:, j, None] * own
         return _real(total)
 
-    def move(self, placed: Closed, q1: Real, q2: Real, motions: Motions, slides: Slides) -> None:
+    def move(self, placed: PlacedGroup, q1: Real, q2: Real, motions: Motions, slides: Slides) -> None:
         """Add the motions of the links, and the sliding coordinates."""
         eq, count = self.equations, self.equations.classes.shape[1]
         rates = zip(placed.s, self.coordinates(q1[count:], 1.0), self.coordinates(q2[count:], 0.0), strict=True)

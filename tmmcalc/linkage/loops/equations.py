@@ -19,8 +19,8 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from tmmcalc.core.plane import Plane
+from tmmcalc.linkage.dyads.base import Motions
 from tmmcalc.linkage.model import Joint, Mechanism
-from tmmcalc.linkage.mounts import Motions
 from tmmcalc.linkage.structure import Group
 
 K = TypeVar("K", int, str)

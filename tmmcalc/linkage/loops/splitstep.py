@@ -18,10 +18,10 @@ from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.plane import LinkMotion, Point, Real, rotated
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.dyads.base import Motions, Slide, Slides
 from tmmcalc.linkage.loops.branch import guess
 from tmmcalc.linkage.loops.splitting import Split, split_of
 from tmmcalc.linkage.loops.step import LoopStep
-from tmmcalc.linkage.mounts import Motions, Slide, Slides
 from tmmcalc.linkage.structure import Group
 
 DISTANCES = 0.3 * 4.0 ** -np.arange(14.0)  # from the branch, at which the angle is tried first [rad]

@@ -20,8 +20,9 @@ from itertools import product
 from typing import NamedTuple
 
 from tmmcalc.core.errors import StructureError, UsageError
+from tmmcalc.linkage.dyads.base import Element, element
 from tmmcalc.linkage.model import FRAME, Input, Joint, Link, Mechanism
-from tmmcalc.linkage.steps import Seat, Step, build, seat
+from tmmcalc.linkage.steps import Step, build
 from tmmcalc.linkage.structure import Group, solve_structure
 
 
@@ -30,9 +31,9 @@ class Split(NamedTuple):
 
     removed: int  # binary link with two pins
     pins: tuple[complex, complex]  # of the removed link, in its own axes
-    freed: tuple[Seat, Seat]  # the same pins on the links that it joined
+    freed: tuple[Element, Element]  # the same pins on the links that it joined
     trial: int  # link whose angle is tried
-    pivot: tuple[Seat, Seat]  # its outer pin on itself, and on the source chain
+    pivot: tuple[Element, Element]  # its outer pin on itself, and on the source chain
     ways: tuple[tuple[Step, ...], ...]  # the dyads with all combinations of their signs
 
     @property
@@ -85,11 +86,11 @@ def _split(
     mechanism: Mechanism, links: tuple[int, int], pins: list[Joint], pivot: Joint, dyads: tuple[Group, ...]
 ) -> Split:
     removed, trial = links
-    own = [seat(joint, removed).point for joint in pins]
-    freed = [seat(joint, _other(joint, removed)) for joint in pins]
+    own = [element(joint, removed).point for joint in pins]
+    freed = [element(joint, _other(joint, removed)) for joint in pins]
     signs = product((1, -1), repeat=len(dyads))
     ways = tuple(tuple(build(mechanism, group, k) for group, k in zip(dyads, row, strict=True)) for row in signs)
-    outer = seat(pivot, trial), seat(pivot, _other(pivot, trial))
+    outer = element(pivot, trial), element(pivot, _other(pivot, trial))
     return Split(removed, (own[0], own[1]), (freed[0], freed[1]), trial, outer, ways)
 
 

@@ -8,10 +8,10 @@ import numpy as np
 
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage import solvers
+from tmmcalc.linkage.dyads.base import Motions, Slides
 from tmmcalc.linkage.loops.branch import guess
-from tmmcalc.linkage.loops.closure import Closed, Loops
+from tmmcalc.linkage.loops.closure import Loops, PlacedGroup
 from tmmcalc.linkage.loops.equations import Equations
-from tmmcalc.linkage.mounts import Motions, Slides
 from tmmcalc.linkage.results import Branch
 from tmmcalc.linkage.structure import Group
 
@@ -30,7 +30,7 @@ class LoopStep(NamedTuple):
 
     def advance(
         self, motions: Motions, slides: Slides, x: Real, order: int, method: solvers.Method
-    ) -> tuple[Loops, Closed]:
+    ) -> tuple[Loops, PlacedGroup]:
         """Close the loops on the branch and add the motions of the group's links; NaN where it does not reach."""
         loops = self.loops(motions, x)
         placed, done = loops.close(guess(self.branch, x).astype(x.dtype))
@@ -40,6 +40,6 @@ class LoopStep(NamedTuple):
         loops.move(placed, q1, q2, motions, slides)
         return loops, placed
 
-    def regularity(self, placed: Closed) -> Real:
+    def regularity(self, placed: PlacedGroup) -> Real:
         """Distance (n,) from a singular position: 1 the best, 0 singular."""
         return placed.regularity

@@ -10,14 +10,14 @@ import numpy as np
 
 from tmmcalc.core.records import record
 from tmmcalc.linkage.model import Joint, Link, Mechanism
-from tmmcalc.linkage.pictures.cycle import Motion
+from tmmcalc.linkage.pictures.cycle import LinkageMotion
 from tmmcalc.linkage.pins import Pin
 
 Segment = tuple[complex, complex]
 
 
 @record
-class Block:
+class SliderOutline:
     """A slider: its centre and direction in the axes of its link, and its joint."""
 
     joint: Joint
@@ -26,14 +26,14 @@ class Block:
 
 
 @record
-class Body:
+class LinkOutline:
     """What is drawn of a moving link, in its own axes [m]."""
 
     link: int
     plate: tuple[complex, ...]  # corners, counter-clockwise; empty for a bar
     bars: tuple[Segment, ...]
     slots: tuple[Segment, ...]  # lines that sliders of other links run on: drawn beneath the blocks
-    blocks: tuple[Block, ...]
+    blocks: tuple[SliderOutline, ...]
 
     @property
     def segments(self) -> tuple[Segment, ...]:
@@ -47,7 +47,7 @@ class Body:
         return (*(p for segment in self.segments for p in segment), *(b.centre for b in self.blocks))
 
 
-def bodies(mechanism: Mechanism, pins: tuple[Pin, ...], cycle: Motion, reach: float) -> tuple[Body, ...]:
+def bodies(mechanism: Mechanism, pins: tuple[Pin, ...], cycle: LinkageMotion, reach: float) -> tuple[LinkOutline, ...]:
     """The shapes of all moving links; slots go ``reach`` [m] beyond the sliders' ends."""
     return tuple(_body(mechanism, link, pins, cycle, reach) for link in mechanism.links)
 
@@ -60,23 +60,25 @@ def centre_of_block(joint: Joint, pins: tuple[Pin, ...]) -> complex:
     return q if q in own or not on_line else min(on_line, key=lambda p: abs(p - q))
 
 
-def travel(joint: Joint, pins: tuple[Pin, ...], cycle: Motion) -> tuple[float, float]:
+def travel(joint: Joint, pins: tuple[Pin, ...], cycle: LinkageMotion) -> tuple[float, float]:
     """How far the centre of the block goes along the guide, from the guide's point [m]."""
     shift = ((centre_of_block(joint, pins) - joint.points[0]) / joint.directions[0]).real
     s = cycle.slide(joint.name) + shift
     return float(s.min()), float(s.max())
 
 
-def _body(mechanism: Mechanism, link: Link, pins: tuple[Pin, ...], cycle: Motion, reach: float) -> Body:
+def _body(mechanism: Mechanism, link: Link, pins: tuple[Pin, ...], cycle: LinkageMotion, reach: float) -> LinkOutline:
     own = [pin for pin in pins if link.id in pin.at]
     sliding = [j for j in mechanism.joints if j.kind == "prismatic" and link.id in j.links]
-    blocks = tuple(Block(j, centre_of_block(j, pins), j.directions[0]) for j in sliding if j.links[0] == link.id)
+    blocks = tuple(
+        SliderOutline(j, centre_of_block(j, pins), j.directions[0]) for j in sliding if j.links[0] == link.id
+    )
     vertices = [pin.at[link.id] for pin in own if pin.joints]
     vertices += [b.centre for b in blocks if b.centre not in vertices]
     named = [pin.at[link.id] for pin in own if not pin.centre]
     slots = tuple(_slot(j, named, *travel(j, pins, cycle), reach) for j in sliding if j.links[1] == link.id)
     plate, bars = _solid(vertices)
-    body = Body(link.id, plate, bars, slots, blocks)
+    body = LinkOutline(link.id, plate, bars, slots, blocks)
     return _beneath(_tied(body, vertices, named))
 
 
@@ -114,10 +116,10 @@ def _hull(points: list[complex]) -> tuple[complex, ...]:
     return (*half(points), *half(points[::-1]))
 
 
-def _tied(body: Body, vertices: list[complex], named: list[complex]) -> Body:
+def _tied(body: LinkOutline, vertices: list[complex], named: list[complex]) -> LinkOutline:
     """Join slots and loose points to the rest of the link by bars."""
     bars = list(body.bars)
-    solid = [*Body(body.link, body.plate, body.bars, (), ()).segments, *((v, v) for v in vertices)]
+    solid = [*LinkOutline(body.link, body.plate, body.bars, (), ()).segments, *((v, v) for v in vertices)]
     for slot in body.slots:
         if solid and not any(_touch(slot, segment) for segment in solid):
             vertex = min(vertices, key=lambda v: _distance(v, slot)[0])
@@ -129,14 +131,14 @@ def _tied(body: Body, vertices: list[complex], named: list[complex]) -> Body:
             bars.append((foot, p))
         if not solid:
             solid.append((p, p))
-    return Body(body.link, body.plate, tuple(bars), body.slots, body.blocks)
+    return LinkOutline(body.link, body.plate, tuple(bars), body.slots, body.blocks)
 
 
-def _beneath(body: Body) -> Body:
+def _beneath(body: LinkOutline) -> LinkOutline:
     """A bar that lies along a slot of its link belongs to it, and runs beneath the blocks too."""
     along = tuple(b for b in body.bars if any(_parallel(b, s) for s in body.slots))
     bars = tuple(b for b in body.bars if b not in along)
-    return Body(body.link, body.plate, bars, body.slots + along, body.blocks)
+    return LinkOutline(body.link, body.plate, bars, body.slots + along, body.blocks)
 
 
 def _parallel(bar: Segment, slot: Segment) -> bool:

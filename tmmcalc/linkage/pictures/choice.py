@@ -10,8 +10,8 @@ import numpy as np
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.model import FRAME, Mechanism
-from tmmcalc.linkage.pictures.bodies import Body, bodies
-from tmmcalc.linkage.pictures.cycle import Motion, along, closed, motion_at
+from tmmcalc.linkage.pictures.bodies import LinkOutline, bodies
+from tmmcalc.linkage.pictures.cycle import LinkageMotion, along, closed, motion_at
 from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.results import Kinematics
 
@@ -21,7 +21,9 @@ APART = 0.05  # pins closer than this part of the mechanism's reach cover each o
 BESIDE = 0.02  # and so do a pin and a link that it does not belong to
 
 
-def chosen(cycle: Motion, result: Kinematics, positions: Sequence[int] | None, polygons: int | None) -> list[int]:
+def chosen(
+    cycle: LinkageMotion, result: Kinematics, positions: Sequence[int] | None, polygons: int | None
+) -> list[int]:
     """Positions to draw, the highlighted one first.
 
     By default that is the middle of the working stroke of the first output, else a quarter of the way, or the
@@ -46,7 +48,7 @@ def _telling(result: Kinematics, full: bool) -> int:
     return int(np.argmin(np.abs(phi - phi[np.argmax(np.abs(phi))] / 4)))
 
 
-def _clear(cycle: Motion, result: Kinematics, position: int) -> int:
+def _clear(cycle: LinkageMotion, result: Kinematics, position: int) -> int:
     """The nearest clear position, not far off; else the same position."""
     motion = motion_at(cycle.chain, result.x)
     clear = _clearances(motion, cycle)
@@ -54,7 +56,7 @@ def _clear(cycle: Motion, result: Kinematics, position: int) -> int:
     return next((k for k in near if clear[k]), position)
 
 
-def _clearances(motion: Motion, cycle: Motion) -> np.ndarray:
+def _clearances(motion: LinkageMotion, cycle: LinkageMotion) -> np.ndarray:
     """Which positions (n,) are clear."""
     mechanism = motion.chain.mechanism
     pins = [pin for pin in find_pins(mechanism) if pin.joints]
@@ -71,7 +73,7 @@ def _clearances(motion: Motion, cycle: Motion) -> np.ndarray:
     return clear
 
 
-def _apart(mechanism: Mechanism, pin: Pin, body: Body) -> bool:
+def _apart(mechanism: Mechanism, pin: Pin, body: LinkOutline) -> bool:
     """Whether a pin neither belongs to a link nor slides on it."""
     own = set(pin.at) - {FRAME}
     slides = any(
@@ -80,7 +82,7 @@ def _apart(mechanism: Mechanism, pin: Pin, body: Body) -> bool:
     return body.link not in pin.at and not slides
 
 
-def _distances(motion: Motion, body: Body, place: np.ndarray) -> np.ndarray:
+def _distances(motion: LinkageMotion, body: LinkOutline, place: np.ndarray) -> np.ndarray:
     """Distances (n,) of a point from the lines of a link."""
     least = np.full(motion.x.shape, np.inf)
     for a, b in (

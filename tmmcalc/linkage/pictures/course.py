@@ -23,7 +23,7 @@ PARTS = 24  # of the cycle at least, each with the points of a panel
 
 
 @record
-class Course:
+class DiagramCourse:
     """What the diagrams draw, at m angles: two at every edge of a panel, the limits from both sides."""
 
     phi: Real  # (m,) input coordinate from position 0 [rad or m]
@@ -38,7 +38,7 @@ def statics_of(mechanism: Mechanism, loading: Loading, kinematics: Kinematics) -
     return compile_statics(compile_scene(mechanism, loading, kinematics))
 
 
-def course_of(statics: Statics) -> Course:
+def course_of(statics: Statics) -> DiagramCourse:
     """Reactions at the points of panels whose edges lie at every jump; the limits there are extrapolated."""
     scene = statics.scene
     period = scene.travel.period
@@ -46,7 +46,7 @@ def course_of(statics: Statics) -> Course:
     dense = panels(0.0, period, scene.edges(reversals(statics)), widest)
     over, _ = stacked(statics, dense.x.ravel(), np.ones(dense.x.size))
     theta = places(dense)
-    return Course(
+    return DiagramCourse(
         scene.travel.sense * theta,
         np.exp(1j * scene.travel.x(theta)),
         with_limits(dense, _on(dense, over.reaction)),

@@ -14,7 +14,7 @@ from tmmcalc.core.records import record
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.freebody import Acting, Couple, FreeBody, cleared, free_bodies
-from tmmcalc.linkage.pictures.cycle import Motion, motion_at, whole_cycle
+from tmmcalc.linkage.pictures.cycle import LinkageMotion, motion_at, whole_cycle
 from tmmcalc.linkage.pictures.forcepolygon import draw_force_polygon
 from tmmcalc.linkage.pictures.loaddiagram import draw_load_diagram
 from tmmcalc.linkage.results import Kinematics
@@ -49,8 +49,8 @@ class Sheet:
     bodies: tuple[FreeBody, ...]
     others: tuple[FreeBody, ...]  # empty without a jump
     limits: tuple[str, str]  # names of the limit that is drawn and of the other
-    motion: Motion
-    cycle: Motion
+    motion: LinkageMotion
+    cycle: LinkageMotion
 
 
 def sheets_of(statics: Statics, kinematics: Kinematics, result: Forces, row: int) -> list[Sheet]:

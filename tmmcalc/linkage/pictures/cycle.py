@@ -16,7 +16,7 @@ TURN = 2 * math.pi
 
 
 @record
-class Motion:
+class LinkageMotion:
     """A mechanism at input coordinates ``x`` (n,)."""
 
     chain: Chain
@@ -36,12 +36,12 @@ class Motion:
         return np.broadcast_to(self.configuration.slides[joint].s, self.x.shape)
 
 
-def motion_at(chain: Chain, x: Real) -> Motion:
+def motion_at(chain: Chain, x: Real) -> LinkageMotion:
     """The motion at these input coordinates, with derivatives."""
-    return Motion(chain, x, chain.evaluate(x))
+    return LinkageMotion(chain, x, chain.evaluate(x))
 
 
-def whole_cycle(chain: Chain, result: Kinematics) -> Motion:
+def whole_cycle(chain: Chain, result: Kinematics) -> LinkageMotion:
     """The whole range of the input from position 0, densely."""
     span = chain.mechanism.grid.span or TURN
     along = np.linspace(0.0, math.copysign(1.0, result.speed) * span, SAMPLES)

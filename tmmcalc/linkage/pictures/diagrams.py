@@ -15,7 +15,7 @@ from tmmcalc.core.plane import Real
 from tmmcalc.core.records import record
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.outputs import coordinate_of, default_outputs
-from tmmcalc.linkage.pictures.cycle import TURN, Motion, along, closed
+from tmmcalc.linkage.pictures.cycle import TURN, LinkageMotion, along, closed
 from tmmcalc.linkage.results import Kinematics, OutputSummary
 from tmmcalc.linkage.trace import unwrapped
 from tmmcalc.report.drawing.curves import DOTTED, bottom, coordinate, frame, mark
@@ -28,7 +28,7 @@ Row = tuple[Real, Real, Real]
 
 
 @record
-class Curve:
+class OutputCurve:
     """One output: S, v, a over the dense cycle and at the positions, in SI."""
 
     name: str  # index of the symbols: the point or link, with the direction if there are two of a point
@@ -40,7 +40,7 @@ class Curve:
     style: dict[str, Any]
 
 
-def columns_of(result: Kinematics, cycle: Motion) -> list[list[Curve]]:
+def columns_of(result: Kinematics, cycle: LinkageMotion) -> list[list[OutputCurve]]:
     """Outputs that share their panels: linear ones in one column, angular ones in another."""
     outputs = default_outputs(cycle.chain)
     curves = [_curve(result, cycle, k, output, outputs) for k, output in enumerate(outputs)]
@@ -48,11 +48,11 @@ def columns_of(result: Kinematics, cycle: Motion) -> list[list[Curve]]:
     return [_restyled(group) for group in groups if group]
 
 
-def _restyled(group: list[Curve]) -> list[Curve]:
+def _restyled(group: list[OutputCurve]) -> list[OutputCurve]:
     return [replace(c, style=CURVES[k % len(CURVES)]) for k, c in enumerate(group)]
 
 
-def _curve(result: Kinematics, cycle: Motion, k: int, output: Output, outputs: Sequence[Output]) -> Curve:
+def _curve(result: Kinematics, cycle: LinkageMotion, k: int, output: Output, outputs: Sequence[Output]) -> OutputCurve:
     raw = coordinate_of(cycle.chain, output, cycle.configuration)
     value, rate, rate2 = (np.broadcast_to(v, cycle.x.shape) for v in raw)
     value = unwrapped(value) if output.link is not None else value
@@ -62,11 +62,11 @@ def _curve(result: Kinematics, cycle: Motion, k: int, output: Output, outputs: S
     summary = result.summaries[k] if k < len(result.summaries) else None
     nodes = (result.s[k], *result.in_time(result.ds[k], result.dds[k]))
     dense = (value - value[0], *result.in_time(rate, rate2))
-    return Curve(name, output.link is not None, dense, nodes, float(value[0]), summary, {})
+    return OutputCurve(name, output.link is not None, dense, nodes, float(value[0]), summary, {})
 
 
 def draw_diagrams(
-    panels: Sequence[Axes], result: Kinematics, cycle: Motion, curves: Sequence[Curve], ticks: int
+    panels: Sequence[Axes], result: Kinematics, cycle: LinkageMotion, curves: Sequence[OutputCurve], ticks: int
 ) -> None:
     """Draw the curves of one column on its three panels, ``ticks`` wide; texts follow by `label_diagrams`."""
     full = closed(cycle.chain)
@@ -90,7 +90,7 @@ def draw_diagrams(
         panels[0].legend(handles=lines, handlelength=3, borderaxespad=0, **place)
 
 
-def _quantity(curves: Sequence[Curve], kind: int) -> tuple[float, str]:
+def _quantity(curves: Sequence[OutputCurve], kind: int) -> tuple[float, str]:
     """Factor from SI and label of a panel."""
     symbol = _symbol(curves[0], kind) if len(curves) == 1 else _letter(curves[0], kind)
     if curves[0].angular:
@@ -101,22 +101,24 @@ def _quantity(curves: Sequence[Curve], kind: int) -> tuple[float, str]:
     return 1.0, f"${symbol}$, {('m', 'm/s', 'm/s²')[kind]}"
 
 
-def _letter(curve: Curve, kind: int) -> str:
+def _letter(curve: OutputCurve, kind: int) -> str:
     return ("\\Delta\\varphi", "\\omega", "\\varepsilon")[kind] if curve.angular else "Sva"[kind]
 
 
-def _symbol(curve: Curve, kind: int) -> str:
+def _symbol(curve: OutputCurve, kind: int) -> str:
     return f"{_letter(curve, kind)}_{{\\mathrm{{{curve.name}}}}}"
 
 
-def _dead_centres(result: Kinematics, curve: Curve, full: bool) -> list[float]:
+def _dead_centres(result: Kinematics, curve: OutputCurve, full: bool) -> list[float]:
     if curve.summary is None:
         return []
     turned = [along(result, centre.x, full) for centre in curve.summary.dead_centres]
     return [float(coordinate(result.turns, np.array(v))) for v in turned]
 
 
-def label_diagrams(panels: Sequence[Axes], result: Kinematics, cycle: Motion, curves: Sequence[Curve]) -> None:
+def label_diagrams(
+    panels: Sequence[Axes], result: Kinematics, cycle: LinkageMotion, curves: Sequence[OutputCurve]
+) -> None:
     """Mark and name extreme values and dead centres; the layout of the figure must be settled."""
     full = closed(cycle.chain)
     x = coordinate(result.turns, cycle.x - result.x[0])
@@ -133,7 +135,7 @@ def label_diagrams(panels: Sequence[Axes], result: Kinematics, cycle: Motion, cu
     _name_dead_centres(panels[0], result, curves, full)
 
 
-def _extremes(result: Kinematics, curve: Curve, kind: int, full: bool) -> list[tuple[float, float]]:
+def _extremes(result: Kinematics, curve: OutputCurve, kind: int, full: bool) -> list[tuple[float, float]]:
     """Diagram coordinate and SI value of the extremes of one quantity."""
     if curve.summary is None:
         return []
@@ -146,7 +148,7 @@ def _extremes(result: Kinematics, curve: Curve, kind: int, full: bool) -> list[t
     return list(zip(coordinate(result.turns, turned).tolist(), (extreme.value for extreme in pair), strict=True))
 
 
-def _travelled(curve: Curve, value: float) -> float:
+def _travelled(curve: OutputCurve, value: float) -> float:
     """Displacement at a dead centre from its coordinate; an angle on the branch of the curve."""
     s = value - curve.start
     if curve.angular:
@@ -155,7 +157,7 @@ def _travelled(curve: Curve, value: float) -> float:
     return s
 
 
-def _name_dead_centres(axes: Axes, result: Kinematics, curves: Sequence[Curve], full: bool) -> None:
+def _name_dead_centres(axes: Axes, result: Kinematics, curves: Sequence[OutputCurve], full: bool) -> None:
     """The coordinates of the dead centres above the uppermost panel; of two neighbours each gives way to its side."""
     span = abs(axes.get_xlim()[1] - axes.get_xlim()[0])
     found = sorted(

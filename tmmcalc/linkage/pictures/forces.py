@@ -15,7 +15,7 @@ from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.pictures.choice import check_positions
-from tmmcalc.linkage.pictures.course import Course, course_of, statics_of
+from tmmcalc.linkage.pictures.course import DiagramCourse, course_of, statics_of
 from tmmcalc.linkage.pictures.cutting import draw_sheet, sheets_of
 from tmmcalc.linkage.pictures.hodographs import draw_hodograph, hodographs_of, prepare
 from tmmcalc.linkage.results import Extreme, Kinematics
@@ -84,7 +84,7 @@ def _heading(result: Forces) -> str:
     return f"{first}\n$R_\\mathrm{{A}}$ (1–2): force of link 1 on link 2 in joint A"
 
 
-def _reaction_diagrams(statics: Statics, result: Forces, course: Course) -> dict[str, Diagram]:
+def _reaction_diagrams(statics: Statics, result: Forces, course: DiagramCourse) -> dict[str, Diagram]:
     """Sizes of the reactions, one diagram a group; the input joint stands with the first."""
     rows = {pair.joint: j for j, pair in enumerate(result.pairs)}
     structure, first = statics.scene.chain.structure, statics.scene.chain.input_joint.name
@@ -99,7 +99,7 @@ def _reaction_diagrams(statics: Statics, result: Forces, course: Course) -> dict
     return found
 
 
-def _size(result: Forces, course: Course, j: int, style: dict[str, Any]) -> Line:
+def _size(result: Forces, course: DiagramCourse, j: int, style: dict[str, Any]) -> Line:
     pair = result.pairs[j]
     label = f"$R_{{{upright(pair.joint)}}}$ ({pair.links[0]}–{pair.links[1]})"
     seen = pair.force.value > NOISE * max(each.force.value for each in result.pairs)
@@ -107,7 +107,7 @@ def _size(result: Forces, course: Course, j: int, style: dict[str, Any]) -> Line
     return Line(label, np.abs(course.reaction[j]), np.abs(result.reaction[j]), style, marks)
 
 
-def _drive_diagrams(result: Forces, course: Course) -> list[Diagram]:
+def _drive_diagrams(result: Forces, course: DiagramCourse) -> list[Diagram]:
     """Moment (force) of the drive, and its power."""
     what = ("M_d", "N*m", result.drive, course.drive, result.drive_extremes)
     if not result.turns:

@@ -14,7 +14,7 @@ from tmmcalc.core.plane import Plane
 from tmmcalc.core.records import record
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.model import FRAME, Mechanism
-from tmmcalc.linkage.pictures.course import Course
+from tmmcalc.linkage.pictures.course import DiagramCourse
 from tmmcalc.report.drawing.board import Board
 from tmmcalc.report.drawing.curves import DOTTED, suited
 from tmmcalc.report.drawing.labels import signed, upright
@@ -60,7 +60,7 @@ def prepare(axes: Axes) -> None:
     axes.set_ylabel("$R_y$, kN")
 
 
-def draw_hodograph(axes: Axes, result: Forces, course: Course, drawn: Hodograph, link: int) -> None:
+def draw_hodograph(axes: Axes, result: Forces, course: DiagramCourse, drawn: Hodograph, link: int) -> None:
     """Draw on an axes whose place is settled; ``link`` is the crank."""
     axes_of = np.conj(course.turn) if drawn.turning else np.ones_like(course.turn)
     paths = {j: course.reaction[j] * axes_of for j in drawn.pairs}
@@ -91,7 +91,7 @@ def _draw(board: Board, panels: Plane, style: dict[str, Any], peak: float) -> No
     board.line(np.concatenate(piece), linewidth=1.3, zorder=5, weight=0.5, **style)
 
 
-def _number(board: Board, result: Forces, j: int, turning: bool, course: Course, color: str) -> None:
+def _number(board: Board, result: Forces, j: int, turning: bool, course: DiagramCourse, color: str) -> None:
     """Positions as dots, some of them numbered where there is room."""
     if len(result.labels) > DOTTED:
         return

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure, SubFigure
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.pictures.choice import check_positions, chosen
-from tmmcalc.linkage.pictures.cycle import Motion, whole_cycle
+from tmmcalc.linkage.pictures.cycle import LinkageMotion, whole_cycle
 from tmmcalc.linkage.pictures.diagrams import columns_of, draw_diagrams, label_diagrams
 from tmmcalc.linkage.pictures.scheme import draw_scheme, prepare
 from tmmcalc.linkage.pictures.vectors import draw_notes, draw_polygon, scale_note
@@ -46,7 +46,9 @@ def kinematics_figure(
     return figure
 
 
-def _first_sheet(figure: Figure, sheet: SubFigure, result: Kinematics, cycle: Motion, drawn: Sequence[int]) -> None:
+def _first_sheet(
+    figure: Figure, sheet: SubFigure, result: Kinematics, cycle: LinkageMotion, drawn: Sequence[int]
+) -> None:
     columns = columns_of(result, cycle)
     grid = sheet.add_gridspec(
         3, 1 + len(columns), width_ratios=[1.35 if len(columns) < 2 else 1.5, *(1 for _ in columns)]

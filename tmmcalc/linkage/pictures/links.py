@@ -7,8 +7,8 @@ import math
 from collections.abc import Iterator
 from itertools import combinations
 
-from tmmcalc.linkage.pictures.bodies import Body, Segment
-from tmmcalc.linkage.pictures.cycle import Motion
+from tmmcalc.linkage.pictures.bodies import LinkOutline, Segment
+from tmmcalc.linkage.pictures.cycle import LinkageMotion
 from tmmcalc.report.drawing import symbols
 from tmmcalc.report.drawing.board import Board
 from tmmcalc.report.drawing.style import PLATE
@@ -16,7 +16,7 @@ from tmmcalc.report.drawing.style import PLATE
 SHARP = 0.05  # sine of an angle below which two bars are one line
 
 
-def draw_link(board: Board, body: Body, motion: Motion, k: int = 0) -> None:
+def draw_link(board: Board, body: LinkOutline, motion: LinkageMotion, k: int = 0) -> None:
     """Draw a link in the k-th position of the motion."""
     turn = complex(motion.turn(body.link)[k])
 
@@ -36,7 +36,7 @@ def draw_link(board: Board, body: Body, motion: Motion, k: int = 0) -> None:
         symbols.weld(board, placed((at,))[0], first * turn, second * turn)
 
 
-def _corners(body: Body) -> Iterator[tuple[complex, complex, complex]]:
+def _corners(body: LinkOutline) -> Iterator[tuple[complex, complex, complex]]:
     """Where two bars of a link meet at an angle: the point, and the directions of both from there."""
     lines: tuple[Segment, ...] = (*body.bars, *body.slots)
     for one, other in combinations(lines, 2):

@@ -17,7 +17,7 @@ from matplotlib.axes import Axes
 from tmmcalc.linkage.freebody import Acting, Couple, FreeBody
 from tmmcalc.linkage.model import FRAME, Joint
 from tmmcalc.linkage.pictures.bodies import bodies
-from tmmcalc.linkage.pictures.cycle import Motion
+from tmmcalc.linkage.pictures.cycle import LinkageMotion
 from tmmcalc.linkage.pictures.links import draw_link
 from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.report.drawing import symbols
@@ -39,7 +39,7 @@ ARC = 3.6  # radius of a couple's arc [mm]
 PITCH = math.radians(35)  # half of the arc of a pitch circle that is shown
 
 
-def draw_load_diagram(axes: Axes, body: FreeBody, motion: Motion, cycle: Motion) -> float:
+def draw_load_diagram(axes: Axes, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> float:
     """Draw on an axes whose place is settled; returns the scale of the links [m/mm]."""
     diagram = _Diagram(axes, body, motion, cycle)
     diagram.links()
@@ -52,7 +52,7 @@ def draw_load_diagram(axes: Axes, body: FreeBody, motion: Motion, cycle: Motion)
 class _Diagram:
     """One load diagram while it is drawn."""
 
-    def __init__(self, axes: Axes, body: FreeBody, motion: Motion, cycle: Motion) -> None:
+    def __init__(self, axes: Axes, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> None:
         self.body, self.motion = body, motion
         self.mechanism = motion.chain.mechanism
         self.pins = find_pins(self.mechanism)

@@ -12,8 +12,8 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from tmmcalc.core.plane import Plane
 from tmmcalc.linkage.model import FRAME, Joint
-from tmmcalc.linkage.pictures.bodies import Body, bodies, centre_of_block, travel
-from tmmcalc.linkage.pictures.cycle import Motion, motion_at
+from tmmcalc.linkage.pictures.bodies import LinkOutline, bodies, centre_of_block, travel
+from tmmcalc.linkage.pictures.cycle import LinkageMotion, motion_at
 from tmmcalc.linkage.pictures.links import draw_link
 from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.results import Kinematics
@@ -27,7 +27,7 @@ Z_PATH, Z_OTHERS = 1, 2
 LARGE = 3.0  # a mechanism larger than this is dimensioned in m, a smaller one in mm
 
 
-def prepare(axes: Axes, cycle: Motion) -> None:
+def prepare(axes: Axes, cycle: LinkageMotion) -> None:
     """Title, names of the axes and wide limits, so that the layout reserves the room that the scheme will need."""
     content = _content(cycle)
     middle, reach = complex(content.real.mean(), content.imag.mean()), _size(content)
@@ -37,7 +37,7 @@ def prepare(axes: Axes, cycle: Motion) -> None:
     _dimension(axes, reach)
 
 
-def draw_scheme(axes: Axes, result: Kinematics, cycle: Motion, positions: Sequence[int]) -> Board:
+def draw_scheme(axes: Axes, result: Kinematics, cycle: LinkageMotion, positions: Sequence[int]) -> Board:
     """Draw on an axes whose place is settled; the first of ``positions`` has main lines. Returns the board."""
     scheme = _Scheme(axes, result, cycle, positions)
     scheme.paths()
@@ -54,7 +54,7 @@ def draw_scheme(axes: Axes, result: Kinematics, cycle: Motion, positions: Sequen
 class _Scheme:
     """One scheme while it is drawn."""
 
-    def __init__(self, axes: Axes, result: Kinematics, cycle: Motion, positions: Sequence[int]) -> None:
+    def __init__(self, axes: Axes, result: Kinematics, cycle: LinkageMotion, positions: Sequence[int]) -> None:
         self.result, self.cycle, self.positions = result, cycle, positions
         self.mechanism = cycle.chain.mechanism
         self.pins = find_pins(self.mechanism)
@@ -224,7 +224,7 @@ class _Scheme:
         for body in self.bodies:
             labels.put(str(body.link), list(self._beside(body)), size=6.5, ring=True, gaps=(0.8, 1.6, 2.6, 3.8, 5.5))
 
-    def _beside(self, body: Body) -> Iterator[complex]:
+    def _beside(self, body: LinkOutline) -> Iterator[complex]:
         """Anchors for the number of a link."""
         if body.plate:
             yield sum(self.placed(body.link, body.plate)) / len(body.plate)
@@ -239,7 +239,7 @@ class _Scheme:
             yield self.place(body.link, 0j)
 
 
-def _content(motion: Motion, cycle: Motion | None = None) -> Plane:
+def _content(motion: LinkageMotion, cycle: LinkageMotion | None = None) -> Plane:
     """All that must fit: points and ends of lines in these positions, slots as long as over the whole cycle."""
     mechanism = motion.chain.mechanism
     pins = find_pins(mechanism)

@@ -13,11 +13,11 @@ decided here: it is told apart (``clear``), to be solved alone.
 
 One linkage by itself is a stack of one, wherever a computation has the same steps: the chain, the dyads, the statics,
 extremes of outputs (`outputs.extremes_of`) and transmission (`quality.assessed`), the panels of reactions
-(`forces.between`) and of what is reduced (`machine.reduction.mesh`). What differs, differs on purpose:
+(`forces.refinement`) and of what is reduced (`machine.reduction.mesh`). What differs, differs on purpose:
 
 dead centres and reversals  alone they are sought with every turning point that may hide two of them, and a dead point
     is refused with its place and cause (`outputs.dead_centres`, `crossings`); here a variant with such a place is told
-    apart, so that all have as many zeros and these are arrays (`settle`, `zeros`)
+    apart, so that all have as many zeros and these are arrays (`survey`, `zeros`)
 position 0 and strokes  alone of any output with any number of reversals, over a part of the turn too; here of two dead
     centres, where both ways to order them cannot be confused
 self-locking  alone it is refused with its place and the part of the friction that is taken, and other solutions of

@@ -17,7 +17,7 @@ from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.outputs import coordinate_of, default_outputs
 from tmmcalc.linkage.quality import Measure, kinds_of
 from tmmcalc.linkage.stacked.scene import Block
-from tmmcalc.linkage.stacked.settle import ROWS
+from tmmcalc.linkage.stacked.survey import ROWS
 from tmmcalc.linkage.survey import STEPS, Quantity
 from tmmcalc.linkage.trace import principal, unwrapped
 

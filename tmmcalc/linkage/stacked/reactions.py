@@ -11,10 +11,10 @@ from tmmcalc.core.numerics.mesh import Flags, Mesh, laid
 from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
-from tmmcalc.linkage.forces.between import PARTS, Sample, resolved, sample_of
+from tmmcalc.linkage.forces.refinement import PARTS, Sample, resolved, sample_of
 from tmmcalc.linkage.forces.stack import stacked
 from tmmcalc.linkage.stacked.scene import Block
-from tmmcalc.linkage.stacked.settle import ROWS
+from tmmcalc.linkage.stacked.survey import ROWS
 from tmmcalc.linkage.stacked.tables import turning_of
 
 

@@ -20,7 +20,7 @@ from tmmcalc.linkage.loads.scene import Scene, compile_scene, scene_of
 from tmmcalc.linkage.loads.travel import EDGE
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.linkage.stacked.settle import ROWS, Settled, settle
+from tmmcalc.linkage.stacked.survey import ROWS, Settled, settle
 from tmmcalc.linkage.variants import given_variants, sketched_groups
 
 

@@ -17,7 +17,7 @@ from tmmcalc.linkage.loads.travel import EDGE
 from tmmcalc.linkage.outputs import default_outputs, working_angle
 from tmmcalc.linkage.results import Kinematics, Trace
 from tmmcalc.linkage.stacked.scene import Block
-from tmmcalc.linkage.stacked.settle import STEP, STEPS, X
+from tmmcalc.linkage.stacked.survey import STEP, STEPS, X
 from tmmcalc.linkage.stacked.zeros import Flags
 from tmmcalc.linkage.trace import principal, trace
 

@@ -14,7 +14,7 @@ from tmmcalc.linkage.model import FRAME, Assembly, Grid, Input, Joint, Link, Mec
 
 
 @record
-class Scene:
+class Operation:
     """Motion of the crank, positions and outputs of a mechanism."""
 
     speed: float  # [rad/s]
@@ -62,7 +62,7 @@ def _coupler(sizes: FourBar | SliderCrank) -> Link:
     return Link(2, {"B": 0j, "C": complex(sizes.coupler), **extra}, "coupler")
 
 
-def four_bar(sizes: FourBar, scene: Scene) -> Mechanism:
+def four_bar(sizes: FourBar, scene: Operation) -> Mechanism:
     """The four-bar A B C D with its coupler point P."""
     frame = Link(FRAME, {"A": sizes.pivot, "D": sizes.fixed}, "frame")
     crank, coupler = _crank(sizes), _coupler(sizes)
@@ -76,7 +76,7 @@ def four_bar(sizes: FourBar, scene: Scene) -> Mechanism:
     return _mechanism(frame, (crank, coupler, rocker), joints, scene, {(2, 3): sizes.variant})
 
 
-def slider_crank(sizes: SliderCrank, scene: Scene) -> Mechanism:
+def slider_crank(sizes: SliderCrank, scene: Operation) -> Mechanism:
     """The slider-crank A B C with its coupler point P; the guide of the joint C0 is named by G."""
     frame = Link(FRAME, {"A": sizes.pivot, "G": sizes.guide}, "frame")
     crank, coupler = _crank(sizes), _coupler(sizes)
@@ -90,7 +90,7 @@ def slider_crank(sizes: SliderCrank, scene: Scene) -> Mechanism:
     return _mechanism(frame, (crank, coupler, slider), joints, scene, {(2, 3): sizes.variant})
 
 
-def slotted_link(crank: float, centres: float, arm: float, rod: float, guide: float, scene: Scene) -> Mechanism:
+def slotted_link(crank: float, centres: float, arm: float, rod: float, guide: float, scene: Operation) -> Mechanism:
     """Slotted link about C = 0, crank about A = i ``centres``, rod DE, slider E on the line y = ``guide``."""
     frame = Link(FRAME, {"C": 0j, "A": 1j * centres, "G": 1j * guide}, "frame")
     links = (
@@ -118,7 +118,11 @@ def _guided(name: str, slider: Link, pin: str, guide: Link, through: complex, di
 
 
 def _mechanism(
-    frame: Link, links: tuple[Link, ...], joints: tuple[Joint, ...], scene: Scene, variants: dict[tuple[int, int], int]
+    frame: Link,
+    links: tuple[Link, ...],
+    joints: tuple[Joint, ...],
+    scene: Operation,
+    variants: dict[tuple[int, int], int],
 ) -> Mechanism:
     drive = Input("A", scene.speed, 0.0, scene.start)
     signs: dict[tuple[int, ...], int] = dict(variants.items())

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.synthesis.builders import SliderCrank, slider_crank
-from tmmcalc.linkage.synthesis.designs import Closed, closed_form, scene_of
+from tmmcalc.linkage.synthesis.designs import ClosedForm, closed_form, scene_of
 from tmmcalc.linkage.synthesis.results import PRESSURE, Check, Size, Synthesis
 from tmmcalc.linkage.synthesis.simulation import check, simulate, tilts
 from tmmcalc.linkage.synthesis.strokes import overlap, time_ratio
@@ -106,7 +106,7 @@ def _scale(asked: SliderCrankTask, lam: float, kappa: float) -> float | None:
     return asked.offset / kappa if asked.offset and kappa else asked.offset or None
 
 
-def _closed(task: SynthesisTask, asked: SliderCrankTask, lam: float, kappa: float) -> Closed:
+def _closed(task: SynthesisTask, asked: SliderCrankTask, lam: float, kappa: float) -> ClosedForm:
     """The design at one place of the plane, checked by its simulation."""
     l = _scale(asked, lam, kappa) or math.nan
     r, e = lam * l, kappa * l
@@ -139,7 +139,7 @@ def _closed(task: SynthesisTask, asked: SliderCrankTask, lam: float, kappa: floa
     ]
     merits = {PRESSURE.key: math.degrees(max(working.largest, idle.largest)), "r/l": lam, "e/r": kappa / lam}
     notes = tuple(_notes(asked, e, working.largest, idle.largest))
-    return Closed("slider-crank", sizes, tuple(checks), merits, mechanism, found, notes)
+    return ClosedForm("slider-crank", sizes, tuple(checks), merits, mechanism, found, notes)
 
 
 def _checks(

@@ -9,7 +9,7 @@ from typing import Any
 from tmmcalc.core.errors import AccuracyError
 from tmmcalc.core.records import record
 from tmmcalc.linkage.model import Grid, Mechanism, Output
-from tmmcalc.linkage.synthesis.builders import Scene
+from tmmcalc.linkage.synthesis.builders import Operation
 from tmmcalc.linkage.synthesis.ready import ready_spec
 from tmmcalc.linkage.synthesis.results import Check, Design, Size, Synthesis
 from tmmcalc.linkage.synthesis.simulation import Simulation
@@ -21,7 +21,7 @@ SPEED = 1.0  # of a crank of which nothing is said [rad/s]
 
 
 @record
-class Closed:
+class ClosedForm:
     """A design of a closed form before it is written: what was found, and the simulation of it."""
 
     name: str
@@ -34,7 +34,7 @@ class Closed:
     defects: tuple[str, ...] = ()
 
 
-def scene_of(task: SynthesisTask, stroke: float, ratio: float, output: Output) -> Scene:
+def scene_of(task: SynthesisTask, stroke: float, ratio: float, output: Output) -> Operation:
     """Motion of a mechanism that is checked: from the dead centre before the working stroke of its output.
 
     The crank's speed is given, or by the mean speed of the working stroke, or 1 rad/s.
@@ -42,10 +42,10 @@ def scene_of(task: SynthesisTask, stroke: float, ratio: float, output: Output) -
     speed = SPEED if task.crank_speed is None else task.crank_speed
     if task.working_speed is not None:
         speed = crank_speed(stroke, ratio, task.working_speed)
-    return Scene(speed, None, Grid(task.positions, extremes=True), (output,))
+    return Operation(speed, None, Grid(task.positions, extremes=True), (output,))
 
 
-def closed_form(task: SynthesisTask, kind: str, rule: str, found: Sequence[Closed]) -> Synthesis:
+def closed_form(task: SynthesisTask, kind: str, rule: str, found: Sequence[ClosedForm]) -> Synthesis:
     """The designs with their times and ready specs; raises `AccuracyError` if a simulation misses a target."""
     designs = tuple(_design(task, closed) for closed in found[: task.solutions])
     residual = max((largest_residual(design) for design in designs), default=0.0)
@@ -68,7 +68,7 @@ def largest_residual(design: Design) -> float:
     return max((check.residual for check in design.checks if check.residual is not None), default=0.0)
 
 
-def _design(task: SynthesisTask, closed: Closed) -> Design:
+def _design(task: SynthesisTask, closed: ClosedForm) -> Design:
     found = closed.simulation
     unit = "m" if closed.mechanism.outputs[0].link is None else "rad"
     times = stroke_times(found.stroke, found.time_ratio, abs(found.result.speed), unit)

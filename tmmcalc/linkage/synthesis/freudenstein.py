@@ -42,7 +42,7 @@ class Closure(NamedTuple):
         return np.stack((np.cos(psi), -np.cos(phi), np.ones_like(phi)), axis=-1), np.cos(phi - psi)
 
 
-class Found(NamedTuple):
+class Coefficients(NamedTuple):
     """Coefficients K (k, 3) at offsets (k, 2)."""
 
     coefficients: Real
@@ -66,7 +66,7 @@ def closure_of(asked: FunctionTask) -> Closure:
     return Closure(asked.inputs, asked.outputs / unit, fine, slides, given, asked.frame, unit)
 
 
-def solved_exactly(closure: Closure, grid: int) -> Found:
+def solved_exactly(closure: Closure, grid: int) -> Coefficients:
     """All exact solutions on the grid of offsets that are left free, or at the roots where they are not."""
     count = len(closure.inputs)
     u, v = (values.ravel() for values in np.meshgrid(*offsets(closure, grid), indexing="ij"))
@@ -75,13 +75,13 @@ def solved_exactly(closure: Closure, grid: int) -> Found:
     return _kept(closure, coefficients(closure, u, v))
 
 
-def _kept(closure: Closure, found: Found) -> Found:
+def _kept(closure: Closure, found: Coefficients) -> Coefficients:
     """Those that meet all points: the determinants vanish too where three points say the same."""
     matrix, right = closure.system(*found.offsets.T)
     open_ = np.abs(np.einsum("kni,ki->kn", matrix, found.coefficients) - right)
     terms = np.einsum("kni,ki->kn", np.abs(matrix), np.abs(found.coefficients)) + np.abs(right)
     good = np.all(open_ <= SATISFIED * terms, axis=1)
-    return Found(found.coefficients[good], found.offsets[good])
+    return Coefficients(found.coefficients[good], found.offsets[good])
 
 
 def offsets(closure: Closure, grid: int) -> tuple[Real, Real]:
@@ -95,7 +95,7 @@ def offsets(closure: Closure, grid: int) -> tuple[Real, Real]:
     )
 
 
-def coefficients(closure: Closure, u: Real, v: Real) -> Found:
+def coefficients(closure: Closure, u: Real, v: Real) -> Coefficients:
     """Coefficients in the least squares, exact for three points; singular systems are left out."""
     matrix, right = closure.system(u, v)
     normal = np.einsum("kni,knj->kij", matrix, matrix)
@@ -104,7 +104,7 @@ def coefficients(closure: Closure, u: Real, v: Real) -> Found:
     solved = np.linalg.pinv(matrix) @ right[..., None]
     solved += np.linalg.pinv(matrix) @ (right[..., None] - matrix @ solved)
     places = np.stack((u[regular], v[regular]), axis=1)
-    return Found(solved[..., 0], places)
+    return Coefficients(solved[..., 0], places)
 
 
 def _gap(closure: Closure, u: Real, v: Real, last: int) -> Real:

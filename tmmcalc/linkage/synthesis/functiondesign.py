@@ -14,7 +14,7 @@ from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Grid, Mechanism, Output
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.linkage.synthesis.builders import FourBar, Scene, SliderCrank, four_bar, slider_crank
+from tmmcalc.linkage.synthesis.builders import FourBar, Operation, SliderCrank, four_bar, slider_crank
 from tmmcalc.linkage.synthesis.designs import SPEED, remarks
 from tmmcalc.linkage.synthesis.freudenstein import Closure, exact_points
 from tmmcalc.linkage.synthesis.functionfit import LONG, MET, POOR, Fitted, difference
@@ -94,7 +94,7 @@ def _mechanism(task: SynthesisTask, closure: Closure, fitted: Fitted, k: int) ->
     extra = tuple(float(along) for along in np.sort(sense * (asked.inputs + u - start)) if along > 0)
     speed = sense * abs(task.crank_speed or SPEED)
     outputs = (Output("C"),) if closure.slides else (Output(link=3),)
-    scene = Scene(speed, start, Grid(task.positions, span=high - low, extra=extra), outputs)
+    scene = Operation(speed, start, Grid(task.positions, span=high - low, extra=extra), outputs)
     if closure.slides:
         return slider_crank(SliderCrank(0j, a, b, 1j * c, variant=sign), scene)
     return four_bar(FourBar(0j, a, b, c, complex(d), variant=-sign), scene)

@@ -12,7 +12,7 @@ import numpy as np
 
 from tmmcalc.core.plane import Real
 from tmmcalc.core.progress import tell
-from tmmcalc.linkage.synthesis.freudenstein import TURN, Closure, Found, coefficients, offsets
+from tmmcalc.linkage.synthesis.freudenstein import TURN, Closure, Coefficients, coefficients, offsets
 
 STARTS = 8  # fits from so many of the best starts
 LONGEST = 50.0  # of a link against the frame, or against the travel of the slider
@@ -32,7 +32,7 @@ class Fitted(NamedTuple):
     transmission: Real  # (k,) least transmission angle over the range [rad]
 
 
-def sizes_of(closure: Closure, found: Found) -> tuple[Real, Real]:
+def sizes_of(closure: Closure, found: Coefficients) -> tuple[Real, Real]:
     """Sizes (k, 4) and offsets (k, 2) of coefficients; rows that are no linkage hold NaN."""
     k, places = found.coefficients, found.offsets.copy()
     with np.errstate(all="ignore"):
@@ -74,7 +74,7 @@ def difference(closure: Closure, found: Real, wanted: Real) -> Real:
     return error if closure.slides else error - TURN * np.round(error / TURN)
 
 
-def rated(closure: Closure, found: Found, least: float, exact: bool) -> Fitted:
+def rated(closure: Closure, found: Coefficients, least: float, exact: bool) -> Fitted:
     """Errors and defects of all linkages, each in its better variant; those that are none are left out."""
     sizes, places = sizes_of(closure, found)
     whole = np.all(np.isfinite(sizes), axis=1) & (sizes[:, :2].min(axis=1) > 0)
@@ -105,7 +105,7 @@ def _rated(closure: Closure, sizes: Real, places: Real, least: float, exact: boo
     return Fitted(sizes, places, np.where(first, 1.0, -1.0), error, defects.astype(float), angle)
 
 
-def best_fits(closure: Closure, grid: int) -> Found:
+def best_fits(closure: Closure, grid: int) -> Coefficients:
     """Coefficients and offsets of fits in the least squares: of the closure on a grid, then of the output itself."""
     u, v = (values.ravel() for values in np.meshgrid(*offsets(closure, grid), indexing="ij"))
     starts = coefficients(closure, u, v)
@@ -123,9 +123,9 @@ def best_fits(closure: Closure, grid: int) -> Found:
         tell((done + 1) / (len(chosen) + 1), f"fit {done + 1} of {len(chosen)}")
         results.append(_fit(closure, fitted, k))
     if not results:
-        return Found(np.empty((0, 3)), np.empty((0, 2)))
+        return Coefficients(np.empty((0, 3)), np.empty((0, 2)))
     sizes, places = (np.array(part) for part in zip(*results, strict=True))
-    return Found(_coefficients_of(closure, sizes), places)
+    return Coefficients(_coefficients_of(closure, sizes), places)
 
 
 def _fit(closure: Closure, fitted: Fitted, k: int) -> tuple[Real, Real]:

@@ -11,7 +11,7 @@ from tmmcalc.core.plane import Real
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Grid, Mechanism, Output
-from tmmcalc.linkage.synthesis.builders import FourBar, Scene, SliderCrank, four_bar, slider_crank
+from tmmcalc.linkage.synthesis.builders import FourBar, Operation, SliderCrank, four_bar, slider_crank
 from tmmcalc.linkage.synthesis.designs import SPEED, remarks
 from tmmcalc.linkage.synthesis.planar import Bars, grashof
 from tmmcalc.linkage.synthesis.posed import limits
@@ -90,7 +90,7 @@ def _mechanism(task: SynthesisTask, bars: Bars, rating: Rating) -> Mechanism:
         low, high = float(np.min(sense * phi)), float(np.max(sense * phi))
         start, grid = sense * low, Grid(task.positions, span=high - low)
     outputs = (Output("P", 0.0, label="Px"), Output("P", math.pi / 2, label="Py"))
-    scene = Scene(sense * abs(task.crank_speed or SPEED), start, grid, outputs)
+    scene = Operation(sense * abs(task.crank_speed or SPEED), start, grid, outputs)
     pivot, end, point = (complex(part[0, 0]) for part in (bars.pivot, bars.end, bars.point))
     crank, coupler, rocker = (float(part[0, 0]) for part in (bars.crank, bars.coupler, bars.rocker))
     sign = int(bars.sign[0, 0])

@@ -16,7 +16,7 @@ from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.synthesis.builders import FourBar, four_bar
-from tmmcalc.linkage.synthesis.designs import Closed, closed_form, scene_of
+from tmmcalc.linkage.synthesis.designs import ClosedForm, closed_form, scene_of
 from tmmcalc.linkage.synthesis.results import TRANSMISSION, Check, Size, Synthesis
 from tmmcalc.linkage.synthesis.rockerfamily import Family, cosines, family, slopes
 from tmmcalc.linkage.synthesis.simulation import Simulation, check, simulate
@@ -139,7 +139,7 @@ def _none(asked: CrankRockerTask, half: float, psi: float) -> NoSolutionError:
     )
 
 
-def _closed(task: SynthesisTask, asked: CrankRockerTask, found: Family) -> Closed:
+def _closed(task: SynthesisTask, asked: CrankRockerTask, found: Family) -> ClosedForm:
     """The design in its own axes: crank's pivot at 0, rocker's pivot to the right of it."""
     ones = {"crank": found.crank[0], "coupler": found.coupler[0], "rocker": 1.0, "frame": found.frame[0]}
     base = next(name for name in LENGTHS if getattr(asked, name) is not None)
@@ -164,7 +164,7 @@ def _closed(task: SynthesisTask, asked: CrankRockerTask, found: Family) -> Close
     )
     checks = tuple(_checks(asked, simulation, (r, l, rocker, frame), transmission))
     merits = {TRANSMISSION.key: math.degrees(transmission), "r/L": r / frame}
-    return Closed("crank-rocker", sizes, checks, merits, mechanism, simulation, tuple(_notes(asked, transmission)))
+    return ClosedForm("crank-rocker", sizes, checks, merits, mechanism, simulation, tuple(_notes(asked, transmission)))
 
 
 def _checks(

@@ -18,7 +18,7 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.synthesis.designs import Closed, closed_form
+from tmmcalc.linkage.synthesis.designs import ClosedForm, closed_form
 from tmmcalc.linkage.synthesis.results import PRESSURE, Size, Synthesis
 from tmmcalc.linkage.synthesis.slottedpost import checked, checks
 from tmmcalc.linkage.synthesis.strokes import TURN, overlap
@@ -101,7 +101,7 @@ def _roots(f: Callable[[Real], Real], x: Real) -> Real:
     return bracketed(lambda at, which: f(at), x[change], x[change + 1])
 
 
-def _closed(task: SynthesisTask, asked: RotatingTask, arm: float, rod: float, ratio: float) -> Closed:
+def _closed(task: SynthesisTask, asked: RotatingTask, arm: float, rod: float, ratio: float) -> ClosedForm:
     crank = asked.crank if asked.crank is not None else (asked.centres or math.nan) / ratio
     centres = asked.centres if asked.centres is not None else crank * ratio
     post = checked(task, (crank, centres, arm, rod, asked.guide))
@@ -118,4 +118,4 @@ def _closed(task: SynthesisTask, asked: RotatingTask, arm: float, rod: float, ra
         Size("phi_second", second, "rad", "crank at the near end of the stroke"),
     )
     merits = {PRESSURE.key: math.degrees(post.pressure), "L/r": centres / crank}
-    return Closed("rotating slotted link", sizes, tuple(checks(asked, post)), merits, post.mechanism, found)
+    return ClosedForm("rotating slotted link", sizes, tuple(checks(asked, post)), merits, post.mechanism, found)

@@ -13,7 +13,7 @@ import math
 from collections.abc import Iterator
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.linkage.synthesis.designs import Closed, closed_form
+from tmmcalc.linkage.synthesis.designs import ClosedForm, closed_form
 from tmmcalc.linkage.synthesis.results import PRESSURE, Size, Synthesis
 from tmmcalc.linkage.synthesis.slottedpost import Lengths, checked, checks
 from tmmcalc.linkage.synthesis.strokes import overlap
@@ -79,7 +79,7 @@ def _layout(asked: SlottedTask, phi: float) -> tuple[float, float, float]:
     return crank, centres, centres + k * crank if asked.guide is None else asked.guide
 
 
-def _closed(task: SynthesisTask, asked: SlottedTask, phi: float, lengths: Lengths) -> Closed:
+def _closed(task: SynthesisTask, asked: SlottedTask, phi: float, lengths: Lengths) -> ClosedForm:
     crank, centres, arm, rod, guide = lengths
     found = checked(task, lengths)
     sizes = (
@@ -95,7 +95,7 @@ def _closed(task: SynthesisTask, asked: SlottedTask, phi: float, lengths: Length
     )
     merits = {PRESSURE.key: math.degrees(found.pressure), "r/L": crank / centres}
     made, notes = tuple(checks(asked, found)), tuple(_notes(crank, centres, arm, guide))
-    return Closed("slotted link", sizes, made, merits, found.mechanism, found.simulation, notes)
+    return ClosedForm("slotted link", sizes, made, merits, found.mechanism, found.simulation, notes)
 
 
 def _notes(crank: float, centres: float, arm: float, guide: float) -> Iterator[str]:

@@ -15,7 +15,7 @@ from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.forces.forces import ROUNDING, forces_of
 from tmmcalc.linkage.forces.kinetostatics import Statics
-from tmmcalc.linkage.forces.maxima import held
+from tmmcalc.linkage.forces.maxima import force_functions
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.kinematics import crank_length
@@ -119,7 +119,14 @@ def forces_records(block: Block, variants: Indices, kinematics: Sequence[Kinemat
         mine = rows.columns(slice(k * n, (k + 1) * n))
         found.append(
             forces_of(
-                own, _copied(mine), theta, labels, (panels, held(own, over.values[:, part]), True), error, passes, ()
+                own,
+                _copied(mine),
+                theta,
+                labels,
+                (panels, force_functions(own, over.values[:, part]), True),
+                error,
+                passes,
+                (),
             )
         )
     return found

@@ -15,10 +15,10 @@ from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.synthesis.dwell.exact import Figures
 from tmmcalc.linkage.synthesis.dwell.linkages import Linkages
 from tmmcalc.linkage.synthesis.dwell.mechanism import loading_of
-from tmmcalc.linkage.synthesis.dwell.motion import State, pose
+from tmmcalc.linkage.synthesis.dwell.motion import Unknowns, pose
 from tmmcalc.linkage.synthesis.dwell.positions import motion_of
 from tmmcalc.linkage.synthesis.dwell.relative import accuracy, arc_of, branch_of, gamma, reach
-from tmmcalc.linkage.synthesis.dwell.results import Agreement, CrossCheck, Dwell, Largest, Motion, Slots
+from tmmcalc.linkage.synthesis.dwell.results import Agreement, CrossCheck, Dwell, DwellMotion, Largest, Slots
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.turn import TURN, Turn, along, place
 from tmmcalc.linkage.synthesis.dwell.unitforces import unit_forces
@@ -43,7 +43,7 @@ def analysed(asked: DwellTask, turn: Turn, found: Figures, mechanism: Mechanism,
     kinematics = solve_kinematics(mechanism)
     theta = kinematics.trace.angle[kinematics.trace.link_ids.index(2)]
     length = 1.0 if linkages.rocks else scale
-    state = State(theta, kinematics.s[0] / length, *(np.zeros_like(theta),) * 4)
+    state = Unknowns(theta, kinematics.s[0] / length, *(np.zeros_like(theta),) * 4)
     state = state._replace(ds=kinematics.ds[0] / length, dds=kinematics.dds[0] / length)
     motion = motion_of(asked, linkages, kinematics.labels, np.abs(kinematics.phi), kinematics.x, state, scale)
     fine = np.linspace(0.0, TURN, FINE + 1)
@@ -128,7 +128,7 @@ def agreement(
     found: Figures,
     mechanism: Mechanism,
     kinematics: Kinematics,
-    motion: Motion,
+    motion: DwellMotion,
     scale: float,
 ) -> Agreement:
     """The two closures and the two equations of equilibrium against the kinematics and forces rooms."""

@@ -8,17 +8,17 @@ import numpy as np
 
 from tmmcalc.core.columns import Column, column, degrees
 from tmmcalc.core.quantity import Quantity, quantities
-from tmmcalc.linkage.synthesis.dwell.results import Motion
+from tmmcalc.linkage.synthesis.dwell.results import DwellMotion
 from tmmcalc.linkage.synthesis.dwell.task import OutputKind
 
 USUAL = ("phi", "S", "dS", "d2S", "x_B", "y_B", "R35", "R45", "R21", "N", "delta", "M_1")  # where none are chosen
 PIN = (Quantity("x_B[m]", "x of B"), Quantity("y_B[m]", "y of B"))
 
 
-def columns_of(m: Motion, output: OutputKind) -> list[Column]:
+def columns_of(m: DwellMotion, output: OutputKind) -> list[Column]:
     """The columns of the positions; those of the guide only of a slider."""
     slides = output == "slider"
-    known = {name: told.of(unit="m" if slides else "rad") for name, told in quantities(Motion).items()}
+    known = {name: told.of(unit="m" if slides else "rad") for name, told in quantities(DwellMotion).items()}
 
     def own(*names: str) -> list[Column]:
         return [column(known[name], partial(getattr, m, name)) for name in names]

@@ -48,7 +48,7 @@ class Traits(NamedTuple):
         return Traits(self.stroke[which], self.far[which], self.dwell[which], criteria)
 
 
-class Strokes(NamedTuple):
+class StrokeTurns(NamedTuple):
     """Turns of the crank from position 1, counter-clockwise [rad]: begin and end of both strokes."""
 
     working: Window
@@ -61,10 +61,10 @@ def towards_and_away(asked: DwellTask, far: Real) -> tuple[Window, Window]:
     return (after, before) if asked.clockwise else (before, after)
 
 
-def strokes_of(asked: DwellTask, far: Real) -> Strokes:
+def strokes_of(asked: DwellTask, far: Real) -> StrokeTurns:
     """The same two as the working and the idle stroke."""
     towards, away = towards_and_away(asked, far)
-    return Strokes(towards, away) if asked.working == "towards" else Strokes(away, towards)
+    return StrokeTurns(towards, away) if asked.working == "towards" else StrokeTurns(away, towards)
 
 
 def achieved(asked: DwellTask, stroke: Real, dwell: Real, far: Real, length: Real) -> dict[str, tuple[Real, str]]:

@@ -13,8 +13,8 @@ import numpy as np
 from tmmcalc.core.numerics.extrema import around, refine, turning, with_turning_points
 from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.synthesis.dwell.criteria import Criteria, Strokes, strokes_of
-from tmmcalc.linkage.synthesis.dwell.motion import State
+from tmmcalc.linkage.synthesis.dwell.criteria import Criteria, StrokeTurns, strokes_of
+from tmmcalc.linkage.synthesis.dwell.motion import Unknowns
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.turn import TURN, Turn, along
 from tmmcalc.linkage.synthesis.dwell.unitforces import UnitForces, unit_forces
@@ -31,7 +31,7 @@ class Figures(NamedTuple):
     stroke: float
     far: float  # phi of the reversal that is farthest from the dwell
     dwell: Peak  # largest |S| over the dwell
-    strokes: Strokes
+    strokes: StrokeTurns
     largest: dict[str, Peak]  # of |S'|, |S''|, |f3|, |f4|, R21 and |N|, tan|delta|
     criteria: Criteria
 
@@ -56,13 +56,13 @@ def figures(turn: Turn, asked: DwellTask) -> Figures:
     return Figures(reversals, stroke, far, dwell, strokes, largest, criteria)
 
 
-def forces_at(turn: Turn, phi: Real) -> tuple[State, UnitForces]:
+def forces_at(turn: Turn, phi: Real) -> tuple[Unknowns, UnitForces]:
     """States and unit forces (n,) of the turn of one linkage."""
     state = along(turn, phi)
     return state, unit_forces(turn.linkages, turn.linkages.phi0 + phi, state.theta, state.s)
 
 
-def peak(turn: Turn, of: Callable[[State, UnitForces], Real], low: float = 0.0, high: float = TURN) -> Peak:
+def peak(turn: Turn, of: Callable[[Unknowns, UnitForces], Real], low: float = 0.0, high: float = TURN) -> Peak:
     """Largest size and its place of a quantity over a window of the turn."""
     x = np.linspace(low, high, max(round(SAMPLES * (high - low) / TURN), 8) + 1)
 
@@ -96,7 +96,7 @@ def reversals_of(turn: Turn) -> tuple[Peak, ...]:
     return tuple(zip(along(turn, at).s.tolist(), at.tolist(), strict=True))
 
 
-MEASURES: dict[str, Callable[[State, UnitForces], Real]] = {
+MEASURES: dict[str, Callable[[Unknowns, UnitForces], Real]] = {
     "ds": lambda state, forces: state.ds,
     "dds": lambda state, forces: state.dds,
     "f3": lambda state, forces: forces.f3,

@@ -45,7 +45,7 @@ class Pose(NamedTuple):
         return (p * self.j22 - self.j12 * q) / det, (self.j11 * q - p * self.j21) / det
 
 
-class State(NamedTuple):
+class Unknowns(NamedTuple):
     """Unknowns with their first and second derivatives by the angle of the crank."""
 
     theta: Real
@@ -90,7 +90,7 @@ def closed(linkages: Linkages, phi: Real, theta: Real, s: Real) -> tuple[Real, R
     return theta, s, done
 
 
-def rates(linkages: Linkages, phi: Real, theta: Real, s: Real) -> tuple[State, Real]:
+def rates(linkages: Linkages, phi: Real, theta: Real, s: Real) -> tuple[Unknowns, Real]:
     """First and second derivatives at a closed place, and the determinant there."""
     at = pose(linkages, phi, theta, s)
     p, q = at.c - at.b, at.d - at.e
@@ -104,10 +104,10 @@ def rates(linkages: Linkages, phi: Real, theta: Real, s: Real) -> tuple[State, R
         for gap, bar, arm, curve in zip(gaps, (p, q), (ca, da), bend, strict=True)
     ]
     ddtheta, dds = at.solve(right[0], right[1])
-    return State(theta, s, dtheta, ds, ddtheta, dds), at.determinant
+    return Unknowns(theta, s, dtheta, ds, ddtheta, dds), at.determinant
 
 
-def foretold(state: State, step: Real | float) -> tuple[Real, Real]:
+def foretold(state: Unknowns, step: Real | float) -> tuple[Real, Real]:
     """Unknowns a step of the crank further, to the second order."""
     theta = state.theta + step * (state.dtheta + step * state.ddtheta / 2)
     return theta, state.s + step * (state.ds + step * state.dds / 2)

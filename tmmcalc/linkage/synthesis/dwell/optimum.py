@@ -21,7 +21,7 @@ from tmmcalc.linkage.synthesis.dwell.task import DwellTask, Optimum
 from tmmcalc.linkage.synthesis.dwell.turn import Turn, whole_turn
 
 if TYPE_CHECKING:
-    from tmmcalc.linkage.synthesis.dwell.kept import Rule
+    from tmmcalc.linkage.synthesis.dwell.constraints import Rule
 
 STEPS = 120  # of a turn
 REFUSED = 1e9  # cost of a linkage that does not work
@@ -31,7 +31,7 @@ EQUAL = 1e-8  # relative spread of the costs at which the evolution has converge
 
 
 @record
-class Found:
+class Optima:
     """The best rows of parameters, the best first, their costs, and how many candidates were refused for what."""
 
     rows: Real  # (k, 9)
@@ -92,7 +92,7 @@ class Costs:
             self.refused[reason] += int(flags.sum())
 
 
-def search(asked: DwellTask, optimum: Optimum, seed: int, count: int, rule: Rule | None = None) -> Found:
+def search(asked: DwellTask, optimum: Optimum, seed: int, count: int, rule: Rule | None = None) -> Optima:
     """The ``count`` best linkages that differ, those that keep the rule first.
 
     Raises `NoSolutionError` if no candidate works.
@@ -102,7 +102,7 @@ def search(asked: DwellTask, optimum: Optimum, seed: int, count: int, rule: Rule
     costs = Costs(asked, optimum, rule)
     if not costs.free:
         row = costs.rows(np.zeros((1, 0)))
-        return Found(row, np.atleast_1d(costs(np.zeros((0, 1)))), 1, costs.worked, dict(costs.refused))
+        return Optima(row, np.atleast_1d(costs(np.zeros((0, 1)))), 1, costs.worked, dict(costs.refused))
     first = _first(costs, optimum, np.random.default_rng(seed))
     done = 0
 
@@ -128,7 +128,7 @@ def search(asked: DwellTask, optimum: Optimum, seed: int, count: int, rule: Rule
     best = _polished(costs, result.x, optimum.polish)
     free, values = np.vstack((best, result.population)), np.append(costs(best[:, None]), result.population_energies)
     chosen = _distinct(costs, free, values, count)
-    return Found(costs.rows(free[chosen]), values[chosen], costs.tried, costs.worked, dict(costs.refused))
+    return Optima(costs.rows(free[chosen]), values[chosen], costs.tried, costs.worked, dict(costs.refused))
 
 
 def _first(costs: Costs, optimum: Optimum, rng: np.random.Generator) -> Real:

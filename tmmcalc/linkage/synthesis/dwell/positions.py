@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.dwell.linkages import Linkages
-from tmmcalc.linkage.synthesis.dwell.motion import State, pose
-from tmmcalc.linkage.synthesis.dwell.results import Motion
+from tmmcalc.linkage.synthesis.dwell.motion import Unknowns, pose
+from tmmcalc.linkage.synthesis.dwell.results import DwellMotion
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.unitforces import unit_forces
 
@@ -16,9 +16,9 @@ def motion_of(
     labels: tuple[str, ...],
     phi: Real,
     crank: Real,
-    state: State,
+    state: Unknowns,
     scale: float | Real,
-) -> Motion:
+) -> DwellMotion:
     """Positions in SI from unknowns with lengths in parts of l_OB, which are ``scale`` [m].
 
     Of one linkage angles and unknowns are (n,), of k linkages (n, k) and the scale (k,).
@@ -27,7 +27,7 @@ def motion_of(
     length = 1.0 if linkages.rocks else scale
     bars = asked.resistance / (scale if linkages.rocks else 1.0)
     b = scale * pose(linkages, crank, state.theta, state.s).b
-    return Motion(
+    return DwellMotion(
         labels,
         phi,
         crank,

@@ -29,7 +29,7 @@ SAME = 1e-9  # angles of the crank nearer than this are one: both halves of the 
 FOLD = 181  # places of the arc at which it has to run one way
 
 
-class Course(NamedTuple):
+class RelativeTrajectory(NamedTuple):
     """How Gamma is gone along: by the angle of bar BC on one branch, or around both within the reach of BCDE.
 
     Where an arc runs over an end of that reach, from branch to branch, its variable is the angle t of
@@ -53,7 +53,7 @@ class Course(NamedTuple):
 class Arc(NamedTuple):
     """The working arc of Gamma: its course, least and largest variable."""
 
-    course: Course
+    course: RelativeTrajectory
     first: float
     last: float
 
@@ -118,11 +118,11 @@ def arc_of(linkages: Linkages) -> Arc:
     branch = branch_of(linkages)
     a = linkages.crank * np.exp(1j * linkages.phi0)
     psi0 = float(np.angle(a + np.exp(1j * linkages.theta0) * linkages.coupler - 1)[0])
-    found = _arc(linkages, Course(branch), psi0)
+    found = _arc(linkages, RelativeTrajectory(branch), psi0)
     if found is None:
         low, high = reach(linkages, psi0)
         middle, half = (low + high) / 2, (high - low) / 2
-        found = _arc(linkages, Course(branch, middle, half), math.acos((middle - psi0) / half))
+        found = _arc(linkages, RelativeTrajectory(branch, middle, half), math.acos((middle - psi0) / half))
     if found is None:
         raise NoSolutionError(
             "the arc of Gamma around the dwell does not reach both sides of the crank's circle",
@@ -139,7 +139,7 @@ def arc_of(linkages: Linkages) -> Arc:
     return found
 
 
-def _arc(linkages: Linkages, course: Course, start: float) -> Arc | None:
+def _arc(linkages: Linkages, course: RelativeTrajectory, start: float) -> Arc | None:
     """The arc around the dwell between both sides of the crank's circle; None if it does not reach them."""
     ends = [end for way in (1.0, -1.0) if (end := _end(linkages, course, start, way)) is not None]
     if len(ends) < 2:
@@ -148,7 +148,7 @@ def _arc(linkages: Linkages, course: Course, start: float) -> Arc | None:
     return Arc(course, *sorted(ends)) if abs(at[0] - at[1]) > 1 else None
 
 
-def _end(linkages: Linkages, course: Course, start: float, way: float) -> float | None:
+def _end(linkages: Linkages, course: RelativeTrajectory, start: float, way: float) -> float | None:
     """The first place from the dwell on at which the arc reaches a side of the crank's circle."""
     psi = start + way * np.linspace(0.0, TURN, SEARCH + 1)
 

@@ -19,7 +19,7 @@ class Largest:
 
 
 @record
-class Motion:
+class DwellMotion:
     """Positions of a turn: those of the kinematics room, position 1 first, in the sense of the crank.
 
     Forces are those against the given resistance, which acts against the motion where S grows; S', S'' are per radian
@@ -92,8 +92,8 @@ class Dwell:
     maxima: tuple[Largest, ...] = quantity("maxima", "largest values")
     criteria: tuple[float, ...]  # f1 to f5 with lengths in parts of l_OB
     cost: float | None = quantity("cost", "weighted sum of the criteria")  # None: no optimisation
-    motion: Motion  # at the positions
-    fine: Motion  # every degree, for drawing
+    motion: DwellMotion  # at the positions
+    fine: DwellMotion  # every degree, for drawing
     slots: Slots
     cross_check: CrossCheck | None = quantity(  # None where the method does not apply
         "relative_trajectory", "the method of the relative trajectory"

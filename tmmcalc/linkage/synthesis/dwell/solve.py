@@ -32,7 +32,7 @@ from tmmcalc.linkage.synthesis.simulation import check
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 
 if TYPE_CHECKING:
-    from tmmcalc.linkage.synthesis.dwell.kept import Rule
+    from tmmcalc.linkage.synthesis.dwell.constraints import Rule
 
 WHERE = "synthesis.dwell"
 STEPS = 360  # of the turn of a linkage that is analysed
@@ -106,7 +106,7 @@ def _rule(task: SynthesisTask, asked: DwellTask) -> Rule | None:
     """What the user's constraints ask of a candidate of the search; None without them."""
     if task.constraints is None:
         return None
-    from tmmcalc.linkage.synthesis.dwell.kept import Rule
+    from tmmcalc.linkage.synthesis.dwell.constraints import Rule
 
     return Rule(task.constraints, asked)
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.dwell.linkages import Flags, Linkages, only_first
-from tmmcalc.linkage.synthesis.dwell.motion import State, closed, foretold, rates
+from tmmcalc.linkage.synthesis.dwell.motion import Unknowns, closed, foretold, rates
 
 TURN = 2 * np.pi
 STEPS = 180  # of a turn
@@ -33,7 +33,7 @@ class Turn(NamedTuple):
 
     linkages: Linkages  # (k,)
     phi: Real  # (n,) from 0 to a turn [rad], counter-clockwise from position 1
-    state: State  # each (n, k)
+    state: Unknowns  # each (n, k)
     which: Flags  # (k,) indices among the candidates
     faults: dict[str, Flags]  # (m,) by reason
 
@@ -60,12 +60,12 @@ def whole_turn(linkages: Linkages, steps: int = STEPS) -> Turn:
         keep = done & regular
         if not keep.all():
             which, sign, running = which[keep], sign[keep], running.rows(keep)
-            state = State(*(part[keep] for part in state))
+            state = Unknowns(*(part[keep] for part in state))
             history = [rows[:, keep] for rows in history]
         history.append(np.array(state))
         if not which.size:
             break
-    found = State(*np.moveaxis(np.array(history), 1, 0))
+    found = Unknowns(*np.moveaxis(np.array(history), 1, 0))
     return _checked(Turn(running, phi, found, which, faults))
 
 
@@ -89,26 +89,26 @@ def _checked(turn: Turn) -> Turn:
     for reason, flags in found.items():
         turn.faults[reason][turn.which[flags]] = True
     keep = back & rests
-    rows = State(*(part[:, keep] for part in state))
+    rows = Unknowns(*(part[:, keep] for part in state))
     return Turn(turn.linkages.rows(keep), phi, rows, turn.which[keep], turn.faults)
 
 
-def place(turn: Turn, at: Real) -> State:
+def place(turn: Turn, at: Real) -> Unknowns:
     """The states (k,) at angles ``at`` (k,) from position 1, one of each linkage."""
     step = turn.phi[1]
     row = np.rint(np.mod(at, TURN) / step).astype(int)
-    near = State(*(part[row, np.arange(len(row))] for part in turn.state))
+    near = Unknowns(*(part[row, np.arange(len(row))] for part in turn.state))
     return _settled(turn.linkages, turn.linkages.phi0 + at, near, np.mod(at, TURN) - row * step)
 
 
-def along(turn: Turn, at: Real) -> State:
+def along(turn: Turn, at: Real) -> Unknowns:
     """The states (n,) at angles ``at`` (n,) from position 1, of a turn of one linkage."""
     step = turn.phi[1]
     row = np.rint(np.mod(at, TURN) / step).astype(int)
-    near = State(*(part[row, 0] for part in turn.state))
+    near = Unknowns(*(part[row, 0] for part in turn.state))
     return _settled(turn.linkages, turn.linkages.phi0 + at, near, np.mod(at, TURN) - row * step)
 
 
-def _settled(linkages: Linkages, phi: Real, near: State, step: Real) -> State:
+def _settled(linkages: Linkages, phi: Real, near: Unknowns, step: Real) -> Unknowns:
     theta, s, _ = closed(linkages, phi, *foretold(near, step))
     return rates(linkages, phi, theta, s)[0]

@@ -22,7 +22,7 @@ from tmmcalc.feasibility.quantities import limits
 from tmmcalc.feasibility.rule import may_hold
 from tmmcalc.linkage.synthesis.dwell.columns import columns_of
 from tmmcalc.linkage.synthesis.dwell.criteria import NAMES, Traits, achieved
-from tmmcalc.linkage.synthesis.dwell.motion import State
+from tmmcalc.linkage.synthesis.dwell.motion import Unknowns
 from tmmcalc.linkage.synthesis.dwell.positions import motion_of
 from tmmcalc.linkage.synthesis.dwell.results import Dwell
 from tmmcalc.linkage.synthesis.dwell.sizes import scale_of, sizes_of
@@ -106,7 +106,7 @@ def told_values(asked: DwellTask, turn: Turn, parameters: Mapping[str, Real], tr
 def told_columns(asked: DwellTask, turn: Turn, traits: Traits) -> dict[str, Column]:
     """The columns of the positions, each (n, k), along the motion of the crank."""
     sense = -1 if asked.clockwise else 1
-    state, phi = State(*(part[::sense] for part in turn.state)), turn.phi[:, None]
+    state, phi = Unknowns(*(part[::sense] for part in turn.state)), turn.phi[:, None]
     crank = turn.linkages.phi0 + sense * phi
     motion = motion_of(asked, turn.linkages, (), phi, crank, state, scale_of(asked, traits.stroke))
     return {column.name: column for column in columns_of(motion, asked.output)}

@@ -2,7 +2,7 @@
 
 A step is taken if Newton hardly corrects what was foretold and the determinant keeps its sign: then no other assembly
 is so near, and no singular position was stepped over. Otherwise it is halved. Where no step is left, the branch has
-come to its limit, which `turning` finds exactly.
+come to its limit, which `limitpositions` finds exactly.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from tmmcalc.core.plane import Real
 from tmmcalc.linkage.loops.branch import coordinate, slope
 from tmmcalc.linkage.loops.closure import Loops
 from tmmcalc.linkage.loops.equations import Equations
-from tmmcalc.linkage.loops.turning import turning
+from tmmcalc.linkage.loops.limitpositions import turning
 from tmmcalc.linkage.results import Branch, Interval, Limit
 
 STEPS = 72  # of a turn, or of the asked range: no step is longer
@@ -39,7 +39,7 @@ TURNING = "its links come to a limit position, from which the input can only tur
 At = Callable[[Real], Loops]  # the loops of the group at input coordinates (n,)
 
 
-class Place(NamedTuple):
+class BranchPoint(NamedTuple):
     """A place on the branch: coordinate, unknowns (N,) with their derivatives, determinant."""
 
     x: float
@@ -49,10 +49,10 @@ class Place(NamedTuple):
     determinant: float
 
 
-class Way(NamedTuple):
+class Continued(NamedTuple):
     """What following in one direction found: places, where and why it ends, its period if it comes back."""
 
-    places: list[Place]
+    places: list[BranchPoint]
     limit: float | None = None
     reason: str = ""
     period: float | None = None
@@ -100,7 +100,7 @@ class _Follower(NamedTuple):
     longest: float
     turn: float | None
 
-    def go(self, start: Place, end: float) -> Way:
+    def go(self, start: BranchPoint, end: float) -> Continued:
         """Follow the branch towards ``end``; with a turn, until it comes back to where it began."""
         places, sense, turns = [start], math.copysign(1.0, end - start.x), 1
         step = self.longest
@@ -112,20 +112,20 @@ class _Follower(NamedTuple):
             if found is None:
                 step = min(step, left) / 2
                 if step < LEAST * self.longest:
-                    return Way(places, turning(self.at, now.x, now.q, now.q1, sense, self.size), TURNING)
+                    return Continued(places, turning(self.at, now.x, now.q, now.q1, sense, self.size), TURNING)
                 continue
             places.append(found)
             far = self._far(found)
             if far is not None:
-                return Way(places, _pole(found, far), self._running(far))
+                return Continued(places, _pole(found, far), self._running(far))
             step = min(self.longest, 2 * step)
             if self.turn and abs(found.x - goal) < HERE * self.longest:
                 if self._same(found.q, start.q):
-                    return Way(places, period=turns * self.turn)
+                    return Continued(places, period=turns * self.turn)
                 turns += 1
-        return Way(places)
+        return Continued(places)
 
-    def _next(self, now: Place, h: float) -> Place | None:
+    def _next(self, now: BranchPoint, h: float) -> BranchPoint | None:
         """The place after a step h, None if it is too long."""
         foretold, size = now.q + h * now.q1 + h * h / 2 * now.q2, self._measure(now.q)
         if np.max(np.abs(foretold - now.q) / size) > FAST:
@@ -147,7 +147,7 @@ class _Follower(NamedTuple):
         size[self._angles :] = np.maximum(size[self._angles :], np.abs(q[self._angles :]))
         return size
 
-    def _far(self, place: Place) -> int | None:
+    def _far(self, place: BranchPoint) -> int | None:
         """The unknown that runs to infinity."""
         far = np.flatnonzero(np.abs(place.q[self._angles :]) > FAR * self.size[self._angles :])
         return self._angles + int(far[0]) if far.size else None
@@ -165,7 +165,7 @@ class _Follower(NamedTuple):
         return bool(np.max(np.abs(gap)) < SAME)
 
 
-def _place(at: At, x: float, q: Real) -> Place | None:
+def _place(at: At, x: float, q: Real) -> BranchPoint | None:
     """Newton at x from q (N,); None if it does not converge to a regular position."""
     loops = at(np.array([x]))
     placed, done = loops.close(q[:, None], PASSES)
@@ -174,17 +174,17 @@ def _place(at: At, x: float, q: Real) -> Place | None:
     q1, q2 = loops.rates(placed)
     determinant = float(placed.determinant[0])
     regular = np.isfinite(q1).all() and np.isfinite(q2).all() and np.isfinite(determinant) and determinant != 0
-    return Place(x, placed.q[:, 0], q1[:, 0], q2[:, 0], determinant) if regular else None
+    return BranchPoint(x, placed.q[:, 0], q1[:, 0], q2[:, 0], determinant) if regular else None
 
 
-def _pole(place: Place, unknown: int) -> float:
+def _pole(place: BranchPoint, unknown: int) -> float:
     """The input coordinate where an unknown s becomes infinite: the root of 1/s beyond the place, to second order."""
     s, rate, rate2 = place.q[unknown], place.q1[unknown], place.q2[unknown]
     first = s / rate
     return float(place.x + first + first * first * (2 * rate / s - rate2 / rate) / 2)
 
 
-def _sampled(at: At, places: list[Place], branch: Branch) -> Branch:
+def _sampled(at: At, places: list[BranchPoint], branch: Branch) -> Branch:
     """The branch with its unknowns at equal steps of its parameter, closed again from those at the places."""
     turns = math.ceil((branch.high - branch.low) / (2 * math.pi)) if branch.period else 2
     t = np.linspace(0.0, 1.0, PLACES * turns + 1)

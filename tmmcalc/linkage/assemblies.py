@@ -1,4 +1,4 @@
-"""The ways in which a group goes together at one input coordinate, and which of them the mechanism takes.
+"""The assemblies of a group at one input coordinate, and which of them the mechanism takes.
 
 A dyad has two at most, told apart by a sign; a group of class III or higher, or one with the drive inside it, has all
 the assemblies of its loops, which are numbered. One is meant by its sign or number, or it is the one that the sketched
@@ -16,16 +16,16 @@ from tmmcalc.core.plane import Real
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.assembly import coordinate
 from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.dyads import ONE_ASSEMBLY
+from tmmcalc.linkage.dyads.base import Motions
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.mounts import Motions
 from tmmcalc.linkage.steps import build
 from tmmcalc.linkage.structure import Group
 
-ONE_ASSEMBLY = ("PRP", "RPP")
 TIED = 1e-6  # relative difference of distances that does not tell two assemblies apart
 
 
-class Way(NamedTuple):
+class AssembledGroup(NamedTuple):
     """A group on one of its assemblies at one input coordinate."""
 
     variant: int  # what assembly.variants takes for it: the sign of a dyad, the number of a higher group
@@ -45,12 +45,12 @@ def own_points(mechanism: Mechanism, group: Group) -> dict[str, tuple[int, compl
     return {name: (k, p) for name, k, p in points if (k, p) not in pins}
 
 
-def ways_of(mechanism: Mechanism, group: Group, motions: Motions, x: Real) -> list[Way]:
-    """All ways of a group at the one input coordinate x (1,), from the motions of the groups before it there."""
+def assemblies_of(mechanism: Mechanism, group: Group, motions: Motions, x: Real) -> list[AssembledGroup]:
+    """All assemblies of a group at the one input coordinate x (1,), from the motions of the groups before it there."""
     return _of_dyad(mechanism, group, motions, x) if group.kind else _of_higher(mechanism, group, motions, x)
 
 
-def _of_dyad(mechanism: Mechanism, group: Group, motions: Motions, x: Real) -> list[Way]:
+def _of_dyad(mechanism: Mechanism, group: Group, motions: Motions, x: Real) -> list[AssembledGroup]:
     """The variants of a dyad if it reaches."""
     found = []
     for sign in (1,) if group.kind in ONE_ASSEMBLY else (1, -1):
@@ -59,11 +59,11 @@ def _of_dyad(mechanism: Mechanism, group: Group, motions: Motions, x: Real) -> l
             _, placed = step.advance(moved, {}, x, 0, solvers.closed)
         if all(np.isfinite(moved[k].r).all() and np.isfinite(moved[k].u).all() for k in group.links):
             regularity = float(np.ravel(step.regularity(placed))[0])
-            found.append(Way(sign, moved, *_seen(mechanism, group, moved), regularity))
+            found.append(AssembledGroup(sign, moved, *_seen(mechanism, group, moved), regularity))
     return found
 
 
-def _of_higher(mechanism: Mechanism, group: Group, motions: Motions, x: Real) -> list[Way]:
+def _of_higher(mechanism: Mechanism, group: Group, motions: Motions, x: Real) -> list[AssembledGroup]:
     """The assemblies of a group of class III or higher, or with the drive inside it."""
     from tmmcalc.linkage.loops.assemblies import assemblies
     from tmmcalc.linkage.loops.closure import Loops
@@ -76,7 +76,7 @@ def _of_higher(mechanism: Mechanism, group: Group, motions: Motions, x: Real) ->
         closed, moved, still = loops.place(q[:, None]), dict(motions), np.zeros((len(q), 1))
         loops.move(closed, still, still, moved, {})
         sizes = float(closed.regularity[0]), float(closed.determinant[0])
-        found.append(Way(number, moved, *_seen(mechanism, group, moved), *sizes, q))
+        found.append(AssembledGroup(number, moved, *_seen(mechanism, group, moved), *sizes, q))
     return found
 
 
@@ -88,13 +88,15 @@ def _seen(mechanism: Mechanism, group: Group, motions: Motions) -> tuple[dict[st
     return points, float(np.sqrt(np.mean(np.square(gaps)))) if gaps else float("inf")
 
 
-def chosen(chain: Chain, group: Group, ways: list[Way], at: float, variant: int | None) -> Way:
-    """The way that the spec means: of its variant, nearest to the sketch, the only one; of a dyad else the first.
+def chosen(
+    chain: Chain, group: Group, assemblies: list[AssembledGroup], at: float, variant: int | None
+) -> AssembledGroup:
+    """The assembly that the spec means: of its variant, nearest to the sketch, the only one; of a dyad else the first.
 
     ``chain`` holds the groups before. Raises `UsageError` or `NoSolutionError` where none is meant, or not one alone.
     """
     where = f"kinematics, group {group.name}"
-    if not ways:
+    if not assemblies:
         dyad = f" variant of {group.name}" if group.kind else ""
         raise NoSolutionError(
             f"no assembly{dyad} exists at {coordinate(chain, at)}",
@@ -102,39 +104,39 @@ def chosen(chain: Chain, group: Group, ways: list[Way], at: float, variant: int 
             remedy="give assembly.at, another input coordinate, or check the lengths",
         )
     if variant is not None:
-        return _numbered(chain, group, ways, at, variant)
-    by_gap = sorted(ways, key=lambda way: way.gap)
+        return _numbered(chain, group, assemblies, at, variant)
+    by_gap = sorted(assemblies, key=lambda assembly: assembly.gap)
     if np.isfinite(by_gap[0].gap):
         return _nearest(group, by_gap)
-    if group.kind or len(ways) == 1:
-        return ways[0]
+    if group.kind or len(assemblies) == 1:
+        return assemblies[0]
     raise NoSolutionError(
-        f"the group has {len(ways)} assemblies at {coordinate(chain, at)}, and nothing tells which one is meant",
+        f"the group has {len(assemblies)} assemblies at {coordinate(chain, at)}, and nothing tells which one is meant",
         where=where,
         remedy="sketch its points in assembly.sketch, or give the number of the assembly in assembly.variants; "
         "tmmcalc structure --assemblies lists them",
     )
 
 
-def _numbered(chain: Chain, group: Group, ways: list[Way], at: float, variant: int) -> Way:
-    """The way of this variant."""
-    found = next((way for way in ways if way.variant == variant), None)
+def _numbered(chain: Chain, group: Group, assemblies: list[AssembledGroup], at: float, variant: int) -> AssembledGroup:
+    """The assembly of this variant."""
+    found = next((assembly for assembly in assemblies if assembly.variant == variant), None)
     if found is None:
         raise UsageError(
-            f"there is no assembly {variant}: at {coordinate(chain, at)} the group has {len(ways)}",
+            f"there is no assembly {variant}: at {coordinate(chain, at)} the group has {len(assemblies)}",
             where=f"mechanism.assembly.variants, {group.name}",
             remedy="tmmcalc structure --assemblies lists them",
         )
     return found
 
 
-def _nearest(group: Group, by_gap: list[Way]) -> Way:
-    """The first of the ways, which ascend by their distance from the sketch, unless the second is as near."""
+def _nearest(group: Group, by_gap: list[AssembledGroup]) -> AssembledGroup:
+    """The first of the assemblies, which ascend by their distance from the sketch, unless the second is as near."""
     first, *others = by_gap
     if not others or not tied(first.gap, others[0].gap):
         return first
     if group.kind == "RPR":  # without an offset both variants look the same
-        return max(by_gap, key=lambda way: way.variant)
+        return max(by_gap, key=lambda assembly: assembly.variant)
     both = f"both variants of {group.name}" if group.kind else f"the assemblies {first.variant} and {others[0].variant}"
     raise NoSolutionError(
         f"the sketch stands equally near to {both}",
