@@ -69,7 +69,7 @@ def _of_branches(task: TrainTask, sets: ToothSets) -> Iterator[tuple[str, np.nda
         yield GAP.key, measures.tip_gap(task, sets)
     if task.demands.largest_angle is not None:
         yield ANGLE.key, degrees(sets.angles.max(axis=1))
-    elif sets.layout in ("coaxial", "AA", "AI"):
+    elif sets.scheme.stepped:
         yield STEP.key, (sets.of("1") + sets.of("2")) // sets.modules[:, 1]
     if sets.planets > 1:
         number = measures.assembly_number(sets)

@@ -48,8 +48,8 @@ def _solve(request: Request, tell: Told | None) -> Variant:
 
 def programmed(request: Request) -> Synthesis:
     """The sets of the textbook's programs, without those that break a constraint which the programs do not know."""
+    from tmmcalc.gears.search.blocks import Tally
     from tmmcalc.gears.search.constraints import sieve
-    from tmmcalc.gears.search.tally import Tally
 
     tally, found = Tally(), []
     for proportion, sets in _programs(request.task):

@@ -9,10 +9,8 @@ import numpy as np
 
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets, TrainTask
-from tmmcalc.gears.search.blocks import Block
-from tmmcalc.gears.search.candidates import candidates
+from tmmcalc.gears.search.blocks import Block, Tally
 from tmmcalc.gears.search.constraints import sieve, stretches
-from tmmcalc.gears.search.tally import Tally
 
 KEPT = 100_000  # trains that a result holds unless another number is asked for
 
@@ -62,7 +60,7 @@ def _found(task: TrainTask, tally: Tally) -> Iterator[tuple[float, Block]]:
     """Blocks of tooth sets that meet everything, with the part of the proportions that is done."""
     total = len(task.proportions)
     for place, proportion in enumerate(task.proportions):
-        for block in candidates(task, proportion, tally):
+        for block in task.scheme.candidates(task, proportion, tally):
             left = sieve(task, block, tally)
             if len(left):
                 yield (place + 1) / total, left
