@@ -14,8 +14,8 @@ from tmmcalc.gears.involute.contour.points import (
     largest_equal_strength,
     largest_sum,
 )
-from tmmcalc.gears.involute.contour.strength import tooth_form
 from tmmcalc.gears.involute.contour.task import LINES, Task
+from tmmcalc.gears.involute.formfactor import tooth_form
 from tmmcalc.gears.involute.pair import pair_of_shifts
 from tmmcalc.gears.involute.shifts import ROUNDING
 from tmmcalc.gears.meshing.choice import contour_task

@@ -43,7 +43,7 @@ def solve_external(task: PairTask) -> MeshPair:
         note=note,
         broken=stands.broken,
         nearest=stands.nearest,
-        angle_t=pair.first.section.angle,
+        angle_t=pair.first.transverse_angle,
         angle_w=float(pair.angle),
         base_helix=pair.first.section.base_helix,
         reference_distance=m * pair.reference_distance,

@@ -56,7 +56,7 @@ def solve_internal(task: PairTask) -> MeshPair:
         note="; ".join(text for text in (note, cut_short(pair, m), _shortened(pair, m)) if text),
         broken=stands.broken,
         nearest=stands.nearest,
-        angle_t=pair.pinion.section.angle,
+        angle_t=pair.pinion.transverse_angle,
         angle_w=pair.angle,
         base_helix=pair.pinion.section.base_helix,
         reference_distance=m * pair.reference_distance,

@@ -34,7 +34,7 @@ def mesh_placings(found: MeshPair, phase: float = 0.0) -> tuple[Placing, Placing
         pinion, ring = ring_placings(pair.pinion, second.wheel, pair.angle, pair.distance, phase)
         return pinion, Placing(ring.turn - second.half_pitch, ring.centre)  # a tooth, not a space, comes on +Y
     rack = pinion_on_rack(found)
-    shift, slope = float(rack.pinion.shift), np.tan(rack.pinion.section.angle)
+    shift, slope = float(rack.pinion.shift), np.tan(rack.pinion.transverse_angle)
     offset = second.half_pitch / 2 - shift * float(slope)  # half the tooth of the rack on the rolling line
     travel = rack.pinion.reference * phase
     return Placing(-float(first.wheel.half_angle) - phase, 0j), Placing(pi, complex(travel - offset, rack.distance))
