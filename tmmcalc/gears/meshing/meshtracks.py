@@ -9,10 +9,10 @@ from math import pi
 import numpy as np
 
 from tmmcalc.gears.involute.profile.mesh import Placing, placings, ring_placings
+from tmmcalc.gears.meshing.geometry import external_pair, internal_pair, pinion_on_rack
 from tmmcalc.gears.meshing.halves import fault_of
-from tmmcalc.gears.meshing.mates import external_pair, internal_pair, pinion_on_rack
 from tmmcalc.gears.meshing.members import both
-from tmmcalc.gears.meshing.refusal import joined
+from tmmcalc.gears.meshing.refusal import error_of_all
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.tracks import Track, repeated, track
 
@@ -51,7 +51,7 @@ def require_some(pairs: Sequence[MeshPair]) -> None:
     faults = [fault_of(member) for found in pairs for member in both(found)]
     errors = [fault for fault in faults if fault is not None]
     if errors and len(errors) == len(faults):
-        raise joined(errors, len(faults))
+        raise error_of_all(errors, len(faults))
 
 
 def beside(groups: Sequence[Sequence[Track]]) -> tuple[Track, ...]:

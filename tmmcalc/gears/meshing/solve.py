@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.rack import require_tool
 from tmmcalc.gears.meshing.errors import pair_error
-from tmmcalc.gears.meshing.refusal import joined, millimetres, named
+from tmmcalc.gears.meshing.refusal import error_of_all, millimetres, named
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.task import PairsTask, PairTask
 
@@ -29,7 +29,7 @@ def solve_pairs(task: PairsTask, selection: Selection | None = None) -> Pairs:
             except NoSolutionError as error:
                 errors.append(error)
         if errors:
-            raise joined(errors, len(task.pairs))
+            raise error_of_all(errors, len(task.pairs))
         return Pairs(tuple(found), "", ())
     if selection is None:
         raise UsageError(

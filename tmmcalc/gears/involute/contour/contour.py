@@ -13,7 +13,7 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import Cuts, cuts
 from tmmcalc.gears.involute.contour.equalstrength import strength_ends
 from tmmcalc.gears.involute.contour.frame import Frame, Sums, frame_of
-from tmmcalc.gears.involute.contour.joined import Region, joined
+from tmmcalc.gears.involute.contour.regions import Region, regions_of
 from tmmcalc.gears.involute.contour.task import Task
 from tmmcalc.gears.involute.contour.trace import POINTS, Part, parts_of, scan
 from tmmcalc.gears.model import Values
@@ -150,7 +150,7 @@ def _alike(scanned: Cuts) -> bool:
 
 
 def _whole(strict: bool, frame: Frame, parts: list[Part], untraced: tuple[int, ...]) -> Contour:
-    regions = joined(frame, parts)
+    regions = regions_of(frame, parts)
     central = (region for region in regions if any(part.branch == 0 for part in region.parts))
     main = max(central, key=lambda region: region.area, default=None)
     return Contour(strict, frame, main, tuple(region for region in regions if region is not main), untraced)

@@ -127,8 +127,8 @@ class Frame:
         for _ in range(CROSSING):
             middle = (low + high) / 2
             sums = self.sums(np.array([middle]))
-            beyond = sums.total[0] > 2 * (sums.modification[0] + self.addendum)
-            low, high = (middle, high) if beyond else (low, middle)
+            outside = sums.total[0] > 2 * (sums.modification[0] + self.addendum)
+            low, high = (middle, high) if outside else (low, middle)
         return end, high
 
     def room_roots(self, i: int, sums: Sums) -> tuple[Values, Values]:
