@@ -16,8 +16,7 @@ from tmmcalc.gears.criteria.efficiency import MeshEfficiency
 from tmmcalc.gears.criteria.errors import criteria_error
 from tmmcalc.gears.criteria.evaluate import Basis, evaluate
 from tmmcalc.gears.model import Demands, Interval, ToothSets, TrainTask
-from tmmcalc.gears.search.rounding import angle_error
-from tmmcalc.gears.search.search import _angles
+from tmmcalc.gears.search.search import _angles, angle_error
 from tmmcalc.gears.strength.errors import strength_error
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.task import StageTask, StrengthTask

@@ -31,8 +31,6 @@ ORDER = (
     "centre_distance",
     "envelope",
 )
-RATIO_FIRST = ("AIbar", "2A-AA")
-
 CALLED = {
     "largest_sum": "sum of teeth",
     "coaxiality": "common axis",
@@ -59,7 +57,7 @@ def removals(variant: Variant) -> list[tuple[str, int, int]]:
     """Constraint, how many candidates it removed, and of how many, in the order in which they are put."""
     removed = variant.synthesis.removed
     names = list(ORDER)
-    if variant.request.task.layout in RATIO_FIRST:
+    if variant.request.scheme.branched and variant.request.scheme.stages == 1:
         names[:3] = ["ratio", "coaxiality", "largest_sum"]
     left, found = variant.synthesis.candidates, []
     for name in (*names, *(name for name in removed if name not in ORDER)):

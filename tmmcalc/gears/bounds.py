@@ -95,11 +95,11 @@ def step_bounds(task: TrainTask, proportion: tuple[int, int], ratio: Fraction | 
 
 def side(task: TrainTask) -> int:
     """Sign of Z2' in Z3 = e mu1 +- Z2': +1 for an internal second mesh (AI), -1 for an external one (AA, coaxial)."""
-    if task.layout not in ("coaxial", "AA", "AI"):
+    if not task.scheme.stepped:
         raise UsageError(
             f"layout {task.layout!r} has no parameter e", where="stepping", remedy="layouts: coaxial, AA, AI"
         )
-    return 1 if task.layout == "AI" else -1
+    return 1 if task.scheme.rings else -1
 
 
 def single_planet_limits(planets: int, *, sun: int = 17, tips: float = 3.0) -> SinglePlanetLimits:

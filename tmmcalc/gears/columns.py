@@ -1,8 +1,11 @@
-"""The columns of tooth sets: wheels, proportion of modules, ratio and its error, and what the constraints look at."""
+"""The columns of tooth sets: wheels, proportion of modules, ratio and its error, and what the constraints look at.
+
+Tables of several layouts stand one under the other: what a layout has not is blank in its rows.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -13,6 +16,8 @@ from tmmcalc.gears.search import measures
 from tmmcalc.gears.trains import Request, Trains, Variant
 
 NO, YES = "no", "yes"
+FIRST = ("i", "layout", "K")  # headers that come first, before the wheels in their order
+WHEEL = "z_"
 ERROR = Quantity("error[%]", "deviation of the ratio from the one asked for")
 COPRIME = Quantity("coprime", "whether no two wheels in mesh have a common factor")
 TEXTBOOK = Quantity("textbook", "whether the textbook's stepping finds the set")
@@ -69,7 +74,7 @@ def _of_branches(task: TrainTask, sets: ToothSets) -> Iterator[tuple[str, np.nda
         yield GAP.key, measures.tip_gap(task, sets)
     if task.demands.largest_angle is not None:
         yield ANGLE.key, degrees(sets.angles.max(axis=1))
-    elif sets.layout in ("coaxial", "AA", "AI"):
+    elif sets.scheme.stepped:
         yield STEP.key, (sets.of("1") + sets.of("2")) // sets.modules[:, 1]
     if sets.planets > 1:
         number = measures.assembly_number(sets)
@@ -109,3 +114,35 @@ def _column(parts: list[np.ndarray | None], tables: list[dict[str, np.ndarray]])
         for part, blank in zip(parts, blanks, strict=True)
     ]
     return np.concatenate([text.astype(object) for text in texts] if kind is object else texts)
+
+
+def stacked_tables(tables: Sequence[Mapping[str, np.ndarray]]) -> dict[str, np.ndarray]:
+    """The columns of all tables by their headers; a column that one of them lacks is text.
+
+    >>> both = stacked_tables([{"K": np.array([3]), "z_1": np.array([17])}, {"K": np.array([4])}])
+    >>> both["K"].tolist(), both["z_1"].tolist()
+    ([3, 4], ['17', ''])
+    """
+    headers = dict.fromkeys(header for table in tables for header in table)
+    return {header: _stacked_column(header, tables) for header in sorted(headers, key=_order)}
+
+
+def _order(header: str) -> tuple[int, str]:
+    """Wheels by their names, which are in their order: 1, 2, 2', 3; everything else as it comes."""
+    return (1, header) if header.startswith(WHEEL) else (0 if header in FIRST else 2, "")
+
+
+def _stacked_column(header: str, tables: Sequence[Mapping[str, np.ndarray]]) -> np.ndarray:
+    if all(header in table for table in tables):
+        return np.concatenate([table[header] for table in tables])
+    parts = (_texts(table[header]) if header in table else np.full(_rows(table), "") for table in tables)
+    return np.concatenate([*parts])
+
+
+def _texts(column: np.ndarray) -> np.ndarray:
+    """Numbers with every digit."""
+    return np.array([value if isinstance(value, str) else repr(value) for value in column.tolist()], dtype=np.str_)
+
+
+def _rows(table: Mapping[str, np.ndarray]) -> int:
+    return len(next(iter(table.values())))

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from tmmcalc.gears.layouts import Layout
+from tmmcalc.gears.scheme import Layout
 
 KINDS = ("u", "i_1H", "i_H1", "i_14")
 
@@ -25,7 +25,7 @@ def kinds_of(layout: Layout) -> tuple[str, ...]:
 def to_tooth_ratio(layout: Layout, kind: str, ratio: Fraction) -> Fraction:
     """U of a ratio of this kind, not zero; of AII the ratio itself.
 
-    >>> from tmmcalc.gears.layouts import layout_of
+    >>> from tmmcalc.gears.scheme import layout_of
     >>> to_tooth_ratio(layout_of("AA"), "i_H1", Fraction(10_000))
     Fraction(9999, 10000)
     """

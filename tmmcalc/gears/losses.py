@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency
-from tmmcalc.gears.layouts import layout_of
 from tmmcalc.gears.network.friction import mesh_efficiency
 from tmmcalc.gears.network.model import EXTERNAL, INTERNAL
+from tmmcalc.gears.scheme import layout_of
 
 
 def efficiency_of_mesh(

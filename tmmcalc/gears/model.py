@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
-from tmmcalc.gears.layouts import Layout, layout_of
+from tmmcalc.gears.scheme import Layout, layout_of
 
 Integers = NDArray[np.int64]
 Values = NDArray[np.floating[Any]]
@@ -96,6 +96,11 @@ class ToothSets:
         """Tooth numbers (n,) of a wheel."""
         column: Integers = self.teeth[:, self.scheme.index(wheel)]
         return column
+
+    @property
+    def by_wheel(self) -> dict[str, Integers]:
+        """Tooth numbers (n,) of all wheels."""
+        return dict(zip(self.scheme.wheels, self.teeth.T, strict=True))
 
     def __len__(self) -> int:
         """Number of trains."""

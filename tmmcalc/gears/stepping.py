@@ -3,12 +3,18 @@
 They show the course's way and its tables. For given e and Z2' they keep only the greatest Z2 that the ratio admits
 (4.17) and end an inner loop at the first planets that overlap, so that they find a part of what the complete search
 finds. All arithmetic of tooth numbers is in integers and fractions.
+
+Which of given sets a program would find is told without stepping: for given e and Z2' it keeps the greatest Z2 that the
+ratio admits, so with one tooth more on wheel 2 and one less on wheel 1 the ratio would be beyond its upper limit.
+Neighbours that overlap end the inner loop only where all further sets overlap too, so nothing else is passed over but
+the e below and above the textbook's bounds.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -16,7 +22,9 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.records import record
 from tmmcalc.gears.bounds import half_pitch, most_planets, side, step_bounds, tips
-from tmmcalc.gears.model import Integers, ToothSets, TrainTask
+from tmmcalc.gears.exact import within
+from tmmcalc.gears.model import Integers, Interval, ToothSets, TrainTask
+from tmmcalc.gears.scheme import layout_of
 from tmmcalc.gears.split import exponents
 
 
@@ -108,7 +116,7 @@ def _single(task: TrainTask) -> Iterator[Row]:
             return
         for ring in range(math.floor(ratio.high * sun), smallest - 1, -1):
             planet = (ring - sun) // 2
-            if (ring - sun) % 2 or (task.demands.assembly and (sun + ring) % task.planets):
+            if (ring - sun) % 2 or not _assembles(task, (sun, planet, ring)):
                 continue
             if _admitted(task, (sun, planet), ring, planet) and _clear(task, sun + planet, planet):
                 yield sun, (sun, planet, ring), task.proportions[0]
@@ -136,16 +144,21 @@ def _double(task: TrainTask) -> Iterator[Row]:
     """Programs 1.9 and 2.4: e and Z2' upward, the greatest Z2 of the ratio (4.16, 4.17)."""
     for proportion in task.proportions:
         mu1, mu2 = proportion
-        bounds = step_bounds(task, (mu1, mu2))
-        # 1.9 begins with the bound rounded up, 2.4 with the integer part of the larger one and one more
-        first = math.ceil(bounds.teeth.root)
-        if bounds.neighbours_book is not None:
-            first = math.floor(max(bounds.teeth.root, bounds.neighbours_book.root)) + 1
-        # beyond the textbook's largest e, Z2' above its least leaves room for external wheels 3
-        last = bounds.largest if side(task) > 0 else 2 * task.limits.largest / mu1
-        for e in range(first, math.floor(last) + 1):
+        first, last = _first_and_last(task, (mu1, mu2))
+        for e in range(first, last + 1):
             for teeth in _inner(task, e * mu2, e * mu1):
                 yield e, teeth, proportion
+
+
+def _first_and_last(task: TrainTask, proportion: tuple[int, int]) -> tuple[int, int]:
+    """The first and the last e of the programs 1.9 and 2.4."""
+    bounds = step_bounds(task, proportion)
+    # 1.9 begins with the bound rounded up, 2.4 with the integer part of the larger one and one more
+    first = math.ceil(bounds.teeth.root)
+    if bounds.neighbours_book is not None:
+        first = math.floor(max(bounds.teeth.root, bounds.neighbours_book.root)) + 1
+    # beyond the textbook's largest e, Z2' above its least leaves room for external wheels 3
+    return first, math.floor(bounds.largest if side(task) > 0 else 2 * task.limits.largest / proportion[0])
 
 
 def _inner(task: TrainTask, sum1: int, sum2: int) -> Iterator[tuple[int, int, int, int]]:
@@ -179,11 +192,13 @@ def _admitted(task: TrainTask, external: tuple[int, ...], last: int, mate: int) 
     return all(limits.least <= teeth <= limits.largest for teeth in external)
 
 
-def _assembles(task: TrainTask, teeth: tuple[int, int, int, int]) -> bool:
-    """Whether K equally spaced blocks fit in (4.25)."""
-    z1, z2, pinion, z3 = teeth
-    common = task.planets * math.gcd(z2, pinion)
-    return not task.demands.assembly or task.planets == 1 or (z2 * z3 + side(task) * z1 * pinion) % common == 0
+def _assembles(task: TrainTask, teeth: tuple[int, ...]) -> bool:
+    """Whether K equally spaced planets fit in (4.25, 4.26)."""
+    if not task.demands.assembly or task.planets == 1:
+        return True
+    assert task.scheme.assembly is not None
+    terms = task.scheme.assembly(dict(zip(task.scheme.wheels, teeth, strict=True)), task.planets)
+    return all(numerator % denominator == 0 for numerator, denominator in terms)
 
 
 def _clear(task: TrainTask, total: int, planet: int) -> bool:
@@ -194,9 +209,8 @@ def _clear(task: TrainTask, total: int, planet: int) -> bool:
 
 def _ratio(layout: str, teeth: tuple[int, ...]) -> Fraction:
     """Tooth ratio U."""
-    if layout == "AIbar":
-        return Fraction(teeth[2], teeth[0])
-    return Fraction(math.prod(teeth[1::2]), math.prod(teeth[::2]))
+    scheme = layout_of(layout)
+    return Fraction(*scheme.tooth_ratio(dict(zip(scheme.wheels, teeth, strict=True))))
 
 
 def _table(task: TrainTask, rows: Iterable[Row]) -> Stepped:
@@ -213,6 +227,35 @@ def _table(task: TrainTask, rows: Iterable[Row]) -> Stepped:
         tuple(_ratio(task.layout, row[1]) for row in found),
         np.stack(meshing, axis=1),
     )
+
+
+def found_by_textbook(task: TrainTask, sets: ToothSets) -> np.ndarray | None:
+    """Whether the textbook's program for the layout finds each set (n,); None where it has none for the task."""
+    if task.layout not in PROGRAMS or task.demands.largest_angle is not None:
+        return None
+    if task.scheme.single:
+        return np.ones(len(sets), dtype=bool)
+    if not task.scheme.branched:
+        rows = {tuple(row) for row in stepped(task).sets.teeth.tolist()}
+        return np.array([tuple(row) in rows for row in sets.teeth.tolist()], dtype=bool)
+    found = np.zeros(len(sets), dtype=bool)
+    for proportion in task.proportions:
+        at = np.flatnonzero((sets.modules == proportion).all(axis=1))
+        if len(at):
+            part = replace(sets, teeth=sets.teeth[at], modules=sets.modules[at], angles=sets.angles[at])
+            found[at] = _among_stepped(task, (proportion[0], proportion[1]), part)
+    return found
+
+
+def _among_stepped(task: TrainTask, proportion: tuple[int, int], sets: ToothSets) -> np.ndarray:
+    """The same for coaxial, AA and AI with one proportion of modules."""
+    e = (sets.of("1") + sets.of("2")) // proportion[1]
+    first, last = _first_and_last(task, proportion)
+    sun, wheel = sets.of("1") - 1, sets.of("2") + 1
+    above = wheel * sets.of("3"), np.maximum(sun, 1) * sets.of("2'")
+    admitted = within(Interval(Fraction(0), task.ratio.high), *above, int(above[1].max(initial=1)))
+    found: np.ndarray = (e >= first) & (e <= last) & (~admitted | (sun < 1))
+    return found
 
 
 PROGRAMS = {

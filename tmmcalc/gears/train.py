@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,12 +10,12 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.advice import remedies, why_none
 from tmmcalc.gears.model import ToothSets, TrainTask
+from tmmcalc.gears.search.blocks import Tally
+from tmmcalc.gears.search.constraints import sieve
 from tmmcalc.gears.search.measures import block_of
 from tmmcalc.gears.search.relaxation import relaxations
-from tmmcalc.gears.search.rounding import angle_error
-from tmmcalc.gears.search.search import Synthesis, synthesise
-from tmmcalc.gears.stepping import stepped
-from tmmcalc.gears.trace import found_by_textbook
+from tmmcalc.gears.search.search import Synthesis, angle_error, synthesise
+from tmmcalc.gears.stepping import found_by_textbook, stepped
 from tmmcalc.gears.trains import Request, Trains, Variant
 
 Told = Callable[[float, str], None]  # part of the work that is done, a few words
@@ -23,34 +23,30 @@ Told = Callable[[float, str], None]  # part of the work that is done, a few word
 
 def solve_train(requests: tuple[Request, ...], tell: Told | None = None) -> Trains:
     """The tooth sets of every request; raises `NoSolutionError` if none has any, with what would help."""
-    variants = tuple(_solve(request, tell) for request in requests)
+    variants = []
+    for request in requests:
+        title = request.title
+
+        def progress(part: float, count: int, title: str = title) -> None:
+            if tell is not None:
+                tell(part, f"{title}: {count} tooth sets")
+
+        by_program = request.method == "textbook"
+        synthesis = programmed(request) if by_program else synthesise(request.task, request.keep, progress)
+        if synthesis.count:
+            found, error = found_by_textbook(request.task, synthesis.sets), angle_error(request.task, synthesis.sets)
+            variants.append(Variant(request, synthesis, found, error=error))
+            continue
+        if tell is not None:
+            tell(1.0, f"{title}: no tooth set; seeking the least change that gives one")
+        variants.append(Variant(request, synthesis, None, relaxations(request.task, request.kind)))
     if not any(variant.synthesis.count for variant in variants):
         raise _no_solution(variants)
-    return Trains(variants)
-
-
-def _solve(request: Request, tell: Told | None) -> Variant:
-    title = request.title
-
-    def progress(part: float, count: int) -> None:
-        if tell is not None:
-            tell(part, f"{title}: {count} tooth sets")
-
-    by_program = request.method == "textbook"
-    synthesis = programmed(request) if by_program else synthesise(request.task, request.keep, progress)
-    if synthesis.count:
-        found = found_by_textbook(request.task, synthesis.sets)
-        return Variant(request, synthesis, found, error=angle_error(request.task, synthesis.sets))
-    if tell is not None:
-        tell(1.0, f"{title}: no tooth set; seeking the least change that gives one")
-    return Variant(request, synthesis, None, relaxations(request.task, request.kind))
+    return Trains(tuple(variants))
 
 
 def programmed(request: Request) -> Synthesis:
     """The sets of the textbook's programs, without those that break a constraint which the programs do not know."""
-    from tmmcalc.gears.search.constraints import sieve
-    from tmmcalc.gears.search.tally import Tally
-
     tally, found = Tally(), []
     for proportion, sets in _programs(request.task):
         tally.begin(len(sets))
@@ -76,7 +72,7 @@ def _programs(task: TrainTask) -> Iterator[tuple[tuple[int, ...], ToothSets]]:
             yield proportion, ToothSets(task.layout, teeth, modules, angles, task.planets)
 
 
-def _no_solution(variants: tuple[Variant, ...]) -> NoSolutionError:
+def _no_solution(variants: Sequence[Variant]) -> NoSolutionError:
     message = "\n  ".join(line for variant in variants for line in why_none(variant))
     advice = [f"{variant.request.title}: {text}" for variant in variants for text in remedies(variant)]
     if len(variants) == 1:

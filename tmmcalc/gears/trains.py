@@ -8,9 +8,9 @@ from typing import Literal
 import numpy as np
 
 from tmmcalc.core.records import record
-from tmmcalc.gears.layouts import Layout
 from tmmcalc.gears.model import Interval, ToothSets, TrainTask
 from tmmcalc.gears.radial import RadialShape
+from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.search.relaxation import Relaxation
 from tmmcalc.gears.search.search import KEPT, Synthesis
 

@@ -8,7 +8,7 @@ import pytest
 from gears.criteria.worked import CASES, TEETH, sets
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency, efficiency
-from tmmcalc.gears.criteria.speeds import output, speeds
+from tmmcalc.gears.criteria.speeds import speeds
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.network.builder import network_of
 from tmmcalc.gears.network.efficiency import efficiency as of_network
@@ -26,7 +26,7 @@ def by_network(layout: str, teeth: list[int], meshes: MeshEfficiency, *, back: b
 def test_against_power_flow(layout: str, *, back: bool) -> None:
     meshes = MeshEfficiency(0.97, 0.99)
     train = sets(layout, TEETH[layout])
-    found = efficiency(train, meshes, output(train) if back else "1")
+    found = efficiency(train, meshes, train.scheme.output if back else "1")
     truth = [by_network(layout, row, meshes, back=back) for row in TEETH[layout]]
     assert found == pytest.approx(truth, rel=1e-11)
 

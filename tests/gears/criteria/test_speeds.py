@@ -9,9 +9,10 @@ import pytest
 
 from gears.criteria.worked import TEETH, sets
 from tmmcalc.core.errors import NoSolutionError, UsageError
-from tmmcalc.gears.criteria.speeds import CARRIER, FIXED, output, speeds
+from tmmcalc.gears.criteria.speeds import speeds
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.model import ToothSets
+from tmmcalc.gears.scheme import CARRIER
 
 
 def solved(train: ToothSets, row: int, over: str) -> dict[str, float]:
@@ -32,7 +33,7 @@ def solved(train: ToothSets, row: int, over: str) -> dict[str, float]:
     for wheel in scheme.wheels:
         if wheel.endswith("'"):
             equation({wheel: 1.0, wheel[:-1]: -1.0}, 0.0)
-    equation({FIXED.get(train.layout, CARRIER): 1.0}, 0.0)
+    equation({train.scheme.fixed or CARRIER: 1.0}, 0.0)
     equation({over: 1.0}, 1.0)
     return dict(zip(names, np.linalg.solve(np.array(equations), np.array(right)), strict=True))
 
@@ -43,7 +44,7 @@ def test_against_the_equations_of_the_meshes(layout: str) -> None:
     for over in (None, "1", "2"):
         found = speeds(train, over)
         for row in range(len(train)):
-            truth = solved(train, row, over or output(train))
+            truth = solved(train, row, over or train.scheme.output)
             assert found.ratios.values[row] == pytest.approx(
                 [truth[shaft] for shaft in found.shafts], rel=1e-12, abs=1e-12
             )

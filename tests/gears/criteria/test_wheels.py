@@ -11,10 +11,10 @@ from gears.criteria.test_speeds import solved
 from gears.criteria.worked import TEETH, lengths, sets
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.criteria.inertia import reduced_inertia
-from tmmcalc.gears.criteria.speeds import CARRIER, FIXED, output
-from tmmcalc.gears.criteria.wheels import MOVING, Build, wheels
+from tmmcalc.gears.criteria.wheels import Build, wheels
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.model import ToothSets, Values
+from tmmcalc.gears.scheme import CARRIER
 
 MODULE, WIDTH = (0.002, 0.003, 0.004), (0.02, 0.035, 0.05)
 
@@ -51,8 +51,8 @@ def test_outer_planet_of_the_pair_is_twice_as_wide() -> None:
 
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_every_wheel_moves_or_is_fixed(layout: str) -> None:
-    still = set(LAYOUTS[layout].wheels) - set(MOVING[layout])
-    assert still == ({FIXED[layout]} if layout in FIXED else set())
+    still = set(LAYOUTS[layout].wheels) - set(LAYOUTS[layout].moving)
+    assert still == ({LAYOUTS[layout].fixed} - {""})
 
 
 def energy(train: ToothSets, module: Values, width: Values, row: int, over: str) -> float:
@@ -88,7 +88,7 @@ def test_reduced_inertia_is_the_kinetic_energy(layout: str) -> None:
     module, width = lengths(train, *MODULE), lengths(train, *WIDTH)
     for to in (None, "1", "2"):
         found = reduced_inertia(train, module, width, to)
-        truth = [energy(train, module, width, row, to or output(train)) for row in range(len(train))]
+        truth = [energy(train, module, width, row, to or train.scheme.output) for row in range(len(train))]
         assert found == pytest.approx(truth, rel=1e-11)
 
 

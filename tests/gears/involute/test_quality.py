@@ -20,8 +20,8 @@ from tmmcalc.gears.involute.quality.existence import (
     least_margin,
     least_sum,
     nearest_shifts,
-    pair_from_shifts,
     require_pair,
+    require_sum,
 )
 from tmmcalc.gears.involute.quality.sliding import sliding, sliding_extremes, whole_segment
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits, checks, worst
@@ -73,7 +73,7 @@ def pair_values(pair: Pair) -> dict[str, float]:
 
 @pytest.mark.parametrize(
     ("name", "pair"),
-    [("IG-S02", pair_from_shifts(wheel(14, 0.52, 15), wheel(27, 0.31, 15))), ("IG-S04", book_pair())],
+    [("IG-S02", pair_of_shifts(wheel(14, 0.52, 15), wheel(27, 0.31, 15))), ("IG-S04", book_pair())],
 )
 def test_worked_pairs(name, pair):
     expected = case(name)["expected"]
@@ -156,7 +156,7 @@ def test_ig_s13_involute_and_infeasible_pair():
         given["expected"]["alpha_rad"], abs=1e-10
     )
     with pytest.raises(NoSolutionError, match="not positive") as error:
-        pair_from_shifts(wheel(14, -0.4), wheel(17, -0.4))
+        require_sum(wheel(14, -0.4), wheel(17, -0.4))
     assert error.value.limit == pytest.approx(-0.63472, abs=1e-5)
     assert error.value.value == -0.8
     assert "nearest admissible shifts" in error.value.remedy

@@ -14,7 +14,7 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.meshing.blocking import solve_blocking
 from tmmcalc.gears.meshing.remeasure import remeasured
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
-from tmmcalc.gears.meshing.slidingtable import sliding_at, sliding_steps
+from tmmcalc.gears.meshing.sliding import sliding_at, sliding_steps
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import Measuring, PairTask
 

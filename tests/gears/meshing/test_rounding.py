@@ -13,7 +13,7 @@ import pytest
 from bounding import assert_bounds
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.gears.involute.extended import inverse_extended, involute_extended
+from tmmcalc.gears.involute.function import inverse_extended, involute_extended
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask

@@ -16,8 +16,9 @@ import pytest
 from sparing import sparing
 
 from tmmcalc.gears.exact import around
-from tmmcalc.gears.layouts import LAYOUTS, Mesh
+from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.model import Demands, Limits, ToothSets, TrainTask
+from tmmcalc.gears.scheme import Mesh
 from tmmcalc.gears.search.measures import assembly_number
 from tmmcalc.gears.search.search import synthesise
 

@@ -17,9 +17,8 @@ from tmmcalc.gears.advice import removals
 from tmmcalc.gears.columns import set_columns
 from tmmcalc.gears.pictures.placed import placed
 from tmmcalc.gears.search.search import synthesise
-from tmmcalc.gears.stepping import stepped
+from tmmcalc.gears.stepping import found_by_textbook, stepped
 from tmmcalc.gears.tables.tasks.train import to_train
-from tmmcalc.gears.trace import found_by_textbook
 from tmmcalc.gears.trains import Trains, Variant
 from tmmcalc.pipeline.runner import run
 

@@ -17,10 +17,9 @@ import numpy as np
 from tmmcalc.core.studies.measure import Way, relative, series
 from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import FLOOR, Reference, Series, Study
-from tmmcalc.gears.involute.extended import inverse_extended
-from tmmcalc.gears.involute.function import inverse_involute, involute
+from tmmcalc.gears.involute.function import inverse_extended, inverse_involute, involute
 from tmmcalc.gears.involute.pair import Pair
-from tmmcalc.gears.meshing.mates import external_pair
+from tmmcalc.gears.meshing.geometry import external_pair
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.model import Values
 

@@ -15,9 +15,10 @@ import numpy as np
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
-from tmmcalc.gears.criteria.speeds import CARRIER, DOUBLE, output, speeds
+from tmmcalc.gears.criteria.speeds import DOUBLE, speeds
 from tmmcalc.gears.model import ToothSets, Values
 from tmmcalc.gears.network.types import efficiency as planetary_efficiency
+from tmmcalc.gears.scheme import CARRIER
 
 
 @record
@@ -41,14 +42,14 @@ def efficiency(
     [0.948959]
     """
     meshes = MeshEfficiency() if meshes is None else meshes
-    if driver not in ("1", output(sets)):
+    if driver not in ("1", sets.scheme.output):
         raise UsageError(
-            f"shaft {driver!r} does not drive", where=f"train {sets.layout}", remedy=f"drivers: 1, {output(sets)}"
+            f"shaft {driver!r} does not drive", where=f"train {sets.layout}", remedy=f"drivers: 1, {sets.scheme.output}"
         )
     each = [meshes.internal if mesh.internal else meshes.external for mesh in sets.scheme.meshes]
     if not sets.scheme.planetary:
         return np.full(len(sets), prod(each))
-    if sets.layout == "AII":
+    if sets.scheme.three_centrals:
         return _three_central_wheels(sets, each, driver, kind)
     return planetary_efficiency(speeds(sets).of("1", kind), prod(each), "1" if driver == "1" else "H")
 

@@ -12,9 +12,10 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency, efficiency
 from tmmcalc.gears.criteria.inertia import reduced_inertia
 from tmmcalc.gears.criteria.size import RACK, centre_distances, envelope, size
-from tmmcalc.gears.criteria.speeds import CARRIER, Ratios, output, speeds
+from tmmcalc.gears.criteria.speeds import Ratios, speeds
 from tmmcalc.gears.criteria.wheels import Build, wheels
 from tmmcalc.gears.model import Integers, ToothSets, Values
+from tmmcalc.gears.scheme import CARRIER
 from tmmcalc.gears.search.measures import tooth_ratio
 
 
@@ -96,7 +97,7 @@ def ratio_error(sets: ToothSets, nominal: Fraction, driver: str = "1") -> Values
     >>> ratio_error(train, Fraction("6.2")).tolist()
     [0.0]
     """
-    if driver == CARRIER and output(sets) == CARRIER:
+    if driver == CARRIER and sets.scheme.output == CARRIER:
         actual, wanted = speeds(sets, "1").exact(CARRIER), 1 / (1 + sets.scheme.sign * nominal)
     else:
         actual, wanted = Ratios(*tooth_ratio(sets)), nominal

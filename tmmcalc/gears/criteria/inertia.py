@@ -6,9 +6,10 @@ J = sum_w K_w [J_w (omega_w/omega)^2 + M_w (a_w omega_H/omega)^2]        (4.45),
 from __future__ import annotations
 
 from tmmcalc.gears.criteria.size import RACK, centre_distances, orbits
-from tmmcalc.gears.criteria.speeds import CARRIER, speeds
+from tmmcalc.gears.criteria.speeds import speeds
 from tmmcalc.gears.criteria.wheels import Build, wheels
 from tmmcalc.gears.model import ToothSets, Values
+from tmmcalc.gears.scheme import CARRIER
 
 
 def reduced_inertia(

@@ -40,7 +40,7 @@ def _stretch(sets: ToothSets, rack: float) -> Values:
 
 def orbits(sets: ToothSets, distances: Values) -> dict[str, Values]:
     """Radii [m] (n,) of the circles on which the axes of the planets or layshafts lie, by wheel."""
-    if sets.layout == "2A-AA":
+    if sets.scheme.paired:
         return {"2": distances[:, 0], "3": distances[:, 2]}
     return dict.fromkeys(sets.scheme.planets, distances[:, 0])
 
@@ -48,44 +48,25 @@ def orbits(sets: ToothSets, distances: Values) -> dict[str, Values]:
 def size(sets: ToothSets, module: Values, rack: float = RACK) -> Values:
     """The size D [m] (n,) of the textbook; for modules [m] (n, stages).
 
-    Planetary trains and several layshafts (4.48), one layshaft (4.50), stages in a row (4.51). Of 2A-AA it is the
-    circle around the planets 3, of II the pitch circle of the larger ring.
+    Planetary trains and several layshafts (4.48), one layshaft (4.50), stages in a row (4.51).
 
     >>> train = ToothSets("AI", np.array([[22, 118, 17, 97]]), np.array([[4, 7]]), np.full((1, 2), RACK), planets=3)
     >>> size(train, np.array([[0.002, 0.0035]])).round(6).tolist()
     [0.516]
     """
     # summed in teeth before modules come in, so that trains of equal size compare as equal
-    z, m, s = dict(zip(sets.scheme.wheels, sets.teeth.T, strict=True)), module.T, _stretch(sets, rack).T
-    if sets.layout == "II":
-        return np.maximum(m[0] * z["1"], m[1] * z["3"])
-    if sets.layout == "2A-AA":
-        return m[0] * ((z["3"] + z["4"]) * s[2] + z["3"])
-    if sets.layout.startswith("unfolded"):
-        return _row(sets, module, rack)
-    if sets.layout == "coaxial" and sets.planets == 1:
-        return (m[0] * ((z["1"] + z["2"]) * s[0] + z["2"]) + m[1] * z["3"]) / 2
-    return m[0] * ((z["1"] + z["2"]) * s[0] + z["2"])
-
-
-def _row(sets: ToothSets, module: Values, rack: float) -> Values:
-    """Length of stages in a row: all centre distances, the radius of the first and that of the last wheel."""
-    length, stretch = np.zeros(len(sets)), _stretch(sets, rack)
-    for k, mesh in enumerate(sets.scheme.meshes):
-        one, other = sets.of(mesh.first), sets.of(mesh.second)
-        ends = (one if k == 0 else 0) + (other if k == len(sets.scheme.meshes) - 1 else 0)
-        length = length + module[:, mesh.stage] * ((one + other) * stretch[:, k] + ends) / 2
-    return length
+    found: Values = sets.scheme.size(sets.by_wheel, list(module.T), list(_stretch(sets, rack).T), sets.planets)
+    return found
 
 
 def envelope(sets: ToothSets, module: Values, rack: float = RACK) -> Values:
     """Diameter or length [m] (n,) of the room that all pitch circles take, fixed rings included."""
     r, a = _by_wheel(sets, module), centre_distances(sets, module, rack)
-    if sets.layout.startswith("unfolded"):
+    if not sets.scheme.branched:
         axes = np.hstack((np.zeros((len(sets), 1)), np.cumsum(a, axis=1)))
         places = {wheel: axes[:, int(wheel.rstrip("'")) - 1] for wheel in sets.scheme.wheels}
         return _extent(places, r)
-    if sets.layout == "coaxial" and sets.planets == 1:
+    if not sets.scheme.planetary and sets.planets == 1:
         places = {wheel: a[:, 0] if wheel in sets.scheme.planets else 0 * a[:, 0] for wheel in sets.scheme.wheels}
         return _extent(places, r)
     circles: list[Values] = [orbit + r[wheel] for wheel, orbit in orbits(sets, a).items()]

@@ -14,10 +14,9 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import Integers, ToothSets, Values
+from tmmcalc.gears.scheme import CARRIER
 
-CARRIER = "H"
 DOUBLE = np.dtype(float)
-FIXED = {"AIbar": "3", "AI": "3", "AA": "3", "II": "3", "AII": "3", "2A-AA": "4"}  # the central wheel that stands still
 
 
 @record
@@ -56,11 +55,6 @@ class Speeds:
         return Ratios(self.ratios.numerators[:, column], self.ratios.denominators[:, column])
 
 
-def output(sets: ToothSets) -> str:
-    """The output shaft: the carrier of a planetary train, the second ring of AII, the last wheel of fixed axes."""
-    return sets.scheme.wheels[-1] if sets.layout not in FIXED or sets.layout == "AII" else CARRIER
-
-
 def speeds(sets: ToothSets, over: str | None = None) -> Speeds:
     """Speeds of all shafts over that of a shaft, by default the output: i_1H, i_2H (textbook 4.19, 4.46, 4.47).
 
@@ -71,7 +65,7 @@ def speeds(sets: ToothSets, over: str | None = None) -> Speeds:
     ([31.604278], [-4.705882])
     """
     shafts = (*sets.scheme.wheels, CARRIER)
-    over = output(sets) if over is None else over
+    over = sets.scheme.output if over is None else over
     if over not in shafts:
         raise UsageError(f"no shaft {over!r}", where=f"train {sets.layout}", remedy=f"shafts: {', '.join(shafts)}")
     numerators, denominators = _absolute(sets)
@@ -107,9 +101,9 @@ def _absolute(sets: ToothSets) -> tuple[Integers, Integers]:
     held = relative(sets)
     n = len(sets)
     carrier = np.zeros((n, 1), np.int64), np.ones((n, 1), np.int64)
-    if sets.layout not in FIXED:
+    if not sets.scheme.fixed:
         return np.hstack((held.numerators, carrier[0])), np.hstack((held.denominators, carrier[1]))
-    fixed = sets.scheme.index(FIXED[sets.layout])
+    fixed = sets.scheme.index(sets.scheme.fixed)
     top, bottom = held.numerators[:, fixed, None], held.denominators[:, fixed, None]
     # w = w_H (1 - r/r_fixed), r relative to the held carrier
     under = held.denominators * top

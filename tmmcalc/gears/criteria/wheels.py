@@ -11,14 +11,11 @@ modules; both planets of 2A-AA are wheels, and planet 3, which reaches both plan
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
-
 import numpy as np
 
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets, Values
-
-Shape = Literal["pinion", "wheel", "ring"]
+from tmmcalc.gears.scheme import Shape
 
 
 @record
@@ -29,29 +26,6 @@ class Build:
     webbed_mass: float = 0.434  # alpha1: mass of a wheel over that of the solid cylinder
     webbed_inertia: float = 1.21  # alpha2: its radius of inertia squared over that of the solid cylinder
     rim: float = 3.75  # [module] depth of a ring behind its reference circle: tooth root and rim
-
-
-class Part(NamedTuple):
-    """A moving wheel of a layout."""
-
-    shape: Shape
-    widths: int = 1  # over the width of its stage
-
-
-_PINION, _WHEEL, _RING = Part("pinion"), Part("wheel"), Part("ring")
-_BLOCK = {"1": _PINION, "2": _WHEEL, "2'": _PINION}
-
-MOVING: dict[str, dict[str, Part]] = {
-    "unfolded2": {**_BLOCK, "3": _WHEEL},
-    "unfolded3": {**_BLOCK, "3": _WHEEL, "3'": _PINION, "4": _WHEEL},
-    "coaxial": {**_BLOCK, "3": _WHEEL},
-    "AIbar": {"1": _PINION, "2": _WHEEL},
-    "AI": _BLOCK,
-    "AA": _BLOCK,
-    "II": {"1": _RING, "2": _PINION, "2'": _PINION},
-    "AII": {**_BLOCK, "4": _RING},
-    "2A-AA": {"1": _PINION, "2": _WHEEL, "3": Part("wheel", 2)},
-}
 
 
 @record
@@ -95,10 +69,10 @@ def wheels(sets: ToothSets, module: Values, width: Values, build: Build | None =
     3.1897
     """
     build = Build() if build is None else build
-    scheme, moving = sets.scheme, MOVING[sets.layout]
+    scheme = sets.scheme
     masses, inertias = np.zeros((2, *sets.teeth.shape), module.dtype)
     reference = radii(sets, module)
-    for wheel, part in moving.items():
+    for wheel, part in scheme.moving.items():
         column, stage = scheme.index(wheel), stage_of(sets, wheel)
         thickness = width[:, stage] * part.widths
         outer = build.rim * module[:, stage]

@@ -9,10 +9,10 @@ from fractions import Fraction
 
 from tmmcalc.core.quantity import keyed, quantities
 from tmmcalc.gears.gearing import Gearing, Way
-from tmmcalc.gears.layouts import layout_of
 from tmmcalc.gears.members import Columns, frequency_columns, member_columns, power_columns, torque_columns
 from tmmcalc.gears.network.model import FRAME
 from tmmcalc.gears.network.power import PowerFlow
+from tmmcalc.gears.scheme import layout_of
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
@@ -194,11 +194,10 @@ def _notes(result: Gearing) -> Iterator[str]:
     if result.assembly is not None and result.assembly.denominator != 1:
         planets = result.task.planets
         yield f"warning: {planets} equally spaced planets do not fit in with these numbers of teeth"
-    teeth = (
-        dict(zip(layout_of(result.task.layout).wheels, result.task.teeth, strict=True)) if result.task.layout else {}
-    )
-    if result.task.layout == "AIbar" and teeth["3"] != teeth["1"] + 2 * teeth["2"]:
-        yield f"note: Z3 is not Z1 + 2 Z2 = {teeth['1'] + 2 * teeth['2']}: such wheels need profile shifts"
+    if result.task.layout is not None and layout_of(result.task.layout).single:
+        sun, planet, ring = result.task.teeth
+        if ring != sun + 2 * planet:
+            yield f"note: Z3 is not Z1 + 2 Z2 = {sun + 2 * planet}: such wheels need profile shifts"
     for name in result.motion.redundant:
         yield f"note: mesh {name} turns in step with the others, which imply it"
     for remark in result.task.remarks:

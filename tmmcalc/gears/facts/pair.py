@@ -69,7 +69,7 @@ def _part(found: MeshPair, title: str, step: float | None) -> Document:
 def _sliding_document(found: MeshPair, step: float) -> Document:
     """theta and lambda in equal steps, as program 1.15 prints them."""
     from tmmcalc.gears.meshing.columns import sliding_columns
-    from tmmcalc.gears.meshing.slidingtable import sliding_steps
+    from tmmcalc.gears.meshing.sliding import sliding_steps
 
     columns = sliding_columns(found, sliding_steps(found, step))
     legend = "rho1 = N1K, s from P; active: whether the flanks touch there"

@@ -45,7 +45,7 @@ def planetary_document(
         )
     requests = [variant.request for variant in result.variants if variant.request.scheme.planetary]
     parts = [*_type_parts(requests, power, internal, everything), *_limit_parts(requests)]
-    parts += [radial_document(request, everything) for request in requests if request.task.layout == "2A-AA"]
+    parts += [radial_document(request, everything) for request in requests if request.scheme.paired]
     parts += [_variant_part(variant, choose, speed) for variant in result.variants]
     return Document(title, parts=tuple(parts))
 
@@ -92,7 +92,7 @@ def _cell(value: float | None, everything: bool) -> float | str:
 
 def _limit_parts(requests: list[Request]) -> Iterator[Document]:
     """How large U may be for each number of single planets."""
-    single = next((request for request in requests if request.task.layout == "AIbar"), None)
+    single = next((request for request in requests if request.scheme.single), None)
     if single is None:
         return
     task = single.task

@@ -12,13 +12,13 @@ from tmmcalc.gears.advice import called, remedies, removals, why_none
 from tmmcalc.gears.bounds import step_bounds
 from tmmcalc.gears.columns import ANGLE, ASSEMBLY, COPRIME, GAP, STEP, TEXTBOOK, set_columns, stacked
 from tmmcalc.gears.model import Interval, TrainTask
+from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.trains import Request, Trains, Variant
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
 ROWS, FEW = 20, 5  # rows of the table; of the summary of a whole run
 LISTED = 6  # proportions of modules that are named one by one
-STEPPED = ("coaxial", "AA", "AI")  # the textbook steps through e
 
 LEGEND = {
     "m_1:m_2": "m_1:m_2 modules of the stages",
@@ -51,7 +51,7 @@ def _variant_document(variant: Variant, rows: int) -> Document:
         *_task_facts(variant.request),
         *_removal_facts(variant),
         *_set_facts(variant, rows),
-        *([] if view is None else [_legend_fact(view, variant.request.task.layout)]),
+        *([] if view is None else [_legend_fact(view, variant.request.scheme)]),
     )
     more = "--format csv prints all of them"
     return Document(variant.request.title, facts, tuple(_notes(variant)), view, wide=True, more=more)
@@ -60,7 +60,7 @@ def _variant_document(variant: Variant, rows: int) -> Document:
 def _task_facts(request: Request) -> Iterator[Fact]:
     """Layout, ratio, limits of teeth, modules."""
     task, scheme = request.task, request.scheme
-    called = f" ({scheme.designation})" if scheme.designation not in (scheme.key, "unfolded", "coaxial") else ""
+    called = f" ({scheme.designation})" if scheme.planetary and scheme.designation != scheme.key else ""
     values: dict[str, Any] = {"layout": scheme.key}
     if scheme.branched:
         values["planets"] = task.planets
@@ -81,7 +81,7 @@ def _task_facts(request: Request) -> Iterator[Fact]:
     yield Fact("numbers of teeth", text, values)
     if scheme.branched and scheme.stages > 1:
         yield _modules_fact(task.proportions)
-    if scheme.key in STEPPED and len(task.proportions) == 1:
+    if scheme.stepped and len(task.proportions) == 1:
         yield _steps_fact(task)
 
 
@@ -184,10 +184,10 @@ def _view(columns: dict[str, np.ndarray]) -> View:
     return View(list(columns), [column.tolist() for column in columns.values()])
 
 
-def _legend_fact(view: View, layout: str) -> Fact:
+def _legend_fact(view: View, scheme: Layout) -> Fact:
     """What stands in the table."""
     lines = [text for header, text in LEGEND.items() if header in view.headers]
-    if layout == "2A-AA" and GAP.key in view.headers:
+    if scheme.paired and GAP.key in view.headers:
         lines.append("gap at the operating centre distances; tested by (8) at those of the rack, which are smaller")
     return Fact("in the table", "\n".join(["error of the ratio against the one asked for", *lines]))
 

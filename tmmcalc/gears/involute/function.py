@@ -1,13 +1,19 @@
-"""The involute function inv(a) = tan(a) - a and its inverse, to rounding over the whole range."""
+"""The involute function inv(a) = tan(a) - a and its inverse, to rounding over the whole range.
+
+Both for arrays, for single numbers, and in extended precision, to measure what rounding leaves of a pair.
+"""
 
 from __future__ import annotations
 
 from math import atan, cbrt, inf, nan, pi, tan
-from typing import overload
+from typing import Any, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.gears.model import Values
+
+Long = NDArray[np.longdouble]
 
 # tan(a) - a = a^3 (1/3 + 2/15 a^2 + ...): numerators and denominators of the Taylor coefficients of tan
 SERIES = (
@@ -25,6 +31,8 @@ SERIES = (
 )
 _TAYLOR = tuple(top / bottom for top, bottom in SERIES)
 _SMALL = 0.3  # [rad] below it the difference tan(a) - a would lose digits
+_LONG_TAYLOR = tuple(np.longdouble(top) / np.longdouble(bottom) for top, bottom in SERIES)
+_LONG_SMALL = 0.12  # [rad] below it the eleven terms are exact, above it the difference loses two digits
 _STEPS = 6  # of Newton's method: from the start below four are enough everywhere
 
 
@@ -100,3 +108,25 @@ def _angle_of_one(value: float) -> float:
             break
         a -= (_involute_of_one(a) - value) / slope
     return a
+
+
+def involute_extended(angle: Any) -> Long:
+    """inv(a) of longdoubles [rad] of any shape, to 1e-17 of itself."""
+    a = np.asarray(angle, np.longdouble)
+    if np.all(np.abs(a) >= _LONG_SMALL):
+        return np.asarray(np.tan(a) - a)
+    square, series = np.minimum(a * a, _LONG_SMALL**2), np.zeros_like(a)
+    for coefficient in reversed(_LONG_TAYLOR):
+        series = series * square + coefficient
+    return np.where(np.abs(a) < _LONG_SMALL, a**3 * series, np.tan(a) - a)
+
+
+def inverse_extended(value: Any) -> Long:
+    """The angle [rad] whose involute is ``value`` > 0, any shape: one step of Newton's method from the nearest double.
+
+    >>> bool(abs(involute_extended(inverse_extended(0.3)) - np.longdouble(0.3)) < 1e-18)
+    True
+    """
+    q = np.asarray(value, np.longdouble)
+    a = np.asarray(inverse_involute(q.astype(float)), np.longdouble)
+    return np.asarray(a - (involute_extended(a) - q) / np.tan(a) ** 2)

@@ -113,7 +113,7 @@ def pair_of_shifts(first: Wheel, second: Wheel) -> Pair:
     >>> round(degrees(float(pair.angle)), 4)
     25.3154
     """
-    start, total = first.section.angle, first.teeth + second.teeth
+    start, total = first.transverse_angle, first.teeth + second.teeth
     target = involute(start) + 2 * (first.shift + second.shift) * tan(first.rack.angle) / total
     angle = inverse_involute(target)
     distance = (first.reference + second.reference) * cos(start) / np.cos(angle)
@@ -135,7 +135,7 @@ def sum_of_shifts(first: Wheel, second: Wheel, distance: Number) -> tuple[Number
 
     Only the numbers of teeth, the helix and the rack of the wheels are read.
     """
-    start, total = first.section.angle, first.teeth + second.teeth
+    start, total = first.transverse_angle, first.teeth + second.teeth
     cosine = (first.reference + second.reference) * cos(start) / np.asarray(distance, dtype=float)
     with np.errstate(invalid="ignore"):
         angle = np.arccos(cosine)

@@ -72,6 +72,11 @@ class Rack:
         return pi / 4 - self.straight * tan(self.angle) - self.radius * cos(self.angle)
 
 
+def transverse_angle(rack: Rack, helix: float) -> float:
+    """Transverse profile angle alpha_t [rad] (4.52)."""
+    return atan(tan(rack.angle) / cos(helix))
+
+
 @record
 class Section:
     """A rack cut across a wheel of helix angle beta; lengths in normal modules (4.52)."""
@@ -82,7 +87,7 @@ class Section:
     @property
     def angle(self) -> float:
         """Transverse profile angle alpha_t [rad]."""
-        return atan(tan(self.rack.angle) / cos(self.helix))
+        return transverse_angle(self.rack, self.helix)
 
     @property
     def module(self) -> float:

@@ -44,12 +44,12 @@ class RackPair:
     @property
     def pitch_curvature(self) -> float:
         """N1P = r sin(alpha_t)."""
-        return self.pinion.reference * sin(self.pinion.section.angle)
+        return self.pinion.reference * sin(self.pinion.transverse_angle)
 
     @property
     def segment(self) -> tuple[float, float]:
         """rho1 where the rack's tip begins the contact and where the pinion's tip ends it."""
-        angle = self.pinion.section.angle
+        angle = self.pinion.transverse_angle
         start = self.pitch_curvature - (self.addendum - float(self.pinion.shift)) / sin(angle)
         return start, float(self.pinion.curvature_at(self.tip))
 

@@ -9,15 +9,22 @@ meets the line of action at L; the distance LN of L from the base circle is the 
 from __future__ import annotations
 
 from math import cos, pi, sin, tan
+from typing import Any
 
 import numpy as np
 
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import inverse_involute, involute
-from tmmcalc.gears.involute.rack import Rack, Section
+from tmmcalc.gears.involute.rack import Rack, Section, transverse_angle
 from tmmcalc.gears.model import Values
 
 Number = float | Values
+LEAST_CURVATURE = 1e-12  # [normal module] where an involute does not reach so far down
+
+
+def curvature(radius: Any, base: Any) -> Any:
+    """Radius of curvature of the involute at a radius, in numbers of any kind; tiny at and below the base circle."""
+    return np.sqrt(np.maximum((radius - base) * (radius + base), LEAST_CURVATURE**2))
 
 
 @record
@@ -35,6 +42,11 @@ class Wheel:
         return Section(self.rack, self.helix)
 
     @property
+    def transverse_angle(self) -> float:
+        """alpha_t [rad], pressure angle on the reference circle (4.52)."""
+        return transverse_angle(self.rack, self.helix)
+
+    @property
     def reference(self) -> float:
         """Radius r of the reference circle."""
         return self.teeth / (2 * cos(self.helix))
@@ -42,7 +54,7 @@ class Wheel:
     @property
     def base(self) -> float:
         """Radius r_b of the base circle (4.53)."""
-        return self.reference * cos(self.section.angle)
+        return self.reference * cos(self.transverse_angle)
 
     @property
     def root(self) -> Number:
@@ -57,13 +69,13 @@ class Wheel:
     @property
     def limit(self) -> Number:
         """LN, signed: radius of curvature at the limit point L (4.55); negative: undercut."""
-        angle = self.section.angle
+        angle = self.transverse_angle
         return self.reference * sin(angle) - (self.rack.straight - self.shift) / sin(angle)
 
     @property
     def least_shift(self) -> float:
         """x_min: the least shift without undercut, exactly."""
-        return self.rack.straight - self.reference * sin(self.section.angle) ** 2
+        return self.rack.straight - self.reference * sin(self.transverse_angle) ** 2
 
     @property
     def half_angle(self) -> Number:
@@ -73,7 +85,7 @@ class Wheel:
     def half_angle_at(self, radius: Number) -> Number:
         """theta [rad]: half the angle of the tooth at a radius of at least r_b."""
         turned = involute(np.arccos(np.minimum(self.base / np.asarray(radius, dtype=float), 1.0)))
-        half: Values = self.half_angle + involute(self.section.angle) - turned
+        half: Values = self.half_angle + involute(self.transverse_angle) - turned
         return half
 
     def helix_at(self, radius: Number) -> Number:
@@ -95,10 +107,10 @@ class Wheel:
     @property
     def base_pitch(self) -> float:
         """Transverse base pitch p_bt = p_t cos(alpha_t)."""
-        return pi / cos(self.helix) * cos(self.section.angle)
+        return pi / cos(self.helix) * cos(self.transverse_angle)
 
     @property
     def pointing(self) -> Number:
         """Radius at which the flanks of the tooth meet in a point."""
-        radius: Values = self.base / np.cos(inverse_involute(self.half_angle + involute(self.section.angle)))
+        radius: Values = self.base / np.cos(inverse_involute(self.half_angle + involute(self.transverse_angle)))
         return radius

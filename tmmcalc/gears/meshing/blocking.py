@@ -12,8 +12,8 @@ import numpy as np
 from tmmcalc.gears.involute.contour.contour import Contour, contours
 from tmmcalc.gears.involute.contour.errors import contour_error
 from tmmcalc.gears.involute.contour.interval import Interval, intervals
-from tmmcalc.gears.involute.contour.joined import Region
 from tmmcalc.gears.involute.contour.margins import Margins, margins
+from tmmcalc.gears.involute.contour.regions import Region
 from tmmcalc.gears.meshing.blockinglines import contour_lines
 from tmmcalc.gears.meshing.blockingpoints import contour_points
 from tmmcalc.gears.meshing.choice import contour_task

@@ -14,13 +14,13 @@ from tmmcalc.gears.involute.contour.points import (
     largest_equal_strength,
     largest_sum,
 )
-from tmmcalc.gears.involute.contour.strength import tooth_form
 from tmmcalc.gears.involute.contour.task import LINES, Task
+from tmmcalc.gears.involute.formfactor import tooth_form
 from tmmcalc.gears.involute.pair import pair_of_shifts
 from tmmcalc.gears.involute.shifts import ROUNDING
 from tmmcalc.gears.meshing.choice import contour_task
 from tmmcalc.gears.meshing.contours import ContourPoint
-from tmmcalc.gears.meshing.mates import external_pair
+from tmmcalc.gears.meshing.geometry import external_pair
 from tmmcalc.gears.meshing.results import MeshPair
 
 Place = tuple[float, float]

@@ -103,7 +103,7 @@ def _turn(member: Member, axis: Axis) -> float:
     """The angle [rad] from the flank's point on the reference circle to the axis Y."""
     if member.shape == "external":
         return axis_turn(member.wheel, axis, member.found.angle_w)
-    psi, start = _half_angle(member), float(involute(member.wheel.section.angle))
+    psi, start = _half_angle(member), float(involute(member.wheel.transverse_angle))
     turns = {
         "reference": 0.0,
         "tooth": psi,

@@ -12,7 +12,7 @@ from tmmcalc.gears.involute.pair import sum_of_shifts
 from tmmcalc.gears.involute.quality.verdicts import Check, worst
 from tmmcalc.gears.involute.shifts import ROUNDING, Choice, choose
 from tmmcalc.gears.meshing.distances import nearest_distance
-from tmmcalc.gears.meshing.mates import wheel_of
+from tmmcalc.gears.meshing.geometry import wheel_of
 from tmmcalc.gears.meshing.refusal import place, require_distance
 from tmmcalc.gears.meshing.task import PairTask
 

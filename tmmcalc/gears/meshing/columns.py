@@ -6,7 +6,7 @@ import numpy as np
 
 from tmmcalc.core.quantity import headed
 from tmmcalc.gears.meshing.results import MeshPair, Pairs, SlidingTable
-from tmmcalc.gears.meshing.slidingtable import sliding_steps
+from tmmcalc.gears.meshing.sliding import sliding_steps
 
 NO, YES = "no", "yes"
 

@@ -12,7 +12,7 @@ from tmmcalc.gears.involute.internal.ring import angle_of_distance, angle_of_shi
 from tmmcalc.gears.involute.pair import pair_of_shifts, sum_of_shifts
 from tmmcalc.gears.involute.quality.existence import least_sum, margin_of
 from tmmcalc.gears.involute.quality.nearest import Margin, best_split, outermost_sum, told_nearest
-from tmmcalc.gears.meshing.mates import RING_TIPS, ring_of, wheel_of
+from tmmcalc.gears.meshing.geometry import RING_TIPS, ring_of, wheel_of
 from tmmcalc.gears.meshing.refusal import place
 from tmmcalc.gears.meshing.task import PairTask
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from tmmcalc.core.numerics.extended import PI, apart
 from tmmcalc.core.records import record
-from tmmcalc.gears.involute.extended import Long, inverse_extended, involute_extended
+from tmmcalc.gears.involute.function import Long, inverse_extended, involute_extended
 from tmmcalc.gears.meshing.results import MeshPair, PairError
 from tmmcalc.gears.meshing.task import PairTask
 

@@ -11,13 +11,13 @@ from tmmcalc.gears.involute.quality.existence import nearest_shifts, require_pai
 from tmmcalc.gears.involute.quality.sliding import sliding, sliding_extremes
 from tmmcalc.gears.involute.quality.verdicts import checks
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.gears.meshing.along import line_points, peaks_of, sliding_table
 from tmmcalc.gears.meshing.choice import choose_shifts, standing
-from tmmcalc.gears.meshing.mates import asked_distance, external_of, wheel_of
+from tmmcalc.gears.meshing.geometry import asked_distance, external_of, wheel_of
 from tmmcalc.gears.meshing.measures import measures
 from tmmcalc.gears.meshing.refusal import millimetres, refuse, remedy_by
 from tmmcalc.gears.meshing.results import LineOfAction, MeshPair, SlidingPeaks, SlidingTable, WheelSizes
 from tmmcalc.gears.meshing.sizes import Gear, external_sizes, on_base, require_root
+from tmmcalc.gears.meshing.sliding import line_points, peaks_of, sliding_table
 from tmmcalc.gears.meshing.task import PairTask
 
 
@@ -43,7 +43,7 @@ def solve_external(task: PairTask) -> MeshPair:
         note=note,
         broken=stands.broken,
         nearest=stands.nearest,
-        angle_t=pair.first.section.angle,
+        angle_t=pair.first.transverse_angle,
         angle_w=float(pair.angle),
         base_helix=pair.first.section.base_helix,
         reference_distance=m * pair.reference_distance,

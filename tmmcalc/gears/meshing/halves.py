@@ -151,7 +151,7 @@ def _arc(name: PartName, radius: float, middle: float, sweep: float, side: float
 
 def _of_ring(member: Member) -> Half:
     flank = member.ring_flank
-    element, start = flank.element, tan(member.wheel.section.angle)
+    element, start = flank.element, tan(member.wheel.transverse_angle)
     turned = np.exp(1j * member.half_pitch)
 
     def mirrored(curve: Curve) -> Curve:

@@ -22,15 +22,15 @@ from tmmcalc.gears.involute.internal.shifts import InternalChoice, choose_intern
 from tmmcalc.gears.involute.internal.verdicts import internal_checks, require_internal
 from tmmcalc.gears.involute.profile.form import junction
 from tmmcalc.gears.involute.quality.verdicts import NOISE, Check, QualityLimits, Verdict
-from tmmcalc.gears.meshing.along import REST, line_points, peaks_of, sliding_table
 from tmmcalc.gears.meshing.choice import Standing, known_shifts, sound, strictly
 from tmmcalc.gears.meshing.cutting import NAMES, blamed, cut_short, cutter_checks, cutter_remedy
 from tmmcalc.gears.meshing.distances import nearest_distance, require_sum
-from tmmcalc.gears.meshing.mates import RING_TIPS, asked_distance, internal_of, ring_of, wheel_of
+from tmmcalc.gears.meshing.geometry import RING_TIPS, asked_distance, internal_of, ring_of, wheel_of
 from tmmcalc.gears.meshing.measures import measures
 from tmmcalc.gears.meshing.refusal import millimetres, refuse, remedy_by, require_distance
 from tmmcalc.gears.meshing.results import LineOfAction, MeshPair, SlidingPeaks, SlidingTable, WheelSizes
 from tmmcalc.gears.meshing.sizes import Gear, external_sizes, on_base, require_root
+from tmmcalc.gears.meshing.sliding import REST, line_points, peaks_of, sliding_table
 from tmmcalc.gears.meshing.task import PairTask
 
 
@@ -56,7 +56,7 @@ def solve_internal(task: PairTask) -> MeshPair:
         note="; ".join(text for text in (note, cut_short(pair, m), _shortened(pair, m)) if text),
         broken=stands.broken,
         nearest=stands.nearest,
-        angle_t=pair.pinion.section.angle,
+        angle_t=pair.pinion.transverse_angle,
         angle_w=pair.angle,
         base_helix=pair.pinion.section.base_helix,
         reference_distance=m * pair.reference_distance,

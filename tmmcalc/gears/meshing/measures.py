@@ -93,7 +93,7 @@ def _measured(task: PairTask, number: int, gear: Gear) -> _Measured:
         SpanRow(s.teeth, m * s.length, m * s.radius, m * s.curvature, m * s.width, s.valid, s.book) for s in found.table
     ]
     if asked is not None and found.over(asked) is None:
-        rows.append(_beyond(task, gear, asked))
+        rows.append(_not_admitted(task, gear, asked))
     most = found.most(task.measuring.rule)
     chosen = asked if asked is not None else most if most >= LEAST else None
     limits = found.limits
@@ -113,7 +113,7 @@ def _measured(task: PairTask, number: int, gear: Gear) -> _Measured:
     )
 
 
-def _beyond(task: PairTask, gear: Gear, teeth: int) -> SpanRow:
+def _not_admitted(task: PairTask, gear: Gear, teeth: int) -> SpanRow:
     """The span over a number of teeth that no rule admits."""
     length, helix = span_length(gear.wheel, teeth), gear.wheel.section.base_helix
     curvature = length * cos(helix) / 2

@@ -18,7 +18,7 @@ from tmmcalc.gears.involute.profile.ring import RingFlank, ring_flank
 from tmmcalc.gears.involute.profile.rounding import Rounding, rounding
 from tmmcalc.gears.involute.profile.shaping import ShapedRing, shaped_ring
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.gears.meshing.mates import external_pair, internal_pair, pinion_on_rack, wheel_of
+from tmmcalc.gears.meshing.geometry import external_pair, internal_pair, pinion_on_rack, wheel_of
 from tmmcalc.gears.meshing.refusal import millimetres
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 

@@ -9,10 +9,10 @@ from math import pi
 import numpy as np
 
 from tmmcalc.gears.involute.profile.mesh import Placing, placings, ring_placings
+from tmmcalc.gears.meshing.geometry import external_pair, internal_pair, pinion_on_rack
 from tmmcalc.gears.meshing.halves import fault_of
-from tmmcalc.gears.meshing.mates import external_pair, internal_pair, pinion_on_rack
 from tmmcalc.gears.meshing.members import both
-from tmmcalc.gears.meshing.refusal import joined
+from tmmcalc.gears.meshing.refusal import error_of_all
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.tracks import Track, repeated, track
 
@@ -34,7 +34,7 @@ def mesh_placings(found: MeshPair, phase: float = 0.0) -> tuple[Placing, Placing
         pinion, ring = ring_placings(pair.pinion, second.wheel, pair.angle, pair.distance, phase)
         return pinion, Placing(ring.turn - second.half_pitch, ring.centre)  # a tooth, not a space, comes on +Y
     rack = pinion_on_rack(found)
-    shift, slope = float(rack.pinion.shift), np.tan(rack.pinion.section.angle)
+    shift, slope = float(rack.pinion.shift), np.tan(rack.pinion.transverse_angle)
     offset = second.half_pitch / 2 - shift * float(slope)  # half the tooth of the rack on the rolling line
     travel = rack.pinion.reference * phase
     return Placing(-float(first.wheel.half_angle) - phase, 0j), Placing(pi, complex(travel - offset, rack.distance))
@@ -51,7 +51,7 @@ def require_some(pairs: Sequence[MeshPair]) -> None:
     faults = [fault_of(member) for found in pairs for member in both(found)]
     errors = [fault for fault in faults if fault is not None]
     if errors and len(errors) == len(faults):
-        raise joined(errors, len(faults))
+        raise error_of_all(errors, len(faults))
 
 
 def beside(groups: Sequence[Sequence[Track]]) -> tuple[Track, ...]:

@@ -2,7 +2,7 @@
 
 At fixed centre distances the sums of shifts are fixed, so one shift u, that of the first wheel, gives all others:
 each is c + u or c - u. Every mesh admits some u; of those that all admit the nearest to the choice of the first mesh is
-taken. For the tips see `tips`.
+taken. Its tip is the one that is given in one of its meshes, else the smallest that any asks for.
 """
 
 from __future__ import annotations
@@ -17,11 +17,14 @@ from tmmcalc.gears.involute.contour.interval import interval
 from tmmcalc.gears.involute.internal.line import Span, internal_line, intervals
 from tmmcalc.gears.involute.internal.ring import angle_of_distance
 from tmmcalc.gears.meshing.choice import contour_task, sum_asked
-from tmmcalc.gears.meshing.mates import RING_TIPS, ring_of, wheel_of
+from tmmcalc.gears.meshing.geometry import RING_TIPS, ring_of, wheel_of
+from tmmcalc.gears.meshing.refusal import millimetres
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.task import PairTask
-from tmmcalc.gears.meshing.tips import WHERE, with_tips
 
+WHERE = "pairs of the train"
+EQUAL = 1e-12  # relative difference of radii that counts as none
+TOLD = 1e-9  # that is told of
 AGREE = 5e-4  # by which shifts that are given for one wheel may differ
 NEAR = 1e-9  # by which a limited shift stays clear of the limit
 
@@ -232,3 +235,40 @@ def _told(task: PairTask, signs: dict[str, Sign], first: MeshPair, wheel: str) -
     spans = [sorted((sign.at(low), sign.at(high))) for low, high in _spans(task, signs, first, strict=False)]
     told = " or ".join(f"{low:.4f} ... {high:.4f}" for low, high in spans)
     return f"{task.name} admits {told or 'none'}"
+
+
+def with_tips(tasks: Sequence[PairTask], probes: Sequence[MeshPair]) -> tuple[list[PairTask], list[str]]:
+    """The tasks with the shifts of the probes and one tip for every shared wheel; they refuse as was asked."""
+    wheels = [wheel for task in tasks for wheel in task.wheels]
+    shared = [wheel for wheel in dict.fromkeys(wheels) if wheels.count(wheel) > 1]
+    last = [replace(probe.task, refuse=task.refuse) for task, probe in zip(tasks, probes, strict=True)]
+    remarks = []
+    for wheel in shared:
+        places = [(k, task.wheels.index(wheel)) for k, task in enumerate(tasks) if wheel in task.wheels]
+        tip, said = _tip(wheel, [(tasks[k].name, tasks[k].tips[i], probes[k].sizes[i].tip) for k, i in places])
+        remarks += said
+        for k, i in places:
+            if abs(probes[k].sizes[i].tip - tip) > EQUAL * tip:
+                one, two = last[k].tips
+                last[k] = replace(last[k], tips=(tip, two) if i == 0 else (one, tip))
+    return last, remarks
+
+
+def _tip(wheel: str, each: Sequence[tuple[str, float | None, float]]) -> tuple[float, list[str]]:
+    """The radius of the tip circle: the one that is given, else the smallest of all meshes."""
+    given = [radius for _, radius, _ in each if radius is not None]
+    if any(abs(radius - given[0]) > EQUAL * given[0] for radius in given):
+        raise UsageError(
+            f"wheel {wheel} is given several tip diameters: {', '.join(millimetres(2 * r) for r in given)}",
+            where=WHERE,
+            remedy="give it in one of its meshes",
+        )
+    name, _, least = min(each, key=lambda one: one[2])
+    tip = given[0] if given else least
+    other = max(radius for *_, radius in each)
+    if given or other - tip <= TOLD * tip:
+        return tip, []
+    return tip, [
+        f"wheel {wheel} has the smaller of its tips, d_a = {millimetres(2 * tip)} as mesh {name} asks, not "
+        f"{millimetres(2 * other)}"
+    ]

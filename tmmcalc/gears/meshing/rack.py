@@ -10,13 +10,13 @@ from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.quality.contact import overlap_ratio
 from tmmcalc.gears.involute.rackpair import RackPair, rack_sliding
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.gears.meshing.along import REST, line_points, sliding_table
-from tmmcalc.gears.meshing.mates import asked_distance, rack_of, wheel_of
+from tmmcalc.gears.meshing.geometry import asked_distance, rack_of, wheel_of
 from tmmcalc.gears.meshing.measures import measures
 from tmmcalc.gears.meshing.rackchecks import contact_ends, nearest_shift, rack_checks
 from tmmcalc.gears.meshing.refusal import millimetres, place, refuse
 from tmmcalc.gears.meshing.results import LineOfAction, MeshPair, SlidingPeaks
 from tmmcalc.gears.meshing.sizes import Gear, external_sizes, require_root
+from tmmcalc.gears.meshing.sliding import REST, line_points, sliding_table
 from tmmcalc.gears.meshing.task import PairTask
 
 STRATEGIES = ("given", "given_aw", "zero", "balanced")
@@ -42,8 +42,8 @@ def solve_rack(task: PairTask) -> MeshPair:
         note=note,
         broken=(),
         nearest=None,
-        angle_t=pinion.section.angle,
-        angle_w=pinion.section.angle,
+        angle_t=pinion.transverse_angle,
+        angle_w=pinion.transverse_angle,
         base_helix=pinion.section.base_helix,
         reference_distance=m * pinion.reference,
         distance=m * pair.distance if asked_distance(task) is None else float(task.distance or 0.0),

@@ -24,7 +24,7 @@ def rack_checks(pair: RackPair, limits: QualityLimits) -> tuple[Check, ...]:
     pinion = pair.pinion
     tips = limits.tip_thickness, max(limits.tip_thickness, limits.tip_thickness_wanted)
     thickness = float(pinion.thickness_at(pair.tip)), pi / 2 - 2 * pair.addendum * tan(pinion.rack.angle)
-    found = [wanted_angle(pinion.section.angle, limits), *_ratios(pair, limits)]
+    found = [wanted_angle(pinion.transverse_angle, limits), *_ratios(pair, limits)]
     found += [_own_interference(pair), _rack_interference(pair), _undercut(pair, limits)]
     for i, (value, clearance) in enumerate(zip(thickness, pair.clearances, strict=True), 1):
         whose = "the rack" if i == 2 else "gear 1"
@@ -64,7 +64,7 @@ def _own_interference(pair: RackPair) -> Check:
 def _rack_interference(pair: RackPair) -> Check:
     """The tip of the pinion at the fillet of the rack, whose straight flanks are as deep as those of the tool."""
     pinion = pair.pinion
-    deepest = pair.pitch_curvature + (pinion.rack.straight + float(pinion.shift)) / sin(pinion.section.angle)
+    deepest = pair.pitch_curvature + (pinion.rack.straight + float(pinion.shift)) / sin(pinion.transverse_angle)
     end = pair.segment[1]
     margin = deepest - end
     if margin >= -NOISE:

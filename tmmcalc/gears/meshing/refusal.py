@@ -94,7 +94,7 @@ def require_distance(task: PairTask, least: float, bases: str, nearest: Callable
     )
 
 
-def joined(errors: Sequence[NoSolutionError], total: int) -> NoSolutionError:
+def error_of_all(errors: Sequence[NoSolutionError], total: int) -> NoSolutionError:
     """One error for all pairs that cannot be made."""
     if len(errors) == 1:
         return errors[0]

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.involute.measure.span import LEAST
-from tmmcalc.gears.meshing.mates import ring_of, wheel_of
+from tmmcalc.gears.meshing.geometry import ring_of, wheel_of
 from tmmcalc.gears.meshing.measures import measures
 from tmmcalc.gears.meshing.results import MeshPair, Pairs, WheelSizes
 from tmmcalc.gears.meshing.sizes import Gear

@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
-from tmmcalc.gears.involute.contour.strength import tooth_form
+from tmmcalc.gears.involute.formfactor import tooth_form
 from tmmcalc.gears.involute.wheel import Number, Wheel
 from tmmcalc.gears.meshing.results import ToothStrength, WheelSizes
 from tmmcalc.gears.meshing.task import PairTask
@@ -79,7 +79,7 @@ def external_sizes(task: PairTask, number: int, gear: Gear, start: float) -> Whe
         least_shift=wheel.least_shift,
         limit=m * float(wheel.limit),
         pointing=m * pointing if isfinite(pointing) else None,
-        least_teeth=2 * (rack.straight - float(wheel.shift)) * cos(wheel.helix) / sin(wheel.section.angle) ** 2,
+        least_teeth=2 * (rack.straight - float(wheel.shift)) * cos(wheel.helix) / sin(wheel.transverse_angle) ** 2,
         strength=_strength(gear, m),
     )
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.rack import require_tool
 from tmmcalc.gears.meshing.errors import pair_error
-from tmmcalc.gears.meshing.refusal import joined, millimetres, named
+from tmmcalc.gears.meshing.refusal import error_of_all, millimetres, named
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.task import PairsTask, PairTask
 
@@ -22,7 +22,15 @@ def solve_pairs(task: PairsTask, criteria: Selection | None = None) -> Pairs:
     Raises `NoSolutionError` with every pair that cannot be made.
     """
     if task.pairs:
-        return Pairs(_each(task.pairs), "", ())
+        found, errors = [], []
+        for pair in task.pairs:
+            try:
+                found.append(solve_pair(pair))
+            except NoSolutionError as error:
+                errors.append(error)
+        if errors:
+            raise error_of_all(errors, len(task.pairs))
+        return Pairs(tuple(found), "", ())
     if criteria is None:
         raise UsageError(
             "there is neither a pair nor a train",
@@ -46,23 +54,20 @@ def solve_pair(task: PairTask) -> MeshPair:
     """
     with named(task):
         require_tool(task.rack)
-        found = _solved(task)
+        if task.kind == "external":
+            from tmmcalc.gears.meshing.external import solve_external
+
+            found = solve_external(task)
+        elif task.kind == "rack":
+            from tmmcalc.gears.meshing.rack import solve_rack
+
+            found = solve_rack(task)
+        else:
+            from tmmcalc.gears.meshing.internal import solve_internal
+
+            found = solve_internal(task)
         note = "; ".join(filter(None, (found.note, _rounded(task))))
         return replace(found, note=note, error=pair_error(found))
-
-
-def _solved(task: PairTask) -> MeshPair:
-    if task.kind == "external":
-        from tmmcalc.gears.meshing.external import solve_external
-
-        return solve_external(task)
-    if task.kind == "rack":
-        from tmmcalc.gears.meshing.rack import solve_rack
-
-        return solve_rack(task)
-    from tmmcalc.gears.meshing.internal import solve_internal
-
-    return solve_internal(task)
 
 
 def _rounded(task: PairTask) -> str:
@@ -75,15 +80,3 @@ def _rounded(task: PairTask) -> str:
         f"{millimetres(m * rack.usual_radius)}: it is fully rounded by {millimetres(m * rack.radius)}, "
         f"rho* = {rack.radius:.4f}"
     )
-
-
-def _each(tasks: tuple[PairTask, ...]) -> tuple[MeshPair, ...]:
-    found, errors = [], []
-    for task in tasks:
-        try:
-            found.append(solve_pair(task))
-        except NoSolutionError as error:
-            errors.append(error)
-    if errors:
-        raise joined(errors, len(tasks))
-    return tuple(found)

@@ -78,7 +78,7 @@ def _profile(member: Member, half: Half, points: int) -> WheelProfile:
 def _error(member: Member, half: Half, roll: np.ndarray, places: np.ndarray) -> float:
     """What roundings leave: of the radius, of the angles that turn it (psi, alpha_t, phi), and where curves join."""
     radius = np.abs(places)
-    turned = 0.0 if member.shape == "rack" else abs(_half_angle(member)) + tan(member.wheel.section.angle)
+    turned = 0.0 if member.shape == "rack" else abs(_half_angle(member)) + tan(member.wheel.transverse_angle)
     return float((np.max(EPS * radius * (1 + turned + np.abs(roll))) + half.join) / np.max(radius))
 
 

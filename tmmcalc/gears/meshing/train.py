@@ -14,11 +14,11 @@ from dataclasses import replace
 from math import cos, isclose
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
-from tmmcalc.gears.layouts import Layout, Mesh, layout_of
 from tmmcalc.gears.meshing.planets import solve_chain
-from tmmcalc.gears.meshing.refusal import joined, millimetres
+from tmmcalc.gears.meshing.refusal import error_of_all, millimetres
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.task import NEITHER, PairsTask, PairTask
+from tmmcalc.gears.scheme import Layout, Mesh, layout_of
 from tmmcalc.gears.selection.results import Selection, pooled
 
 WHERE = "pairs of the train"
@@ -220,7 +220,7 @@ def _solved(tasks: list[PairTask], layout: Layout, solve: Solve, remark: str) ->
         remarks += said
         errors += wrong
     if errors:
-        every = joined(errors, len(tasks))
+        every = error_of_all(errors, len(tasks))
         told = "\n".join(filter(None, (every.message, remark)))
         raise NoSolutionError(told, where=every.where, value=every.value, limit=every.limit, remedy=every.remedy)
     return tuple(pairs), remarks

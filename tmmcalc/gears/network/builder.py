@@ -7,13 +7,11 @@ from fractions import Fraction
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
-from tmmcalc.gears.layouts import Layout, layout_of
 from tmmcalc.gears.network.efficiency import DriveEfficiency, efficiency
 from tmmcalc.gears.network.model import EXTERNAL, FRAME, INTERNAL, WHERE, Body, Mesh, Network
 from tmmcalc.gears.network.power import PowerFlow, solve_power
 from tmmcalc.gears.network.speeds import ratio
-
-CARRIER = "H"
+from tmmcalc.gears.scheme import CARRIER, Layout, layout_of
 
 
 @record
@@ -63,8 +61,7 @@ def network_of(
     carrier = CARRIER if scheme.planetary else FRAME
     borne = dict.fromkeys(_member(wheel) for wheel in scheme.planets)
     network = Network(meshes, tuple(Body(name, carrier, planets, sharing=sharing) for name in borne))
-    output, fixed = _ends(scheme)
-    return Train(network, scheme.wheels[0], output, fixed)
+    return Train(network, scheme.wheels[0], scheme.output, (scheme.fixed,) if scheme.fixed else ())
 
 
 def _member(wheel: str) -> str:
@@ -83,15 +80,6 @@ def _counted(scheme: Layout, what: str, values: Sequence[float]) -> Sequence[flo
         limit=float(needed),
         remedy=f"wheels {', '.join(scheme.wheels)}; meshes {', '.join(f'{m.first}-{m.second}' for m in scheme.meshes)}",
     )
-
-
-def _ends(scheme: Layout) -> tuple[str, tuple[str, ...]]:
-    """The driven member and the held ones."""
-    last = _member(scheme.wheels[-1])
-    if not scheme.planetary:
-        return last, ()
-    central = [wheel for wheel in scheme.wheels[1:] if wheel not in scheme.planets]
-    return (last, (central[0],)) if len(central) > 1 else (CARRIER, (last,))
 
 
 def bevel_differential(

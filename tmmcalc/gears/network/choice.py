@@ -17,8 +17,6 @@ from tmmcalc.gears.network import types
 from tmmcalc.gears.network.types import WHERE, Driver
 
 LARGEST_AII = 500.0  # ratio up to which the textbook commends type AII
-SIMPLE = ("AIbar", "AI", "2A-AA", "AA", "II")
-SINGLE = ("AIbar", "2A-AA")  # single planets, side by side about the sun
 
 
 @record
@@ -51,11 +49,12 @@ def proposals(
     if not (math.isfinite(required) and required):
         raise UsageError(f"the required ratio is {required:g}", where=WHERE, remedy="finite and not zero")
     drivers: tuple[Driver, Driver] = ("1", "H")
+    of_ratio = sorted((scheme for scheme in LAYOUTS.values() if scheme.sign), key=lambda scheme: -scheme.sign)
     simple = [
-        _simple(layout, driver, i, power, internal, eta0, planets)
-        for layout in SIMPLE
+        _simple(scheme.key, driver, i, power, internal, eta0, planets)
+        for scheme in of_ratio
         for driver in drivers
-        if float(types.tooth_ratio(layout, i := required if driver == "1" else 1 / required)) > 0
+        if float(types.tooth_ratio(scheme.key, i := required if driver == "1" else 1 / required)) > 0
     ]
     found = simple + ([_three_central(internal)] if 1 < abs(required) <= LARGEST_AII else [])
     return tuple(sorted(found, key=lambda p: (not p.admissible, p.efficiency is None, -(p.efficiency or 0.0))))
@@ -98,13 +97,13 @@ def _fault(layout: str, i: float, u: float, locks: bool, power: bool, internal: 
         return "locks itself"
     if LAYOUTS[layout].rings and not internal:
         return "needs internal wheels"
-    if layout in SINGLE and (fault := _single_planet_fault(u, planets)):
+    if LAYOUTS[layout].stages == 1 and (fault := _single_planet_fault(u, planets)):
         return fault
     if not power or i > 1:
         return ""
     if -1 <= i < 1:
         return f"i_1H = {i:.4g} lies between -1 and 1: for kinematic drives alone"
-    if layout == "II":
+    if LAYOUTS[layout].rings:
         return "losses above those of the inverted train"
     return "losses above those of the inverted train: only where internal wheels cannot be cut" if internal else ""
 
@@ -126,4 +125,5 @@ def _merit(i: float) -> str:
 
 def _three_central(internal: bool) -> Proposal:
     remark = "efficiency by its tooth numbers; 0.8 to 0.9 by the textbook" if internal else "needs internal wheels"
-    return Proposal("AII", "1", "4", None, None, None, None, False, internal, remark)
+    layout = next(layout for layout in LAYOUTS.values() if layout.three_centrals)
+    return Proposal(layout.key, "1", layout.output, None, None, None, None, False, internal, remark)

@@ -12,8 +12,9 @@ from typing import Literal
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
-from tmmcalc.gears.layouts import layout_of
+from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.model import Values
+from tmmcalc.gears.scheme import layout_of
 
 Driver = Literal["1", "H"]
 Numbers = Values | float
@@ -55,7 +56,7 @@ def _sign(layout: str) -> int:
     raise UsageError(
         f"the ratio of {scheme.title} is not 1 + U or 1 - U",
         where=WHERE,
-        remedy="types of this form: AIbar, AI, AA, II, 2A-AA",
+        remedy=f"types of this form: {', '.join(key for key, layout in LAYOUTS.items() if layout.sign)}",
     )
 
 

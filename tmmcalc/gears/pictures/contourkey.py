@@ -142,8 +142,8 @@ def _swatch(axes: Axes, look: dict[str, dict[str, Any]], hatched: bool) -> Calla
         high, wide = 1.6 * k, 10.5
         line = look[BORDER]
         fill = BELT[FILL] if hatched else look[FILL]
-        border = {"edgecolor": line["color"], "linewidth": line["linewidth"]}
-        axes.add_patch(Rectangle((0, y - high), wide, 2 * high, **fill | border))
+        outline = {"edgecolor": line["color"], "linewidth": line["linewidth"]}
+        axes.add_patch(Rectangle((0, y - high), wide, 2 * high, **fill | outline))
         if hatched:
             for n in range(int((wide - 2 * high) / HATCH) + 1):
                 x = n * HATCH

@@ -149,7 +149,7 @@ def _cutter(member: Member) -> _Rolling:
 
 def _cutter_tooth(cutter: Wheel, shaped: ShapedRing) -> Plane:
     """A tooth of the cutter from its base circle on, counter-clockwise."""
-    half = float(cutter.half_angle) + float(involute(cutter.section.angle))
+    half = float(cutter.half_angle) + float(involute(cutter.transverse_angle))
     xi = np.linspace((sqrt(shaped.orbit**2 - cutter.base**2) + shaped.rounding) / cutter.base, 0.0, CUTTER_POINTS)
     flank = cutter.base * (1j - xi) * np.exp(1j * (half - xi))
     centre = shaped.orbit * np.exp(1j * (0.5 * np.pi + shaped.lead))

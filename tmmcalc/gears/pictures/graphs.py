@@ -19,18 +19,16 @@ from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormat
 from tmmcalc.gears.bounds import single_planet_limits
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency
 from tmmcalc.gears.kinds import from_tooth_ratio
-from tmmcalc.gears.layouts import Layout
 from tmmcalc.gears.network.curves import Curve, efficiency_over_ratio, efficiency_over_reduction, ratio_over_inverted
 from tmmcalc.gears.network.types import efficiency
 from tmmcalc.gears.proportion import RANGE, RANGE_INTERNAL, curve, equal_strength
 from tmmcalc.gears.radial import ratio_limits
+from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.trains import Request, Variant
 from tmmcalc.report.drawing.labels import Labels, signed
 from tmmcalc.report.drawing.style import CURVES, INK
 from tmmcalc.report.numbers import number
 
-TIED = ("coaxial", "AA", "AI")  # layouts with a module ratio of equal strength
-LIMITED = ("AIbar", "2A-AA")  # layouts with limits by the number of planets
 PLANETS = range(3, 9)
 TEXTBOOK = 0.9  # efficiency of the inverted train in the textbook's figures
 LOWEST = -1.0  # efficiency that is shown
@@ -65,13 +63,14 @@ def graphs_of(variants: Sequence[Variant]) -> list[Panel]:
     points = [_point(request) for request in requests.values()]
     moving = [point for point in points if point.layout.planetary and point.layout.sign]
     panels: list[Panel] = []
-    if any(point.layout.key in TIED and point.u > 1 for point in points):
+    if any(point.layout.stepped and point.u > 1 for point in points):
         panels.append(partial(_modules, points=points))
     if moving:
         eta0 = _inverted_efficiency(moving[0].layout)
         panels.append(partial(_ratios, points=moving))
         panels += [partial(draw, points=moving, eta0=eta0) for draw in (_by_wheel, _by_carrier)]
-    panels += [partial(_limits, request=requests[key]) for key in LIMITED if key in requests]
+    limited = [each for each in requests.values() if each.scheme.branched and each.scheme.stages == 1]
+    panels += [partial(_limits, request=each) for each in sorted(limited, key=lambda each: each.scheme.paired)]
     return panels
 
 
@@ -106,11 +105,11 @@ def _inverted_efficiency(layout: Layout) -> float:
 
 def _modules(axes: Axes, points: Sequence[Point]) -> Callable[[], None]:
     """mu* over U for an external and an internal second mesh."""
-    tied = [point for point in points if point.layout.key in TIED and point.u > 1]
+    tied = [point for point in points if point.layout.stepped and point.u > 1]
     found: list[tuple[complex, str]] = []
     lines: list[np.ndarray] = []
     for k, (internal, ends, name) in enumerate(((False, RANGE, "AA, coaxial"), (True, RANGE_INTERNAL, "AI"))):
-        own = [point for point in tied if (point.layout.key == "AI") is internal]
+        own = [point for point in tied if bool(point.layout.rings) is internal]
         low = min([ends[0], *(point.u for point in own)])
         high = max([ends[1], *(ROOM * point.u for point in own)])
         drawn = curve(internal=internal, low=low, high=high)
@@ -207,7 +206,7 @@ def _written(label: str) -> str:
 def _limits(axes: Axes, request: Request) -> Callable[[], None]:
     """How large the ratio may be with each number of planets; the ratio of the task across."""
     task, known = request.task, list(PLANETS)
-    if task.layout == "2A-AA":
+    if task.scheme.paired:
         bounds = [ratio_limits(k) for k in known]
         tops = [bound.high or 0.0 for bound in bounds]
         axes.bar(

@@ -6,7 +6,7 @@ or on the left around the input shaft where the last wheel leaves no other way.
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,14 +18,6 @@ WIDTH = 0.09  # of wheels whose width is not known, in parts of the height of th
 CLEAR = 0.06  # between wheels of neighbouring planes, in parts of the height
 OVERHANG = 0.19  # of shafts, in parts of the height
 ROOM = 2.4  # least overhang, in distances of planes: the carrier stands there
-SIDE: dict[str, Literal["left", "right"]] = {
-    "AIbar": "right",
-    "AI": "right",
-    "II": "right",
-    "AA": "left",
-    "2A-AA": "left",
-    "AII": "left",
-}  # where the carrier stands; on the left around the input shaft
 
 
 class Frame(NamedTuple):
@@ -49,7 +41,7 @@ def frame_of(train: PlacedTrain) -> Frame:
         start += width + clear
     over = max(OVERHANG * height, ROOM * clear)
     # a carrier on the left needs room around the input shaft
-    left = over * (1.6 if SIDE.get(train.scheme.key) == "left" else 1.0)
+    left = over * (1.6 if train.scheme.carrier == "left" else 1.0)
     return Frame(tuple(planes), -left, start - clear + over, clear)
 
 
@@ -77,7 +69,7 @@ def free_places(train: PlacedTrain, wheel: Wheel) -> list[tuple[float, float]]:
 def carrier_at(train: PlacedTrain) -> float:
     """Where along the axis the arms of the carrier are."""
     frame = frame_of(train)
-    if SIDE[train.scheme.key] == "right":
+    if train.scheme.carrier == "right":
         return frame.planes[-1][1] + 0.9 * frame.clear
     return frame.planes[0][0] - 0.9 * frame.clear
 

@@ -138,8 +138,8 @@ class _Mesh(Sketch):
             style = {"size": 7.5, "color": COLOURS[body.number - 1], "va": "center", "ha": "right" if left else "left"}
             style["bbox"] = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
             self.board.axes.text(side, y, text, zorder=20, **style)
-            border = x0 if left else x1
-            self.board.labels.avoid([complex(side, y), complex(border, y)], 3.0)
+            edge = x0 if left else x1
+            self.board.labels.avoid([complex(side, y), complex(edge, y)], 3.0)
 
     def centres(self) -> None:
         """The line of centres with the centres that are in the frame, the common tangent at P."""

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure, SubFigure
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.meshing.halves import fault_of
 from tmmcalc.gears.meshing.members import both
-from tmmcalc.gears.meshing.refusal import joined
+from tmmcalc.gears.meshing.refusal import error_of_all
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.pictures.listing import list_rows
 from tmmcalc.gears.pictures.mesh import draw_mesh
@@ -69,7 +69,7 @@ def pair_figure(found: Pairs, *, choose: int | None = None, phase: float = 0.0) 
             sound.append(placed_pair(one, phase))
     if not sound:
         every = [error for _, errors in faulty for error in errors]
-        raise joined(every, 2 * len(faulty))
+        raise error_of_all(every, 2 * len(faulty))
     figure, sheets = blank(2 * len(sound) + len(faulty))
     finish = [_sheets(sheets[2 * k], sheets[2 * k + 1], pair) for k, pair in enumerate(sound)]
     for sheet, (one, errors) in zip(sheets[2 * len(sound) :], faulty, strict=True):

@@ -13,13 +13,11 @@ import numpy as np
 
 from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.size import RACK, centre_distances, orbits
-from tmmcalc.gears.criteria.speeds import FIXED, output
 from tmmcalc.gears.criteria.wheels import stage_of
-from tmmcalc.gears.layouts import Layout
 from tmmcalc.gears.model import ToothSets, Values
+from tmmcalc.gears.scheme import Layout, Mesh
 
 ALIKE = 1e-9  # relative: lengths that are one
-RADIAL = {"1": (0, 0), "2": (0, 0), "3": (0, 1), "4": (1, 1)}  # planes of 2A-AA, whose planet 3 reaches both
 
 
 @record
@@ -143,7 +141,7 @@ def placed(
         estimated,
         tuple(distances[0].tolist()),
         tuple(one.angles[0].tolist()),
-        output(one),
+        one.scheme.output,
         driver,
     )
 
@@ -164,6 +162,7 @@ def _wheel(one: ToothSets, name: str, modules: Values, distances: Values, addend
     stage = stage_of(one, name)
     module, teeth, internal = float(modules[stage]), int(one.of(name)[0]), name in scheme.rings
     reference = module * teeth / 2
+    planes = [_plane(mesh) for mesh in scheme.meshes if name in (mesh.first, mesh.second)]
     return Wheel(
         name,
         teeth,
@@ -171,12 +170,16 @@ def _wheel(one: ToothSets, name: str, modules: Values, distances: Values, addend
         _rolling(one, name, distances),
         reference,
         reference - addendum * module if internal else reference + addendum * module,
-        RADIAL[name] if scheme.key == "2A-AA" else (stage, stage),
+        (min(planes), max(planes)),
         _axes(one, name, distances),
         internal,
         name in scheme.planets,
-        FIXED.get(scheme.key) == name,
+        scheme.fixed == name,
     )
+
+
+def _plane(mesh: Mesh) -> int:
+    return mesh.stage if mesh.plane is None else mesh.plane
 
 
 def _rolling(one: ToothSets, name: str, distances: Values) -> tuple[tuple[float, int], ...]:
@@ -187,9 +190,8 @@ def _rolling(one: ToothSets, name: str, distances: Values) -> tuple[tuple[float,
             first, second = (int(one.of(wheel)[0]) for wheel in (mesh.first, mesh.second))
             total = abs(second - first) if mesh.internal else first + second
             radius = distance * int(one.of(name)[0]) / total
-            plane = 1 if (one.layout, mesh.second) == ("2A-AA", "4") else mesh.stage
             if not any(math.isclose(radius, other, rel_tol=ALIKE) for other, _ in found):
-                found.append((radius, plane))
+                found.append((radius, _plane(mesh)))
     return tuple(found)
 
 

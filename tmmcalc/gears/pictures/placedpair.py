@@ -20,8 +20,8 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.profile.mesh import Placing, placings, ring_placings
 from tmmcalc.gears.involute.profile.outline import Element, element_outline, mirrored
+from tmmcalc.gears.meshing.geometry import external_pair, internal_pair
 from tmmcalc.gears.meshing.halves import Half, half_tooth
-from tmmcalc.gears.meshing.mates import external_pair, internal_pair
 from tmmcalc.gears.meshing.members import Member, both
 from tmmcalc.gears.meshing.results import MeshPair, WheelSizes
 
@@ -200,9 +200,9 @@ def from_gap_to_gap(element: Element) -> Plane:
     """One element counter-clockwise, from the middle of the gap before it to that of the gap behind it."""
     one = element_outline(element, tolerance=FINE)
     step = 2 * pi / element.teeth
-    late = np.angle(one * np.exp(-1j * pi / 2)) > step / 2
+    behind = np.angle(one * np.exp(-1j * pi / 2)) > step / 2
     ends = element.gap * np.exp(1j * (pi / 2 + np.array([-step / 2, step / 2])))
-    return np.concatenate([ends[:1], one[late] * np.exp(-1j * step), one[~late], ends[1:]])
+    return np.concatenate([ends[:1], one[behind] * np.exp(-1j * step), one[~behind], ends[1:]])
 
 
 def rack_tooth(member: Member) -> Plane:

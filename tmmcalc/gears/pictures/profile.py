@@ -15,7 +15,7 @@ from matplotlib.lines import Line2D
 
 from tmmcalc.gears.meshing.halves import Half, Part, fault_of, half_tooth
 from tmmcalc.gears.meshing.members import Member, members
-from tmmcalc.gears.meshing.refusal import joined
+from tmmcalc.gears.meshing.refusal import error_of_all
 from tmmcalc.gears.meshing.results import Pairs
 from tmmcalc.gears.pictures.generation import generation_of
 from tmmcalc.gears.pictures.listing import Heading, Row, list_rows
@@ -50,7 +50,7 @@ def profile_figure(found: Pairs, *, choose: int | None = None) -> Figure:
     faults = [fault_of(member) for member in shown]
     errors = [fault for fault in faults if fault is not None]
     if len(errors) == len(shown):
-        raise joined(errors, len(shown))
+        raise error_of_all(errors, len(shown))
     figure, sheets = blank(len(shown))
     finish = []
     for sheet, member, fault in zip(sheets, shown, faults, strict=True):

@@ -128,9 +128,7 @@ def _width(train: PlacedTrain, name: str) -> float:
 def _facts(train: PlacedTrain) -> list[str]:
     found = []
     if train.scheme.branched:
-        what = (
-            ("pair of planets" if train.scheme.key == "2A-AA" else "planet") if train.scheme.planetary else "layshaft"
-        )
+        what = ("pair of planets" if train.scheme.paired else "planet") if train.scheme.planetary else "layshaft"
         many = what.replace("pair", "pairs") if "pair" in what else f"{what}s"
         found.append(f"{train.planets} {what if train.planets == 1 else many}")
     found += [f"wheel {wheel.name} stands still" for wheel in train.wheels if wheel.fixed]

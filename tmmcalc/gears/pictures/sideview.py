@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 from tmmcalc.gears.pictures.endview import RIM, style_of
-from tmmcalc.gears.pictures.lengthwise import SIDE, Frame, carrier_at, frame_of, free_places, shown, sleeve_end, span_of
+from tmmcalc.gears.pictures.lengthwise import Frame, carrier_at, frame_of, free_places, shown, sleeve_end, span_of
 from tmmcalc.gears.pictures.placed import PlacedTrain, Wheel
 from tmmcalc.report.drawing.board import Board
 from tmmcalc.report.drawing.symbols import hatched
@@ -55,7 +55,7 @@ def label_side_view(board: Board, train: PlacedTrain, to: To) -> None:
         board.labels.put("H", [to(carrier_at(train), middle)], size=8, gaps=(1.2, 2.0), ring=True)
     if not train.scheme.branched:
         ends[1] = to(frame.right, train.wheels[-1].axes[0].real)
-    elif train.output == "H" and SIDE[train.scheme.key] == "left":
+    elif train.output == "H" and train.scheme.carrier == "left":
         ends[1] = to(sleeve_end(train), SLEEVE * board.mu)
     names = ("input", "output") if train.driver == "1" else ("output", "input")
     for name, end, other in zip(names, ends, reversed(ends), strict=True):
@@ -101,7 +101,7 @@ class _View(NamedTuple):
             self._web(wheel, start - 0.5 * self.frame.clear, start)
             end = start - 0.5 * self.frame.clear
         self.line((self.frame.left, 0.0), (end, 0.0), **SHAFT)
-        part = 0.2 if SIDE.get(self.train.scheme.key) == "left" else 0.35
+        part = 0.2 if self.train.scheme.carrier == "left" else 0.35
         self.bearing(self.frame.left + part * (start - self.frame.left), 0.0)
 
     def output(self) -> None:
@@ -141,7 +141,7 @@ class _View(NamedTuple):
     def _axle(self, axis: float, start: float, end: float) -> Iterable[tuple[float, float]]:
         """From the carrier through the planets, a little farther."""
         over = 0.25 * self.frame.clear
-        if SIDE[self.train.scheme.key] == "right":
+        if self.train.scheme.carrier == "right":
             return (start - over, axis), (carrier_at(self.train), axis)
         return (carrier_at(self.train), axis), (end + over, axis)
 
@@ -149,7 +149,7 @@ class _View(NamedTuple):
         """Arms from the axles to the output shaft, or to a sleeve around the input shaft."""
         at, frame, half = carrier_at(self.train), self.frame, SLEEVE * self.board.mu
         axes = [axis for wheel in self.train.wheels if wheel.planet for axis in shown(self.train, wheel)]
-        if SIDE[self.train.scheme.key] == "right":
+        if self.train.scheme.carrier == "right":
             self.line((at, max(axes)), (at, min(0.0, *axes)), **CARRIER)
             self.line((at, 0.0), (frame.right, 0.0), **SHAFT)
             self.bearing(frame.right - 0.35 * (frame.right - at), 0.0)

@@ -33,21 +33,21 @@ class Sketch:
         self.board, self.pair, self.mm = board, pair, board.mu
         (x0, x1), (y0, y1) = board.axes.get_xlim(), board.axes.get_ylim()
         self.frame = x0, x1, y0, y1
-        self.late: list[tuple[str, Plane, complex, dict[str, Any]]] = []  # texts that come when all is drawn
+        self.texts: list[tuple[str, Plane, complex, dict[str, Any]]] = []  # texts that come when all is drawn
 
-    def seen(self, z: Plane, border: float = 0.0) -> np.ndarray:
-        """Which points lie within the frame, ``border`` mm inside it."""
+    def seen(self, z: Plane, inset: float = 0.0) -> np.ndarray:
+        """Which points lie within the frame, ``inset`` mm inside it."""
         x0, x1, y0, y1 = self.frame
-        b = border * self.mm
+        b = inset * self.mm
         return np.asarray((z.real > x0 + b) & (z.real < x1 - b) & (z.imag > y0 + b) & (z.imag < y1 - b))
 
     def text(self, text: str, anchors: Plane | complex, prefer: complex, **style: Any) -> None:
         """Write this later, near one of the anchors."""
-        self.late.append((text, np.atleast_1d(np.asarray(anchors)), prefer, style))
+        self.texts.append((text, np.atleast_1d(np.asarray(anchors)), prefer, style))
 
     def names(self) -> None:
         """All texts, those of the points first."""
-        for text, anchors, prefer, style in self.late:
+        for text, anchors, prefer, style in self.texts:
             inside = [complex(z) for z in anchors if self.seen(np.array([z]))[0]]
             if inside:
                 self.board.labels.put(text, inside, gaps=(1.3, 2.0, 3.0, 4.4, 6.0), prefer=prefer, **style)

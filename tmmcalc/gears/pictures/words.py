@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 
-from tmmcalc.gears.layouts import Layout
+from tmmcalc.gears.scheme import Layout
 from tmmcalc.report.drawing.labels import signed
 
 KINDS = {"u": "U", "i_1H": "i_{1H}", "i_H1": "i_{H1}", "i_14": "i_{14}"}
@@ -31,12 +31,12 @@ def axis_name(key: str) -> str:
 
 def layout_name(scheme: Layout, planets: int) -> str:
     """The layout in a sentence with its designation and the number of planets."""
-    called = "" if scheme.designation in ("unfolded", "coaxial") else f" ({scheme.designation})"
+    called = f" ({scheme.designation})" if scheme.planetary else ""
     name = scheme.title[0].upper() + scheme.title[1:] + called
     if not scheme.branched:
         return name
     what = "planet" if scheme.planetary else "layshaft"
-    if scheme.key == "2A-AA":
+    if scheme.paired:
         return f"{name}, $K$ = {planets}"
     return f"{name}, {planets} {what}{'s' if planets > 1 else ''}"
 

@@ -1,6 +1,6 @@
 """The constraints that a candidate is tested against, by name.
 
-Those of ratio, coaxiality and tooth limits are solved for (`candidates`); the others are masks over a block. Integer
+Those of ratio, coaxiality and tooth limits are solved for by the layouts; the others are masks over a block. Integer
 conditions are tested in integers. The only irrational number is sin(pi/K); it is rational for K = 6, where equality
 occurs, and 1/2 is then taken exactly.
 """
@@ -14,10 +14,9 @@ from fractions import Fraction
 import numpy as np
 
 from tmmcalc.gears.exact import within
-from tmmcalc.gears.layouts import Mesh
 from tmmcalc.gears.model import Interval, TrainTask, Values
-from tmmcalc.gears.search.blocks import Block
-from tmmcalc.gears.search.tally import Tally
+from tmmcalc.gears.scheme import Layout, Mesh
+from tmmcalc.gears.search.blocks import Block, Tally
 
 Mask = np.ndarray
 
@@ -28,18 +27,6 @@ def sieve(task: TrainTask, block: Block, tally: Tally) -> Block:
         if len(block) and binds(task):
             block = tally.keep(name, block, test(task, block))
     return block
-
-
-def alike(task: TrainTask, block: Block, stage: int) -> Mask:
-    """Whether the wheel of this stage and the one before are alike in diameter (4.4, 4.7).
-
-    The modules are taken as m2/m1 = cbrt(U1): the relation of the diameters cbrt(Z2/Z1) Z3/Z2 is compared by its cube.
-    """
-    band = task.demands.diameter_band or Fraction(0)
-    before, wide, _, wheel = (block[name] for name in task.scheme.wheels[2 * stage - 2 : 2 * stage + 2])
-    cubes = Interval(max(1 - band, Fraction(0)) ** 3, (1 + band) ** 3)
-    below = before * wide**2
-    return within(cubes, wheel**3, below, int(below.max(initial=1)))
 
 
 def coprime(task: TrainTask, block: Block) -> Mask:
@@ -62,29 +49,21 @@ def interference(task: TrainTask, block: Block) -> Mask:
 
 def assembly(task: TrainTask, block: Block) -> Mask:
     """Whether K equally spaced planets fit in between the central wheels (4.25, 4.26)."""
-    k = task.planets
-    if task.layout == "2A-AA":
-        return (block["1"] + block["4"]) % k == 0
-    if task.layout == "AIbar":
-        return (block["1"] + block["3"]) % k == 0
-    common = k * np.gcd(block["2"], block["2'"])
-    if task.layout == "AII":
-        planet = (block["1"] + block["3"]) % k == 0
-        return planet & ((block["2"] * block["4"] - block["3"] * block["2'"]) % common == 0)
-    sign = 1 if task.layout == "AI" else -1
-    return (block["2"] * block["3"] + sign * block["1"] * block["2'"]) % common == 0
+    assert task.scheme.assembly is not None
+    terms = task.scheme.assembly(block.teeth, task.planets)
+    return np.logical_and.reduce([numerator % denominator == 0 for numerator, denominator in terms])
 
 
 def adjacency(task: TrainTask, block: Block) -> Mask:
-    """Whether neighbouring planets keep the gap between their tips (4.27, 4.28); for 2A-AA see (8), not strict."""
-    if task.layout == "2A-AA":
+    """Whether neighbouring planets keep the gap between their tips (4.27, 4.28); paired ones by (8), not strict."""
+    if task.scheme.paired:
         return np.logical_and.reduce([room >= 0 for room in rooms(task, block)])
     return np.logical_and.reduce([room > 0 for room in rooms(task, block)])
 
 
 def rooms(task: TrainTask, block: Block) -> list[Values]:
     """Room between neighbouring planets [module of the stage] beyond the gap asked for, of every planet wheel."""
-    gap = Fraction(0) if task.layout == "2A-AA" else (task.demands.gap or Fraction(0))
+    gap = Fraction(0) if task.scheme.paired else (task.demands.gap or Fraction(0))
     tips = float(2 * task.addendum + gap)
     s = 0.5 if task.planets == 6 else math.sin(math.pi / task.planets)
     found = []
@@ -93,7 +72,7 @@ def rooms(task: TrainTask, block: Block) -> list[Values]:
         if not central:
             continue
         total = block[central] - block[planet] if mesh.internal else block[central] + block[planet]
-        raised = task.layout != "2A-AA" and task.demands.largest_angle is not None
+        raised = not task.scheme.paired and task.demands.largest_angle is not None
         found.append(total * (stretch * s if raised else s) - block[planet] - tips)
     return found
 
@@ -109,8 +88,8 @@ def _central_first(task: TrainTask, mesh: Mesh) -> tuple[str, str]:
 def sums(task: TrainTask, block: Block) -> list[np.ndarray]:
     """Twice the reference centre distances of the axes that must coincide, in units of one length."""
     z = block.teeth
-    if task.layout == "2A-AA":
-        return [z["1"] + 2 * z["2"] + z["3"], z["3"] + z["4"]]
+    if task.scheme.axes is not None:
+        return task.scheme.axes(z)
     found = []
     for mesh in task.scheme.meshes:
         total = abs(z[mesh.first] - z[mesh.second]) if mesh.internal else z[mesh.first] + z[mesh.second]
@@ -129,7 +108,7 @@ def stretches(task: TrainTask, block: Block) -> list[Values]:
     found = sums(task, block)
     widest = np.maximum.reduce(found)
     each = [widest / total for total in found]
-    return [each[0], each[0], each[1]] if task.layout == "2A-AA" else each
+    return [each[0], each[0], each[1]] if task.scheme.paired else each
 
 
 def mesh_angles(task: TrainTask, block: Block) -> Mask:
@@ -190,12 +169,8 @@ def envelopes(task: TrainTask, block: Block) -> Values:
     return largest
 
 
-def _neighbours(task: TrainTask) -> bool:
-    return task.demands.gap is not None and task.scheme.branched and task.planets > 2
-
-
-def _common_axis(task: TrainTask) -> bool:
-    return task.layout in ("coaxial", "AA", "AI", "II")
+def _coaxial(scheme: Layout) -> bool:
+    return scheme.branched and not scheme.planetary
 
 
 # name: (whether it binds in this task, the mask); the order in which they are put and counted
@@ -203,10 +178,10 @@ CONSTRAINTS: dict[str, tuple[Callable[[TrainTask], bool], Callable[[TrainTask, B
     "mesh_angles": (lambda t: t.demands.largest_angle is not None and t.scheme.branched, mesh_angles),
     "undercut": (lambda t: t.demands.undercut is not None and t.demands.undercut > t.limits.least, undercut),
     "interference": (lambda t: t.demands.ring_difference is not None and bool(t.scheme.rings), interference),
-    "stage_ratio": (lambda t: t.demands.stage_ratio is not None and t.layout == "coaxial", slow_stages),
-    "diameter_band": (lambda t: t.demands.diameter_band is not None and _common_axis(t), diameters),
+    "stage_ratio": (lambda t: t.demands.stage_ratio is not None and _coaxial(t.scheme), slow_stages),
+    "diameter_band": (lambda t: t.demands.diameter_band is not None and t.scheme.common_axis, diameters),
     "assembly": (lambda t: t.demands.assembly and t.scheme.branched and t.planets > 1, assembly),
-    "adjacency": (_neighbours, adjacency),
+    "adjacency": (lambda t: t.demands.gap is not None and t.scheme.branched and t.planets > 2, adjacency),
     "coprime": (lambda t: t.demands.coprime, coprime),
     "centre_distance": (lambda t: t.demands.centre_distance is not None and bool(t.module), centre_distance),
     "envelope": (lambda t: t.demands.envelope is not None and t.scheme.branched and bool(t.module), envelope),

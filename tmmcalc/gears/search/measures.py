@@ -14,7 +14,7 @@ from tmmcalc.gears.search.constraints import centre_distances, envelopes, rooms,
 def block_of(sets: ToothSets) -> Block:
     """The tooth sets as a block; its proportions are arrays (n,) of their own."""
     parts = tuple(sets.modules[:, k] for k in range(sets.modules.shape[1]))
-    return Block({wheel: sets.of(wheel) for wheel in sets.scheme.wheels}, parts)
+    return Block(sets.by_wheel, parts)
 
 
 def tooth_ratio(sets: ToothSets) -> tuple[Integers, Integers]:
@@ -24,17 +24,7 @@ def tooth_ratio(sets: ToothSets) -> tuple[Integers, Integers]:
     >>> [int(part[0]) for part in tooth_ratio(sets)]
     [31, 5]
     """
-    z = {wheel: sets.of(wheel) for wheel in sets.scheme.wheels}
-    if sets.layout == "AII":
-        numerator = z["2"] * z["4"] * (z["1"] + z["3"])
-        denominator = z["1"] * (z["2"] * z["4"] - z["3"] * z["2'"])
-        numerator, denominator = numerator * np.sign(denominator), abs(denominator)
-    elif sets.layout in ("AIbar", "2A-AA"):
-        numerator, denominator = z[sets.scheme.wheels[-1]], z["1"]
-    else:
-        names = sets.scheme.wheels
-        numerator = np.prod([z[name] for name in names[1::2]], axis=0)
-        denominator = np.prod([z[name] for name in names[::2]], axis=0)
+    numerator, denominator = sets.scheme.tooth_ratio(sets.by_wheel)
     common = np.gcd(numerator, denominator)
     return numerator // common, denominator // common
 
@@ -53,10 +43,10 @@ def room(task: TrainTask, sets: ToothSets) -> Values:
 def tip_gap(task: TrainTask, sets: ToothSets) -> Values:
     """Least gap (n,) between the tips of neighbouring planets [module] at the operating centre distances.
 
-    That of 2A-AA is not what its condition (8) tests, which takes the centre distances of the rack; planets 2 and 3 of
-    neighbouring pairs count as well.
+    That of pairs of planets is not what their condition (8) tests, which takes the centre distances of the rack;
+    planets 2 and 3 of neighbouring pairs count as well.
     """
-    if sets.layout != "2A-AA":
+    if not sets.scheme.paired:
         return room(task, sets) + float(task.demands.gap or 0)
     z2, z3 = sets.of("2"), sets.of("3")
     inner, _, outer = stretches(task, block_of(sets))
@@ -123,15 +113,10 @@ def diameter(task: TrainTask, sets: ToothSets) -> Values:
 
 def assembly_number(sets: ToothSets) -> Values:
     """R of the assembly condition (4.25, 4.26); a whole number if equally spaced planets fit in."""
-    z, k = {wheel: sets.of(wheel) for wheel in sets.scheme.wheels}, sets.planets
-    if sets.layout in ("AIbar", "2A-AA"):
-        found: Values = (z["1"] + z[sets.scheme.wheels[-1]]) / k
-        return found
-    common = k * np.gcd(z["2"], z["2'"])
-    if sets.layout == "AII":
-        return (z["2"] * z["4"] - z["3"] * z["2'"]) / common
-    sign = 1 if sets.layout == "AI" else -1
-    return (z["2"] * z["3"] + sign * z["1"] * z["2'"]) / common
+    assert sets.scheme.assembly is not None
+    numerator, denominator = sets.scheme.assembly(sets.by_wheel, sets.planets)[-1]
+    found: Values = numerator / denominator
+    return found
 
 
 Measure = Callable[[TrainTask, ToothSets], Values]

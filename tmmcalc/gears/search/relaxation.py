@@ -18,11 +18,10 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.kinds import from_tooth_ratio, to_tooth_ratio
 from tmmcalc.gears.model import Interval, ToothSets, TrainTask, Values
 from tmmcalc.gears.search import measures
-from tmmcalc.gears.search.candidates import candidates
+from tmmcalc.gears.search.blocks import Tally
 from tmmcalc.gears.search.constraints import CONSTRAINTS, sieve
 from tmmcalc.gears.search.measures import Measure
 from tmmcalc.gears.search.search import every_set, synthesise
-from tmmcalc.gears.search.tally import Tally
 
 MOST_TEETH, FEWEST_TEETH = 400, 6  # beyond them wheels are not proposed
 STEEPEST_MESH = math.radians(26)  # operating pressure angles beyond it are not proposed
@@ -87,7 +86,7 @@ def _beside(task: TrainTask, kind: str, ratio: Fraction, outward: bool, part: Fr
 def _any(task: TrainTask) -> bool:
     """Whether the task has a set at all."""
     tally = Tally(counts=False)
-    blocks = (block for parts in task.proportions for block in candidates(task, parts, tally))
+    blocks = (block for parts in task.proportions for block in task.scheme.candidates(task, parts, tally))
     return any(len(sieve(task, block, tally)) for block in blocks if len(block))
 
 
@@ -244,7 +243,7 @@ def _angles(task: TrainTask) -> Relaxation | None:
 
 def _simplest(task: TrainTask) -> tuple[tuple[int, ...], ...]:
     """The simplest proportions of the modules, so many as a hint may cost: some ten sums a pair may close a stage."""
-    sums = 2 if task.layout == "AII" else 1
+    sums = 2 if task.scheme.three_centrals else 1
     each = (task.limits.largest - task.limits.least + 1) ** 2 * 10**sums
     return tuple(sorted(task.proportions, key=sum)[: max(WORK // max(each, 1), 1)])
 

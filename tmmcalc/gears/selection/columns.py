@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.core.quantity import components, headed
-from tmmcalc.gears.joined import joined
+from tmmcalc.gears.columns import stacked_tables
 from tmmcalc.gears.selection.results import Pairs, Selection, Weighed
 
 NO, YES = "no", "yes"
@@ -14,7 +14,7 @@ BOTH = ("I", "II")  # trains in series
 
 def chosen_columns(result: Selection) -> dict[str, np.ndarray]:
     """All trains, one a row: teeth, modules, widths, criteria, front, rank by the weights; i from 1."""
-    columns = joined([columns_of(each) for each in result.variants if len(each.sets)])
+    columns = stacked_tables([columns_of(each) for each in result.variants if len(each.sets)])
     count = len(result.ranking.order)
     rank = np.empty(count, np.int64)
     rank[result.ranking.order] = np.arange(1, count + 1)

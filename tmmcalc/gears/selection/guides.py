@@ -7,8 +7,6 @@ from tmmcalc.gears.selection.results import Guide
 from tmmcalc.gears.split import CRITERIA, best_split, equal_diameters
 from tmmcalc.gears.trains import Request
 
-TIED = ("coaxial", "AA", "AI")  # layouts with a module ratio of equal strength
-
 
 def guides(requests: tuple[Request, ...]) -> tuple[Guide, ...]:
     """One guide for every layout that has a theory."""
@@ -20,8 +18,8 @@ def guides(requests: tuple[Request, ...]) -> tuple[Guide, ...]:
 def _guide(request: Request) -> Guide:
     task = request.task
     ratio = float(task.nominal)
-    if task.layout in TIED and ratio > 1:
-        modules = equal_strength(ratio, internal=task.layout == "AI").modules
+    if task.scheme.stepped and ratio > 1:
+        modules = equal_strength(ratio, internal=bool(task.scheme.rings)).modules
         return Guide(task.layout, ratio, proportion=float(modules[0]))
     if task.scheme.branched or task.scheme.planetary:
         return Guide(task.layout, ratio)

@@ -18,8 +18,9 @@ from tmmcalc.gears.criteria.comparison import Comparison, compare
 from tmmcalc.gears.criteria.efficiency import efficiency
 from tmmcalc.gears.criteria.errors import criteria_error
 from tmmcalc.gears.criteria.evaluate import Basis, evaluate
-from tmmcalc.gears.criteria.speeds import CARRIER, speeds
+from tmmcalc.gears.criteria.speeds import speeds
 from tmmcalc.gears.model import ToothSets
+from tmmcalc.gears.scheme import CARRIER
 from tmmcalc.gears.selection.guides import guides
 from tmmcalc.gears.selection.pairs import SERIES, paired
 from tmmcalc.gears.selection.results import MEASURES, Pairs, Pool, Selection, Weighed, Winner, pooled

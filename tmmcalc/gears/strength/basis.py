@@ -14,16 +14,15 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.gears.layouts import Layout, Mesh
 from tmmcalc.gears.model import Values
+from tmmcalc.gears.scheme import Layout, Mesh
 from tmmcalc.gears.strength.endurance import GIVEN, Endurance, endurance
 from tmmcalc.gears.strength.material import Material
 from tmmcalc.gears.strength.results import Coefficient
 from tmmcalc.gears.strength.tables import Arrangement, WidthRange, table
 from tmmcalc.gears.strength.task import WHERE, StageTask, StrengthTask, stage_tasks
 
-ROWS = {"unfolded2": (3, 5), "unfolded3": (3, 3, 5), "coaxial": (5, 4)}  # of D.4.1; planetary trains: 1
-OVERHUNG = 1
+OVERHUNG = 1  # row of D.4.1
 ONE_SIDED, TWO_SIDED = "one-sided", "two-sided"
 
 
@@ -70,7 +69,7 @@ def basis_of(layout: Layout, task: StrengthTask) -> Basis:
 def drives(layout: Layout, wheel: str) -> bool:
     """Whether a wheel has the material ``pinion``: it drives its first mesh, or is the planet of a ring only.
 
-    >>> from tmmcalc.gears.layouts import layout_of
+    >>> from tmmcalc.gears.scheme import layout_of
     >>> [wheel for wheel in layout_of("AII").wheels if drives(layout_of("AII"), wheel)]
     ['1', "2'"]
     """
@@ -134,7 +133,7 @@ def _stage(layout: Layout, k: int, stage: StageTask) -> StageBasis:
 
 
 def _row(layout: Layout, k: int, stage: StageTask) -> Arrangement:
-    number = stage.row if stage.row is not None else ROWS[layout.key][k] if layout.key in ROWS else OVERHUNG
+    number = stage.row if stage.row is not None else layout.arrangements[k] if layout.arrangements else OVERHUNG
     row = next((row for row in table(Arrangement) if row.row == number), None)
     if row is None:
         raise UsageError(

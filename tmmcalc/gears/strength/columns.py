@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.core.quantity import components
-from tmmcalc.gears.joined import joined
+from tmmcalc.gears.columns import stacked_tables
 from tmmcalc.gears.sizing import Sized, Sizing
 from tmmcalc.gears.strength.series import Outcome
 
@@ -45,5 +45,5 @@ def _in_words(column: np.ndarray) -> np.ndarray:
 
 def stacked(sizing: Sizing) -> dict[str, np.ndarray]:
     """The columns of all variants, one after the other, rows numbered from 1."""
-    columns = joined([sized_columns(sized) for sized in sizing.variants if len(sized.sets)])
+    columns = stacked_tables([sized_columns(sized) for sized in sizing.variants if len(sized.sets)])
     return {"i": np.arange(1, len(columns["layout"]) + 1), **columns}

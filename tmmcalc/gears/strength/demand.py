@@ -16,8 +16,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.gears.layouts import Layout
 from tmmcalc.gears.model import ToothSets, Values
+from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.strength.basis import Basis
 from tmmcalc.gears.strength.loads import MeshLoads
 

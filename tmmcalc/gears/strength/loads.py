@@ -18,8 +18,8 @@ import numpy as np
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
-from tmmcalc.gears.layouts import Layout
 from tmmcalc.gears.model import Integers, ToothSets, Values
+from tmmcalc.gears.scheme import Layout
 
 
 @record
@@ -90,7 +90,7 @@ def _check_rings(layout: Layout, z1: Values, z2: Values) -> None:
 
 def _on_first(sets: ToothSets, layout: Layout) -> Values:
     """Torque (n, meshes) on the first wheel of every mesh over T1."""
-    if layout.key == "AII":
+    if layout.three_centrals:
         return _on_first_of_three(sets)
     on_shaft = {"1": np.ones(len(sets))}
     torques = []

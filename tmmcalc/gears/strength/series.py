@@ -14,8 +14,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.gears.layouts import Layout
 from tmmcalc.gears.model import Integers, Values
+from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.strength.tables import StandardModule, table
 
 Flags = NDArray[np.bool_]

@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.gears.layouts import Layout
 from tmmcalc.gears.model import Integers, ToothSets, Values
+from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.strength.basis import Basis, basis_of
 from tmmcalc.gears.strength.demand import LEAST_TEETH, Demand, demand
 from tmmcalc.gears.strength.loads import MeshLoads, mesh_loads

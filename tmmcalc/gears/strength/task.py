@@ -7,7 +7,7 @@ from typing import Literal
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
-from tmmcalc.gears.layouts import Layout
+from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.strength.material import Material
 
 WidthRule = Literal["consistent", "book1992"]

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 from pydantic import Field
 
@@ -70,7 +70,7 @@ class Indicator(Placed):
 
     rank = 60
     judged = False  # gas drives on some strokes by its nature
-    missing = {
+    missing: ClassVar = {
         "indicator.strokes": (
             "an indicator diagram has two or four strokes",
             'add strokes = [{ x = [0, 1], p = ["5 MPa", "0.3 MPa"] }, ...]',
@@ -78,11 +78,11 @@ class Indicator(Placed):
         "indicator.strokes.x": ("every stroke has its distances from 0 to 1", "add x = [0, 0.5, 1]"),
         "indicator.strokes.p": ("every stroke has its pressures", 'add p = ["5 MPa", "1 MPa", "0.3 MPa"]'),
     }
-    lists = {
+    lists: ClassVar = {
         "indicator.strokes.x": ("a list of two distances or more, from 0 to 1", "x = [0, 0.1, 0.5, 1]"),
         "indicator.strokes.p": ("a list of two pressures or more", 'p = ["5 MPa", "1 MPa", "0.3 MPa"]'),
     }
-    inline = {"indicator.strokes": 'strokes = [{ x = [0, 1], p = ["5 MPa", "0.3 MPa"] }, ...]'}
+    inline: ClassVar = {"indicator.strokes": 'strokes = [{ x = [0, 1], p = ["5 MPa", "0.3 MPa"] }, ...]'}
 
     @classmethod
     def spec_keys(cls) -> Mapping[str, Key]:

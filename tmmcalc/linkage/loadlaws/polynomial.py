@@ -1,7 +1,7 @@
 """A load that is a polynomial of the angle."""
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 from pydantic import Field
 
@@ -41,11 +41,11 @@ class Polynomial(Placed):
     rank = 20
     counted = True
     alike = True
-    lists = {
+    lists: ClassVar = {
         "polynomial.force": ("a list of coefficients", "force = [0, 250, -12.5]"),
         "polynomial.moment": ("a list of coefficients", "moment = [0, 25, -1.2]"),
     }
-    inline = {"polynomial": "polynomial = { force = [0, 250, -12.5] }"}
+    inline: ClassVar = {"polynomial": "polynomial = { force = [0, 250, -12.5] }"}
 
     @classmethod
     def spec_keys(cls) -> Mapping[str, Key]:

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
@@ -74,7 +74,7 @@ class Tabulated(Placed):
     period: float | None = None
 
     rank = 50
-    lists = {
+    lists: ClassVar = {
         "table.x": ("a list of two abscissae or more", 'x = ["0 deg", "90 deg", "270 deg"]'),
         "table.force": ("a list of two forces or more", 'force = [0, "1.5 kN", 0]'),
         "table.moment": ("a list of two moments or more", 'moment = [0, "40 N*m", 0]'),

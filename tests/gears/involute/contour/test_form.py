@@ -7,7 +7,7 @@ from math import atan2, cos, pi, radians, sin, tan
 import numpy as np
 import pytest
 
-from tmmcalc.gears.involute.contour.form import form_of
+from tmmcalc.gears.involute.contour.side import form_of
 from tmmcalc.gears.involute.profile.form import junction
 from tmmcalc.gears.involute.rack import RACKS
 from tmmcalc.gears.involute.wheel import Wheel

@@ -13,7 +13,7 @@ from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.involute.contour.contour import contour
 from tmmcalc.gears.involute.contour.curves import contact_ratio_line, sliding_line, strength_line, thickness_line
 from tmmcalc.gears.involute.contour.margins import margins
-from tmmcalc.gears.involute.contour.strength import tooth_form
+from tmmcalc.gears.involute.formfactor import tooth_form
 from tmmcalc.gears.involute.pair import pair_of_shifts
 from tmmcalc.gears.involute.shifts import STRATEGIES, choose
 from tmmcalc.gears.involute.wheel import Wheel

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.records import record
-from tmmcalc.gears.involute.contour.form import Sloped
 from tmmcalc.gears.involute.contour.frame import Frame, Sums
+from tmmcalc.gears.involute.contour.side import Sloped
 from tmmcalc.gears.model import Values
 
 LOWER = ("interference2", "tolerated1", "undercut1", "thickness1", "thickness2", "contact_ratio", "tip1", "tip2")
@@ -73,7 +73,7 @@ def cuts(frame: Frame, w: Values, region: int = 0, *, tolerated: bool = True) ->
         lower[LOWER.index("tip2")] = reach
     for i in (0, 1):
         low, high = (low1, high1) if i == 0 else (sums.total - high1, sums.total - low1)
-        below, above = _free(frame, i, sums, low, high, region in (i + 1, 3), tolerated)
+        below, above = interference_ends(frame, i, sums, low, high, region in (i + 1, 3), tolerated)
         thin, thick = thickness_ends(frame, i, sums, low, high)
         _put(lower, upper, sums, i, f"tolerated{i + 1}", f"interference{i + 1}", below, above)
         _put(lower, upper, sums, i, f"thickness{i + 1}", f"thickness{i + 1}", thin, thick)
@@ -91,14 +91,18 @@ def edge_names(low: str, high: str, region: int) -> tuple[str, str]:
     return low, high
 
 
-def _free(
-    frame: Frame, i: int, sums: Sums, low: Values, high: Values, beyond: bool, tolerated: bool
+def interference_ends(
+    frame: Frame, i: int, sums: Sums, low: Values, high: Values, inside: bool, tolerated: bool
 ) -> tuple[Values, Values]:
-    """Least and largest x_i without interference and harmful undercut; ``beyond`` the place of the least room."""
-    peak = high if beyond else np.clip(frame.sides[i].least, low, high)
+    """Least and largest x_i between ``low`` and ``high`` without interference and harmful undercut.
+
+    ``inside``: the mate's tip circle lies inside its reference circle, beyond the place of the least room. Without
+    ``tolerated`` the bound of tolerated undercut is left out.
+    """
+    peak = high if inside else np.clip(frame.sides[i].least, low, high)
     positive = (frame.room(i, sums, peak)[0] >= 0) & (low <= high)
     towards, away = frame.room_roots(i, sums)
-    if beyond:
+    if inside:
         # the flank below the root may be undercut; then the root is sought on the flank that is left
         plain = (away >= frame.sides[i].least) & positive
         above = np.where(positive, NEVER, -NEVER)

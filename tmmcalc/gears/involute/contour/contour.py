@@ -12,12 +12,17 @@ from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import Cuts, cuts
 from tmmcalc.gears.involute.contour.equalstrength import strength_ends
-from tmmcalc.gears.involute.contour.frame import Frame, frame_of
-from tmmcalc.gears.involute.contour.joined import Region, joined
-from tmmcalc.gears.involute.contour.largest import largest_contact_ratio
+from tmmcalc.gears.involute.contour.frame import Frame, Sums, frame_of
+from tmmcalc.gears.involute.contour.regions import Region, regions_of
 from tmmcalc.gears.involute.contour.task import Task
 from tmmcalc.gears.involute.contour.trace import POINTS, Part, parts_of, scan
 from tmmcalc.gears.model import Values
+
+ZOOM = 65  # points of a round that narrows a maximum
+ROUNDS = 6
+ASIDE = np.array([-1e-7, 1e-7])  # [rad] from a place that may be a maximum by itself
+COARSE = 0.02  # by which the points of a part may miss its largest contact ratio
+LEVEL = 1e-13  # of a contact ratio that grows no more
 
 
 @record
@@ -105,7 +110,7 @@ def contour(task: Task, strict: bool = True, *, pieces: bool = True, points: int
 
 def contours(task: Task) -> tuple[Contour, Contour]:
     """The strict and the tolerated contour."""
-    strict, tolerated = _contours(task, (True, False), True)
+    strict, tolerated = _contours(task, (True, False), True, POINTS)
     if strict.main is None or tolerated.main is None:
         return strict, tolerated
     pairs = zip_longest(strict.main.parts, tolerated.main.parts)
@@ -113,7 +118,7 @@ def contours(task: Task) -> tuple[Contour, Contour]:
     return strict, replace(tolerated, main=strict.main, twin=strict) if same else tolerated
 
 
-def _contours(task: Task, kinds: tuple[bool, ...], pieces: bool, points: int = POINTS) -> list[Contour]:
+def _contours(task: Task, kinds: tuple[bool, ...], pieces: bool, points: int) -> list[Contour]:
     frame = frame_of(task)
     found: dict[bool, list[Part]] = {kind: [] for kind in kinds}
     untraced: dict[bool, list[int]] = {kind: [] for kind in kinds}
@@ -145,7 +150,44 @@ def _alike(scanned: Cuts) -> bool:
 
 
 def _whole(strict: bool, frame: Frame, parts: list[Part], untraced: tuple[int, ...]) -> Contour:
-    regions = joined(frame, parts)
+    regions = regions_of(frame, parts)
     central = (region for region in regions if any(part.branch == 0 for part in region.parts))
     main = max(central, key=lambda region: region.area, default=None)
     return Contour(strict, frame, main, tuple(region for region in regions if region is not main), untraced)
+
+
+def largest_contact_ratio(frame: Frame, region: Region, strict: bool) -> tuple[float, float, float]:
+    """x1, x2 and eps_alpha of the largest contact ratio of a region of the strict or the tolerated contour."""
+    tops = [float(np.max(_best(frame, part.low, part.high, frame.sums(part.angles))[1])) for part in region.parts]
+    close = (part for part, top in zip(region.parts, tops, strict=True) if top > max(tops) - COARSE)
+    return max((_largest(frame, part, strict) for part in close), key=lambda found: found[2])
+
+
+def _best(frame: Frame, low: Values, high: Values, sums: Sums) -> tuple[Values, Values]:
+    """x1 and eps_alpha - eps_min (n,) of the best split between low and high."""
+    x1 = np.clip(frame.best_split(sums), low, high)
+    return x1, frame.overlap(sums, x1)[0]
+
+
+def _largest(frame: Frame, part: Part, strict: bool) -> tuple[float, float, float]:
+    """Of one part: on every line of constant sum the split of equal tip pressure angles, or the end next to it."""
+
+    def looked(w: Values) -> tuple[Values, Values]:
+        found = cuts(frame, w, part.branch, tolerated=not strict)
+        low, high, _, _ = found.ends(strict)
+        x1, ratio = _best(frame, low, high, found.sums)
+        return x1, np.where(low <= high, ratio, -np.inf)
+
+    w = part.angles
+    x1, ratio = _best(frame, part.low, part.high, frame.sums(w))
+    k = int(np.argmax(ratio))
+    if 0 < k < w.size - 1 and np.all(looked(w[k] + ASIDE)[1] < ratio[k]):
+        w, x1, ratio, k = w[k : k + 1], x1[k : k + 1], ratio[k : k + 1], 0  # a corner
+    for _ in range(ROUNDS):
+        if k in (0, w.size - 1) or ratio[k] - min(ratio[k - 1], ratio[k + 1]) < LEVEL:
+            break
+        w = np.linspace(w[k - 1], w[k + 1], ZOOM)
+        x1, ratio = looked(w)
+        k = int(np.argmax(ratio))
+    sums = frame.sums(w)
+    return float(x1[k]), float(sums.total[k] - x1[k]), float(ratio[k]) + frame.task.contact_ratio

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from tmmcalc.core.numerics.roots import Indices, bracketed
 from tmmcalc.gears.involute.contour.bounds import cuts
 from tmmcalc.gears.involute.contour.frame import Frame, Sums
-from tmmcalc.gears.involute.contour.strength import tooth_form
 from tmmcalc.gears.involute.contour.trace import Part
+from tmmcalc.gears.involute.formfactor import tooth_form
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
 

@@ -23,7 +23,7 @@ from tmmcalc.gears.involute.contour.contour import Contour
 from tmmcalc.gears.involute.contour.corners import SLOPE, equations, stacked
 from tmmcalc.gears.involute.contour.exact import Exact, exact_of
 from tmmcalc.gears.involute.contour.frame import Frame
-from tmmcalc.gears.involute.contour.joined import Region
+from tmmcalc.gears.involute.contour.regions import Region
 from tmmcalc.gears.involute.contour.side import Side
 from tmmcalc.gears.involute.contour.trace import POINTS, Part
 from tmmcalc.gears.model import Values

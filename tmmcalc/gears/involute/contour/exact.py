@@ -10,11 +10,9 @@ import numpy as np
 from tmmcalc.core.numerics.extended import PI
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.frame import Frame
-from tmmcalc.gears.involute.extended import Long, inverse_extended, involute_extended
-from tmmcalc.gears.involute.wheel import Wheel
+from tmmcalc.gears.involute.function import Long, inverse_extended, involute_extended
+from tmmcalc.gears.involute.wheel import Wheel, curvature
 from tmmcalc.gears.model import Values
-
-LEAST_RADIUS = 1e-12  # [normal module] radius of curvature of an involute that does not reach so far down
 
 
 @record
@@ -60,7 +58,7 @@ class Exact:
         reach = self.bases / np.cos(angle) - self.centres + np.longdouble(self.frame.addendum)
         length = self.bases * np.tan(angle)
         tips = [side.reference + reach - shifts[1 - i] for i, side in enumerate(self.sides)]
-        rho = [_curvature(tip, side.base) for tip, side in zip(tips, self.sides, strict=True)]
+        rho = [curvature(tip, side.base) for tip, side in zip(tips, self.sides, strict=True)]
         rooms = [length - rho[1 - i] - self._start(i, shifts[i]) for i in (0, 1)]
         thick = [self._thickness(i, shifts[i], tips[i], rho[i]) for i in (0, 1)]
         ratio = (rho[0] + rho[1] - length) / self.pitch - self.frame.task.contact_ratio
@@ -95,7 +93,3 @@ def exact_of(frame: Frame) -> Exact:
 
     sides = side(frame.task.first), side(frame.task.second)
     return Exact(frame, sides, sine, level, PI / np.cos(helix) * np.cos(angle), np.tan(helix))
-
-
-def _curvature(radius: Long, base: Any) -> Long:
-    return np.sqrt(np.maximum((radius - base) * (radius + base), np.longdouble(LEAST_RADIUS) ** 2))

@@ -19,10 +19,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.records import record
-from tmmcalc.gears.involute.contour.form import Sloped
-from tmmcalc.gears.involute.contour.side import Side, side_of
+from tmmcalc.gears.involute.contour.side import Side, Sloped, side_of
 from tmmcalc.gears.involute.contour.task import Task
 from tmmcalc.gears.involute.function import inverse_involute, involute
+from tmmcalc.gears.involute.wheel import curvature
 from tmmcalc.gears.model import Values
 
 BRANCHES = (0, 1, 2, 3)
@@ -101,7 +101,7 @@ class Frame:
         """N1A2 - rho_F1 (i = 0) or N2A1 - rho_F2 (i = 1), and the derivative by x_i at constant sum."""
         side = self.sides[i]
         radius = side.mate_reference + self.addendum + sums.modification - x
-        rho = _curvature(radius, side.mate_base)
+        rho = curvature(radius, side.mate_base)
         start, slope = side.start(x)
         return sums.length - rho - start, radius / rho - slope
 
@@ -127,8 +127,8 @@ class Frame:
         for _ in range(CROSSING):
             middle = (low + high) / 2
             sums = self.sums(np.array([middle]))
-            beyond = sums.total[0] > 2 * (sums.modification[0] + self.addendum)
-            low, high = (middle, high) if beyond else (low, middle)
+            outside = sums.total[0] > 2 * (sums.modification[0] + self.addendum)
+            low, high = (middle, high) if outside else (low, middle)
         return end, high
 
     def room_roots(self, i: int, sums: Sums) -> tuple[Values, Values]:
@@ -173,7 +173,7 @@ class Frame:
         """Half the angle of the tip less the one of the least thickness [rad], and its derivative by x_i."""
         side = self.sides[i]
         radius = self.tip(i, sums, x)
-        tangent = _curvature(radius, side.base) / side.base
+        tangent = curvature(radius, side.base) / side.base
         own = np.arctan(tangent)
         half = side.flat + x * sin(self.angle) / side.base - (tangent - own)
         slope = (sin(self.angle) - np.sin(own)) / side.base
@@ -187,7 +187,7 @@ class Frame:
         """eps_alpha - eps_min, and its derivative by x1."""
         one, two = self.sides
         first, second = self.tip(0, sums, x1), self.tip(1, sums, sums.total - x1)
-        rho1, rho2 = _curvature(first, one.base), _curvature(second, two.base)
+        rho1, rho2 = curvature(first, one.base), curvature(second, two.base)
         value = (rho1 + rho2 - sums.length) / self.pitch - self.task.contact_ratio
         return value, (first / rho1 - second / rho2) / self.pitch
 
@@ -196,11 +196,6 @@ class Frame:
         one, two = self.sides
         first, second = self.tip(0, sums, np.zeros_like(sums.total)), self.tip(1, sums, sums.total)
         return (second * one.base - first * two.base) / (one.base + two.base)
-
-
-def _curvature(radius: Values, base: float) -> Values:
-    """Radius of curvature of the involute at a radius; a tiny positive number at and below the base circle."""
-    return np.sqrt(np.maximum((radius - base) * (radius + base), 1e-24))
 
 
 def frame_of(task: Task) -> Frame:

@@ -10,7 +10,7 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import LOWER, UPPER, cuts, edge_names
 from tmmcalc.gears.involute.contour.frame import Frame
-from tmmcalc.gears.involute.contour.joined import TIPS, Region
+from tmmcalc.gears.involute.contour.regions import TIPS, Region
 from tmmcalc.gears.involute.contour.task import LINES
 
 

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from tmmcalc.gears.involute.contour.bounds import cuts, root
 from tmmcalc.gears.involute.contour.contour import Contour
-from tmmcalc.gears.involute.contour.form import Sloped
 from tmmcalc.gears.involute.contour.frame import Frame, Sums
+from tmmcalc.gears.involute.contour.side import Sloped
 from tmmcalc.gears.involute.contour.trace import Part
 from tmmcalc.gears.model import Values
 

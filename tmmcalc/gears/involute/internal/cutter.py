@@ -29,7 +29,7 @@ def tip_lead(tool: Wheel, tip: float, rounding: float) -> float | None:
     if not orbit > tool.base:
         return None
     arm = sqrt(orbit**2 - tool.base**2)
-    half = float(tool.half_angle) + float(involute(tool.section.angle))
+    half = float(tool.half_angle) + float(involute(tool.transverse_angle))
     return half - (arm + rounding) / tool.base + atan2(arm, tool.base)
 
 
@@ -70,7 +70,7 @@ def cutter_margins(ring: Ring, cutter: Cutter, tip: float) -> tuple[float, float
 
 def _corners(tool: Wheel, tip: float, rounding: float, lead: float) -> list[Corner]:
     """Points of the rounding, from the tip circle to the involute."""
-    half = float(tool.half_angle) + float(involute(tool.section.angle))
+    half = float(tool.half_angle) + float(involute(tool.transverse_angle))
     if rounding == 0:
         return [(tip, half - lead)]
     orbit = tip - rounding

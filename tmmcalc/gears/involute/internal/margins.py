@@ -118,7 +118,7 @@ def internal_margins(
 
 def _mesh(teeth: int, ring: Ring, total: Values) -> tuple[Values, Values]:
     """Operating angle and centre distance of a wheel of so many teeth in the ring by x1 + x2; nan: none."""
-    start = ring.signed.section.angle
+    start = ring.signed.transverse_angle
     angle = inverse_involute(involute(start) - 2 * tan(ring.rack.angle) * total / (ring.teeth - teeth))
     angle = np.where(angle > 0, angle, np.nan)
     return angle, (ring.teeth - teeth) / (2 * cos(ring.helix)) * cos(start) / np.cos(angle)

@@ -125,7 +125,7 @@ def cutting(ring: Ring, cutter: Cutter) -> tuple[float, float, float]:
 
 def largest_sum(pinion: Wheel, ring: Ring) -> float:
     """x1 + x2 at which the operating angle vanishes; the sum has to be smaller."""
-    start, total = pinion.section.angle, ring.teeth - pinion.teeth
+    start, total = pinion.transverse_angle, ring.teeth - pinion.teeth
     return float(involute(start)) * total / (2 * float(np.tan(pinion.rack.angle)))
 
 
@@ -135,7 +135,7 @@ def angle_of_shifts(pinion: Wheel, ring: Ring) -> tuple[float, float]:
     Raises `NoSolutionError` if the ring has no more teeth than the pinion, or if x1 + x2 is too great.
     """
     check_teeth(pinion, ring)
-    start, total = pinion.section.angle, ring.teeth - pinion.teeth
+    start, total = pinion.transverse_angle, ring.teeth - pinion.teeth
     shifts = float(pinion.shift) + ring.shift
     inv = float(involute(start))
     slope, limit = 2 * float(np.tan(pinion.rack.angle)) / total, largest_sum(pinion, ring)

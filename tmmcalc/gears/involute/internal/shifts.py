@@ -147,8 +147,8 @@ def _equal_sliding(line: InternalLine, low: float, high: float) -> tuple[float, 
         k = rising[-1:]  # the one of the largest shift: the pinion is least undercut
         return float(bracketed(unequal, x1[k], x1[k + 1])[0]), ""
     first, last = abs(values[[0, -1]])
-    end, beyond = (low, low - BESIDE) if not first > last else (high, high + BESIDE)
-    limit = _first_broken(line, beyond)
+    end, outside = (low, low - BESIDE) if not first > last else (high, high + BESIDE)
+    limit = _first_broken(line, outside)
     note = f"equal sliding is out of reach at this sum of shifts; x1 = {end:.4f} is nearest to it"
     return end, f"{note}; beyond it {limit}" if limit else note
 

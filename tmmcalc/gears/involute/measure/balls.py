@@ -78,8 +78,8 @@ def over_balls(
 def _angle(wheel: Wheel, diameter: float) -> float:
     """alpha_D [rad]."""
     space = (pi / 2 - 2 * float(wheel.shift) * tan(wheel.rack.angle)) / wheel.teeth
-    least = (space - float(involute(wheel.section.angle))) * wheel.teeth * cos(wheel.rack.angle)
-    target = diameter / (wheel.teeth * cos(wheel.rack.angle)) + float(involute(wheel.section.angle)) - space
+    least = (space - float(involute(wheel.transverse_angle))) * wheel.teeth * cos(wheel.rack.angle)
+    target = diameter / (wheel.teeth * cos(wheel.rack.angle)) + float(involute(wheel.transverse_angle)) - space
     if target > 0:
         return float(inverse_involute(target))
     ring = wheel.teeth < 0
@@ -104,7 +104,7 @@ def ball_diameter(wheel: Wheel, radius: float) -> float:
     side = 1.0 if wheel.teeth > 0 else -1.0
     touch = float(wheel.curvature_at(radius)) / base
     space = (pi / 2 - 2 * float(wheel.shift) * tan(wheel.rack.angle)) / wheel.teeth
-    gap = space - float(involute(wheel.section.angle))  # half angle of the space on the base circle, of either sign
+    gap = space - float(involute(wheel.transverse_angle))  # half angle of the space on the base circle, of either sign
 
     def excess(angle: np.ndarray, _: np.ndarray) -> np.ndarray:
         # u = D/(2 r_b cos(beta_b)) from the angle, then where the ball touches

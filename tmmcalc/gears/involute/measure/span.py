@@ -89,7 +89,7 @@ def span_length(wheel: Wheel, teeth: int) -> float:
     69.6047
     """
     inner = pi * (teeth - 0.5) + 2 * float(wheel.shift) * tan(wheel.rack.angle)
-    return cos(wheel.rack.angle) * (inner + wheel.teeth * float(involute(wheel.section.angle)))
+    return cos(wheel.rack.angle) * (inner + wheel.teeth * float(involute(wheel.transverse_angle)))
 
 
 def spans(

@@ -146,7 +146,7 @@ def flank_of(wheel: Wheel, tip: float | None = None, shape: Shape = "ellipse") -
 
 def _pointing(wheel: Wheel) -> Real:
     """Radius where the two flanks meet; that of the base circle if they meet below it."""
-    half = np.asarray(wheel.half_angle + involute(wheel.section.angle))
+    half = np.asarray(wheel.half_angle + involute(wheel.transverse_angle))
     return wheel.base / np.cos(inverse_involute(np.maximum(half, 0.0)))
 
 

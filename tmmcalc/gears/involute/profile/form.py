@@ -56,7 +56,7 @@ def junction(wheel: Wheel, shape: Shape = "ellipse") -> Junction:
 
 def curvature_ratio(wheel: Wheel, lack: Real, shape: Shape = "ellipse") -> Real:
     """rho_F/|LN| of a wheel, whose shift is not read, at values |LN| >= 0 (m,): smooth down to one half at 0."""
-    shift = wheel.least_shift - lack * sin(wheel.section.angle)
+    shift = wheel.least_shift - lack * sin(wheel.transverse_angle)
     tip = rounding(Wheel(wheel.teeth, shift, wheel.helix, wheel.rack), shape)
     return _crossing(tip, wheel.base, -np.asarray(tip.y, float), lack)[1]
 

@@ -50,4 +50,4 @@ def ring_placings(
 
 def _pitch_half_angle(wheel: Wheel, angle: float) -> float:
     """Half the angle [rad] of a tooth on the operating pitch circle, psi - gamma."""
-    return float(wheel.half_angle) - (float(involute(angle)) - float(involute(wheel.section.angle)))
+    return float(wheel.half_angle) - (float(involute(angle)) - float(involute(wheel.transverse_angle)))

@@ -79,7 +79,7 @@ def ring_flank(like: Wheel, tip: float, root: float, corner: float | None = None
     the rack's tip, or the largest that fits. Raises `NoSolutionError` if the circles hold no involute between them.
     """
     base = like.base
-    half = float(like.half_angle) + float(involute(like.section.angle))
+    half = float(like.half_angle) + float(involute(like.transverse_angle))
     if not base <= tip < root:
         raise _none("the tip circle of a ring lies between base and root circle", tip, base, "a larger tip radius")
     largest = _largest_corner(base, half, root)

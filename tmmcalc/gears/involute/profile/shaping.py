@@ -130,7 +130,7 @@ def shaped_ring(ring: Ring, cutter: Cutter, tip: float) -> ShapedRing:
         raise _none("the rounding of the cutter reaches below its base circle", orbit, tool.base)
     if lead < -1e-12:
         raise _none("the tip of the cutter is narrower than its rounding", 2 * lead * top, 0.0)
-    inv = float(involute(ring.signed.section.angle))
+    inv = float(involute(ring.signed.transverse_angle))
     like = Wheel(ring.teeth, -ring.shift, ring.helix, ring.rack)
     operating = tool.base / float(np.cos(angle))
     found = ShapedRing(

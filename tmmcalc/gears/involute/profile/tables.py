@@ -59,7 +59,7 @@ def axis_turn(wheel: Wheel, axis: Axis = "pitch", angle: float | None = None) ->
             raise UsageError(
                 "the axis through the pitch point needs a pair", where="tooth profile", remedy='axis = "tooth"'
             )
-        return float(involute(angle)) - float(involute(wheel.section.angle))
+        return float(involute(angle)) - float(involute(wheel.transverse_angle))
     return {"reference": 0.0, "tooth": psi, "space": psi - pi / wheel.teeth}[axis]
 
 

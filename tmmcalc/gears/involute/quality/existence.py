@@ -13,7 +13,7 @@ from math import tan
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.gears.involute.contour.form import form_of
+from tmmcalc.gears.involute.contour.side import form_of
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.pair import Pair, pair_of_shifts
 from tmmcalc.gears.involute.profile.form import junction
@@ -35,7 +35,7 @@ def least_sum(first: Wheel, second: Wheel) -> float:
     -0.63472
     """
     total = first.teeth + second.teeth
-    return -total * float(involute(first.section.angle)) / (2 * tan(first.rack.angle))
+    return -total * float(involute(first.transverse_angle)) / (2 * tan(first.rack.angle))
 
 
 def least_margin(
@@ -128,15 +128,11 @@ def require_pair(pair: Pair, limits: QualityLimits | None = None, fillet: Shape 
     )
 
 
-def pair_from_shifts(first: Wheel, second: Wheel) -> Pair:
-    """The pair of two wheels with scalar shifts; raises `NoSolutionError` if the sum of the shifts is too small.
-
-    >>> round(float(pair_from_shifts(Wheel(14, 0.6), Wheel(17, 0.522)).distance), 6)
-    16.441028
-    """
+def require_sum(first: Wheel, second: Wheel) -> None:
+    """Raise `NoSolutionError` if the sum of two scalar shifts is too small for a pair without backlash."""
     total, least = float(first.shift + second.shift), least_sum(first, second)
     if total > least:
-        return pair_of_shifts(first, second)
+        return
     raise NoSolutionError(
         f"the involute of the operating pressure angle is not positive: x1 + x2 = {total:.6g}, "
         f"it has to exceed {least:.6g} (margin {total - least:.4g})",

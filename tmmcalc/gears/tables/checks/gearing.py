@@ -10,8 +10,9 @@ from collections.abc import Iterator
 from pydantic import ValidationError
 
 from tmmcalc.core.errors import TmmError, UsageError
-from tmmcalc.gears.layouts import LAYOUTS, Layout
+from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.network.model import FRAME
+from tmmcalc.gears.scheme import CARRIER, Layout
 from tmmcalc.gears.tables.checks.gearing_members import (
     bearers_of,
     check_axes,
@@ -29,7 +30,6 @@ _OF_LAYOUT = ("teeth", "planets", "sharing")
 _OF_MESHES = ("meshes", "members")
 _BY_MEMBER = ("speeds", "torques", "load", "powers")
 _LOADS = ("torques", "load", "powers")
-CARRIER = "H"
 
 
 def check_gearing(outline: Outline) -> Iterator[Finding]:

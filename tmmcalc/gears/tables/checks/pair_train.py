@@ -6,8 +6,9 @@ import math
 from collections.abc import Iterator
 
 from tmmcalc.gears.involute.rack import RACKS
-from tmmcalc.gears.layouts import Layout
-from tmmcalc.gears.tables.checks.written_pair import Written, entries, is_of_train, layouts, mesh_name, written_pairs
+from tmmcalc.gears.scheme import Layout
+from tmmcalc.gears.tables.checks.train import written_layouts
+from tmmcalc.gears.tables.checks.written_pair import Written, entries, is_of_train, mesh_name, written_pairs
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, subtable, word
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
@@ -39,15 +40,15 @@ def check_train(outline: Outline) -> Iterator[Finding]:
             yield Finding((*pair.path, key), f"{key} of the pairs of a train: {_GIVEN[key]}", "remove it")
         yield from _check_cutter(pair)
     for usual in pairs[:1]:
-        yield from _check_usual(usual, layouts(outline))
+        yield from _check_usual(usual, written_layouts(subtable(outline.document, "train")))
     yield from _check_meshes(outline)
-    yield from _check_common(pairs, layouts(outline))
+    yield from _check_common(pairs, written_layouts(subtable(outline.document, "train")))
     yield from dict.fromkeys(finding for pair in pairs for finding in _check_rack(pair))
 
 
 def _shares(layout: Layout) -> bool:
     """Whether all its meshes have one centre distance."""
-    return layout.branched and layout.key != "2A-AA"
+    return layout.branched and not layout.paired
 
 
 def _check_cutter(pair: Written) -> Iterator[Finding]:
@@ -69,7 +70,7 @@ def _check_usual(usual: Written, found: list[Layout]) -> Iterator[Finding]:
 
 def _check_meshes(outline: Outline) -> Iterator[Finding]:
     """Every entry names a mesh of the train that no other names."""
-    found = layouts(outline)
+    found = written_layouts(subtable(outline.document, "train"))
     known = list(dict.fromkeys(mesh_name(mesh) for layout in found for mesh in layout.meshes))
     taken: list[str] = []
     for index, entry in entries(outline):

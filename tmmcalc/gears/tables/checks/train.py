@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 
 from tmmcalc.gears.kinds import is_possible, kinds_of, rule, turns_back
-from tmmcalc.gears.layouts import LAYOUTS, Layout
+from tmmcalc.gears.scheme import Layout, known_layouts
 from tmmcalc.spec.choices import Exact
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, is_integer, subtable, word
@@ -37,14 +37,14 @@ _USES: dict[str, tuple[Callable[[Layout], bool], str]] = {
     "z_pinion_max": (_unfolded, "only an unfolded train limits its pinions"),
     "ring_min": (lambda layout: bool(layout.rings), "it has no internal wheels"),
     "ring_max": (lambda layout: bool(layout.rings), "it has no internal wheels"),
-    "radial": (lambda layout: layout.key == "2A-AA", "its parameters are those of pairs of planets"),
+    "radial": (lambda layout: layout.paired, "its parameters are those of pairs of planets"),
     "constraints.mesh_angle_max": (lambda layout: layout.branched, "it has no common axis"),
     "constraints.assembly": (lambda layout: layout.branched, "it has neither planets nor parallel layshafts"),
     "constraints.adjacency_gap": (lambda layout: layout.branched, "it has neither planets nor parallel layshafts"),
     "constraints.ring_difference": (lambda layout: bool(layout.rings), "it has no internal wheels"),
     "constraints.stage_ratio_max": (lambda layout: not layout.planetary, "its stages are no reducers by themselves"),
     "constraints.diameter_band": (
-        lambda layout: _unfolded(layout) or layout.key in ("coaxial", "AA", "AI", "II"),
+        lambda layout: _unfolded(layout) or layout.common_axis,
         "it has no wheels 2 and 3 to be compared",
     ),
     "constraints.equal_pinions": (_unfolded, "the pinions of an unfolded train alone can be made equal"),
@@ -56,11 +56,11 @@ def _train(outline: Outline) -> Raw:
     return subtable(outline.document, "train")
 
 
-def _layouts(train: Raw) -> list[Layout]:
+def written_layouts(train: Raw) -> list[Layout]:
     """The layouts that are known among the written ones."""
     written = train.get("layout")
-    keys = written if isinstance(written, list) else [written]
-    return [LAYOUTS[key] for key in keys if isinstance(key, str) and key in LAYOUTS]
+    keys = [key for key in (written if isinstance(written, list) else [written]) if isinstance(key, str)]
+    return [known_layouts()[key] for key in keys if key in known_layouts()]
 
 
 def exact(value: object, reader: Exact = _NUMBER) -> Fraction | None:
@@ -74,7 +74,7 @@ def exact(value: object, reader: Exact = _NUMBER) -> Fraction | None:
 def check_keys(outline: Outline) -> Iterator[Finding]:
     """Every key is one that a layout uses."""
     train = _train(outline)
-    layouts = _layouts(train)
+    layouts = written_layouts(train)
     constraints = subtable(train, "constraints")
     for key, (uses, lack) in _USES.items():
         table, _, name = key.rpartition(".")
@@ -103,7 +103,7 @@ def _keys(layouts: list[Layout]) -> str:
 def check_ratio(outline: Outline) -> Iterator[Finding]:
     """The ratio is given once, of a kind that the layout has, and is possible for its layout."""
     train = _train(outline)
-    layouts = _layouts(train)
+    layouts = written_layouts(train)
     speeds = [key for key in ("input_speed", "output_speed") if key in train]
     for key in speeds:
         yield from check_bare_speed(train[key], ("train", key))
@@ -200,7 +200,7 @@ def check_limits(outline: Outline) -> Iterator[Finding]:
     for low, least, high, largest in pairs:
         first, last = train.get(low, least), train.get(high, largest)
         written = low in train or high in train
-        unused = high == "z_pinion_max" and not any(map(_unfolded, _layouts(train)))
+        unused = high == "z_pinion_max" and not any(map(_unfolded, written_layouts(train)))
         if written and not unused and is_integer(first) and is_integer(last) and first > last:
             key, given = (low, f"{low} = {first}") if low in train else (high, f"{high} = {last}")
             other = f"{high} = {last}" if low in train else f"{low} = {first}"

@@ -6,8 +6,8 @@ from math import pi
 
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.rack import Rack
-from tmmcalc.gears.layouts import LAYOUTS, Layout, Mesh
-from tmmcalc.gears.tables.checks.train import exact
+from tmmcalc.gears.scheme import Mesh
+from tmmcalc.gears.tables.checks.train import exact, written_layouts
 from tmmcalc.gears.tables.shifting import usual_strategy
 from tmmcalc.spec.outline import Outline, Raw, subtable, tables, word
 from tmmcalc.spec.phrases import Path
@@ -59,17 +59,11 @@ def is_of_train(outline: Outline) -> bool:
     return "train" in outline.document and "teeth" not in pair and not free
 
 
-def layouts(outline: Outline) -> list[Layout]:
-    """The layouts of the train that are known."""
-    named = subtable(outline.document, "train").get("layout")
-    keys = named if isinstance(named, list) else [named]
-    return [LAYOUTS[key] for key in keys if isinstance(key, str) and key in LAYOUTS]
-
-
 def mesh_name(mesh: Mesh) -> str:
     """A mesh by its wheels.
 
-    >>> mesh_name(LAYOUTS["AI"].meshes[1])
+    >>> from tmmcalc.gears.scheme import layout_of
+    >>> mesh_name(layout_of("AI").meshes[1])
     "2'-3"
     """
     return f"{mesh.first}-{mesh.second}"
@@ -84,7 +78,10 @@ def written_pairs(outline: Outline) -> list[Written]:
     if not is_of_train(outline):
         alone = places or [(("pair",), pair)]
         return [Written(path, own, pair, _kind({**pair, **own}), Rack(), False) for path, own in alone]
-    known, rack = [mesh for layout in layouts(outline) for mesh in layout.meshes], _rack(outline)
+    known, rack = (
+        [mesh for layout in written_layouts(subtable(outline.document, "train")) for mesh in layout.meshes],
+        _rack(outline),
+    )
     every = [(("pair",), pair, known), *((path, own, _named(known, own.get("mesh"))) for path, own in places)]
     return [Written(path, own, pair, _kinds(meshes), rack, True) for path, own, meshes in every]
 

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.gears.exact import around
 from tmmcalc.gears.kinds import kinds_of, to_tooth_ratio, turns_back
-from tmmcalc.gears.layouts import Layout, layout_of
 from tmmcalc.gears.model import Demands, Interval, Limits, TrainTask
 from tmmcalc.gears.radial import RadialShape, angle_ratios
+from tmmcalc.gears.scheme import Layout, layout_of
 from tmmcalc.gears.strength.series import eighths
 from tmmcalc.gears.trains import Request
 
@@ -24,9 +24,6 @@ SPEEDS = 10**6  # a ratio of speeds is the nearest fraction of smaller terms, wh
 RANGE = (Fraction(1), Fraction(5, 2))  # of the ratio m2/m1 of standard modules
 TOLERANCE = {"unfolded3": Fraction(2, 100)}
 USUAL_TOLERANCE = Fraction(1, 100)
-PLANETS = {"coaxial": 1}
-USUAL_PLANETS = 3
-RAISED = {"2A-AA": math.radians(26)}  # largest operating pressure angle where meshes are raised by custom
 STAGE_RATIO, BAND = Fraction(6), Fraction(5, 100)  # of unfolded trains
 # tooth ratios up to which unfolded trains are usual
 USUAL_RATIO = {"unfolded2": 20, "unfolded3": 45}
@@ -48,7 +45,7 @@ def to_train(spec: GearTables) -> tuple[Request, ...]:
 def _planets(table: TrainTable, layout: Layout) -> list[int]:
     if not layout.branched:
         return [1]
-    return table.planets or [PLANETS.get(layout.key, USUAL_PLANETS)]
+    return table.planets or [layout.usual_planets]
 
 
 def _request(table: TrainTable, layout: Layout, planets: int) -> Request:
@@ -75,9 +72,9 @@ def _request(table: TrainTable, layout: Layout, planets: int) -> Request:
 
 
 def _radial(table: TrainTable, layout: Layout) -> RadialShape | None:
-    """Parameters of 2A-AA; t1 and t2 given, or of the mesh angles."""
+    """Parameters of pairs of planets; t1 and t2 given, or of the mesh angles."""
     given = table.radial
-    if given is None or layout.key != "2A-AA":
+    if given is None or not layout.paired:
         return None
     if given.mesh_angles is None:
         return RadialShape(given.y, given.t1, given.t2, given.assembly_number)
@@ -149,7 +146,7 @@ def _keeps_undercut(table: TrainTable, least: int) -> bool:
 
 def _demands(table: ConstraintsTable, layout: Layout, undercut: int | None) -> Demands:
     unfolded = not layout.branched
-    angle = _given(table.mesh_angle_max, RAISED.get(layout.key)) if layout.branched else None
+    angle = _given(table.mesh_angle_max, layout.raised) if layout.branched else None
     distances = _given(table.centre_distance, None)
     return Demands(
         largest_angle=angle,

@@ -7,7 +7,7 @@ import pytest
 from gears.meshing.pairs import MM, M, book, given
 from tmmcalc.core.conversion import from_record, to_record
 from tmmcalc.gears.involute.internal.ring import Cutter
-from tmmcalc.gears.meshing.mates import external_pair, internal_pair, pinion_on_rack
+from tmmcalc.gears.meshing.geometry import external_pair, internal_pair, pinion_on_rack
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask

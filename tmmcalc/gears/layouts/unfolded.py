@@ -1,27 +1,27 @@
-"""Candidates of unfolded trains, two or three stages side by side: the last wheel by the ratio.
+"""Unfolded trains, two or three stages side by side.
 
-The limits of the ratio of one stage and of the diameters cut the wheels early, so what each constraint removes is not
-seen on the way. It is counted by itself, in the order ratio, ratio of one stage, diameters: combinations of teeth by
-their products, and trains of admitted stages by their ratios.
+The last wheel of a candidate follows from the ratio. The limits of the ratio of one stage and of the diameters cut the
+wheels early, so what each constraint removes is not seen on the way. It is counted by itself, in the order ratio, ratio
+of one stage, diameters: combinations of teeth by their products, and trains of admitted stages by their ratios.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
-from tmmcalc.gears.model import Integers, TrainTask, Values
-from tmmcalc.gears.search.blocks import Block, spread
-from tmmcalc.gears.search.constraints import alike
-from tmmcalc.gears.search.edges import Edges, edges
-from tmmcalc.gears.search.ranges import external, pinion
-from tmmcalc.gears.search.tally import Tally
+from tmmcalc.gears.exact import Edges, edges, within
+from tmmcalc.gears.model import Integers, Interval, TrainTask, Values
+from tmmcalc.gears.scheme import PINION, WHEEL, Layout, Lengths, Teeth, pair
+from tmmcalc.gears.search.blocks import Block, Tally, external, pinion, spread
 
 ROUNDING = 1e-15  # relative, of a product of three ratios in floats; different ratios of such teeth lie further apart
 
 
-def unfolded(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> Iterator[Block]:
+def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> Iterator[Block]:
     """Every set within tooth limits, ratio, ratios of stages and diameters, block by block."""
     stages, demands = task.scheme.stages, task.demands
     small, large = pinion(task), external(task)
@@ -166,3 +166,52 @@ def _trains(ratios: Values, stages: int, limits: Edges) -> int:
     begun = ratios if stages == 2 else np.sort(np.multiply.outer(ratios, ratios).ravel())
     last, first = np.searchsorted(begun, high / ratios, "right"), np.searchsorted(begun, low / ratios, "left")
     return int((last - first).sum())
+
+
+def alike(task: TrainTask, block: Block, stage: int) -> np.ndarray:
+    """Whether the wheel of this stage and the one before are alike in diameter (4.4, 4.7).
+
+    The modules are taken as m2/m1 = cbrt(U1): the relation of the diameters cbrt(Z2/Z1) Z3/Z2 is compared by its cube.
+    """
+    band = task.demands.diameter_band or Fraction(0)
+    before, wide, _, wheel = (block[name] for name in task.scheme.wheels[2 * stage - 2 : 2 * stage + 2])
+    cubes = Interval(max(1 - band, Fraction(0)) ** 3, (1 + band) ** 3)
+    below = before * wide**2
+    return within(cubes, wheel**3, below, int(below.max(initial=1)))
+
+
+def length(teeth: Teeth, m: Lengths, stretch: Lengths, planets: int) -> Any:
+    """D, the length of stages in a row: all centre distances, the radii of the first and the last wheel (4.51)."""
+    numbers = list(teeth.values())
+    meshes = list(zip(numbers[::2], numbers[1::2], strict=True))
+    total = 0 * m[0]
+    for k, (one, other) in enumerate(meshes):
+        ends = (one if k == 0 else 0) + (other if k == len(meshes) - 1 else 0)
+        total = total + m[k] * ((one + other) * stretch[k] + ends) / 2
+    return total
+
+
+TWO = Layout(
+    "unfolded2",
+    "two stages in unfolded layout",
+    "unfolded",
+    ("1", "2", "2'", "3"),
+    (pair("1", "2", 0), pair("2'", "3", 1)),
+    candidates,
+    {"1": PINION, "2": WHEEL, "2'": PINION, "3": WHEEL},
+    planetary=False,
+    size=length,
+    arrangements=(3, 5),
+)
+THREE = Layout(
+    "unfolded3",
+    "three stages in unfolded layout",
+    "unfolded",
+    ("1", "2", "2'", "3", "3'", "4"),
+    (pair("1", "2", 0), pair("2'", "3", 1), pair("3'", "4", 2)),
+    candidates,
+    {"1": PINION, "2": WHEEL, "2'": PINION, "3": WHEEL, "3'": PINION, "4": WHEEL},
+    planetary=False,
+    size=length,
+    arrangements=(3, 3, 5),
+)

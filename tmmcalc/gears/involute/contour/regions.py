@@ -51,11 +51,11 @@ class Region:
         return min(float(part.total[0]) for part in self.parts), max(float(part.total[-1]) for part in self.parts)
 
 
-def joined(frame: Frame, parts: Sequence[Part]) -> tuple[Region, ...]:
+def regions_of(frame: Frame, parts: Sequence[Part]) -> tuple[Region, ...]:
     """The parts of all branches as regions; parts that only touch in a point stay apart."""
-    mates = _mates(parts) if frame.neck > 0 else {}
+    shared = _shared_edges(parts) if frame.neck > 0 else {}
     groups = list(range(len(parts)))
-    for (one, _), (other, _) in mates.items():
+    for (one, _), (other, _) in shared.items():
         groups = [groups[one] if group == groups[other] else group for group in groups]
     found = []
     for group in dict.fromkeys(groups):
@@ -65,12 +65,12 @@ def joined(frame: Frame, parts: Sequence[Part]) -> tuple[Region, ...]:
             found.append(Region(own, own[0].edges, own[0].corners, own[0].area))
             continue
         # no condition fails on an island within a region, so that it has one closed curve
-        edges, corners = _merged([parts[k].edges[n] for k, n in _loop(parts, members, mates)])
+        edges, corners = _merged([parts[k].edges[n] for k, n in _loop(parts, members, shared)])
         found.append(Region(own, edges, corners, sum(part.area for part in own)))
     return tuple(found)
 
 
-def _mates(parts: Sequence[Part]) -> dict[Key, Key]:
+def _shared_edges(parts: Sequence[Part]) -> dict[Key, Key]:
     """The edges along tip lines that two parts share."""
     tips = [((k, n), edge) for k, part in enumerate(parts) for n, edge in enumerate(part.edges) if edge.line in TIPS]
     return {
@@ -92,20 +92,20 @@ def _end(edge: Edge) -> complex:
     return complex(edge.x1[-1], edge.x2[-1])
 
 
-def _loop(parts: Sequence[Part], members: Sequence[int], mates: dict[Key, Key]) -> Iterator[Key]:
+def _loop(parts: Sequence[Part], members: Sequence[int], shared: dict[Key, Key]) -> Iterator[Key]:
     """The edges of the closed curve about the parts, from the one that begins at the least sum."""
 
     def after(key: Key) -> Key:
         return key[0], (key[1] + 1) % len(parts[key[0]].edges)
 
-    own = [(k, n) for k in members for n in range(len(parts[k].edges)) if (k, n) not in mates]
+    own = [(k, n) for k in members for n in range(len(parts[k].edges)) if (k, n) not in shared]
     starts = [_start(parts[k].edges[n]) for k, n in own]
     first = at = own[int(np.argmin([z.real + z.imag for z in starts]))]
     for _ in own:
         yield at
         at = after(at)
-        while at in mates:  # across the shared edge, on in the neighbour
-            at = after(mates[at])
+        while at in shared:  # across the shared edge, on in the neighbour
+            at = after(shared[at])
         if at == first:
             return
 

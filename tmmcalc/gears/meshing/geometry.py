@@ -10,9 +10,9 @@ from math import hypot
 
 from tmmcalc.gears.involute.internal.pair import InternalPair, Tips, internal_of_distance, internal_of_shifts
 from tmmcalc.gears.involute.internal.ring import Ring
-from tmmcalc.gears.involute.pair import Pair, pair_at, sum_of_shifts
+from tmmcalc.gears.involute.pair import Pair, pair_at, pair_of_shifts, sum_of_shifts
 from tmmcalc.gears.involute.profile.form import junction
-from tmmcalc.gears.involute.quality.existence import pair_from_shifts
+from tmmcalc.gears.involute.quality.existence import require_sum
 from tmmcalc.gears.involute.rackpair import RackPair, rack_pair
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.meshing.results import MeshPair
@@ -56,7 +56,8 @@ def external_of(task: PairTask, shifts: tuple[float, float], *, asked_tips: bool
     first, second = wheel_of(task, 1, shifts[0]), wheel_of(task, 2, shifts[1])
     distance = asked_distance(task)
     if distance is None:
-        pair = pair_from_shifts(first, second)
+        require_sum(first, second)
+        pair = pair_of_shifts(first, second)
     else:
         pair = pair_at(first, second, float(sum_of_shifts(first, second, distance)[1]), distance)
     plain = float(pair.tips[0]), float(pair.tips[1])
