@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tmmcalc.cams.follower import Follower, contact_path
-from tmmcalc.cams.forces.kernels import (
+from tmmcalc.cams.forces.formulas import (
     cam_torque,
     contact_force,
     driving_torque,

@@ -12,8 +12,8 @@ from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.forces.turn import at_angles
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.speed import Speed
+from tmmcalc.cams.strength.case import spun
 from tmmcalc.cams.strength.solve import solve_strength
-from tmmcalc.cams.strength.work import spun
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Loads, Requirements, Spring
 from tmmcalc.core.numerics.panels import panels
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from tmmcalc.cams.follower import Follower, contact_path, curvature
-from tmmcalc.cams.forces.kernels import contact_force, driving_torque, guided, inclination, resultant
+from tmmcalc.cams.forces.formulas import contact_force, driving_torque, guided, inclination, resultant
 from tmmcalc.cams.laws.catalogue import LAWS
-from tmmcalc.cams.strength.kernels import (
+from tmmcalc.cams.strength.formulas import (
     BAD,
     concave_margin,
     contact_stress,

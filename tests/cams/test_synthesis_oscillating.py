@@ -13,10 +13,10 @@ from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.pressure.angle import pressure, reached
-from tmmcalc.cams.synthesis.aims import Distance
-from tmmcalc.cams.synthesis.exchange import best
+from tmmcalc.cams.synthesis.bestplace import best
 from tmmcalc.cams.synthesis.halfplanes import families, outside
-from tmmcalc.cams.synthesis.oscillating import find
+from tmmcalc.cams.synthesis.objectives import Distance
+from tmmcalc.cams.synthesis.oscillatingsizes import find
 from tmmcalc.cams.synthesis.results import Synthesis, region_columns
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits

@@ -15,7 +15,7 @@ import numpy as np
 
 from tmmcalc.cams.elasticerrors import spectrum_error, vibration_errors
 from tmmcalc.cams.follower import Follower, along
-from tmmcalc.cams.forces.kernels import resultant
+from tmmcalc.cams.forces.formulas import resultant
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.turn import at_angles, loads_of
 from tmmcalc.cams.laws.catalogue import LAWS

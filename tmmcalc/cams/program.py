@@ -16,11 +16,13 @@ from typing import Literal
 import numpy as np
 
 from tmmcalc.cams.laws.law import ORDERS, Indices, Law, Values
-from tmmcalc.cams.steadying import steady
 from tmmcalc.core.columns import degrees
+from tmmcalc.core.numerics.gauss import rule
 from tmmcalc.core.numerics.panels import Extreme, Panels, panels
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
+
+FLAT = 1e-13  # of the largest: what varies less is constant
 
 PhaseKind = Literal["rise", "high dwell", "return", "low dwell"]
 TURN = 2 * pi
@@ -234,3 +236,16 @@ def of_step(program: Program, step: float) -> Positions:
     """Rows every ``step`` [rad], and at the ends of the phases."""
     end = float(program.starts[-1])
     return positions(program, step * np.arange(int(end / step + 1e-9) + 1))
+
+
+def steady(values: Values) -> Values:
+    """Values (K, N) with a slope of rounding on panels where they are constant.
+
+    Rounding would make such a panel full of turning points, which all would be looked for.
+    """
+    peak = np.max(np.abs(values))
+    flat = np.max(values, axis=1) - np.min(values, axis=1) <= FLAT * peak
+    if not flat.any():
+        return values
+    ramp = FLAT * peak * rule(values.shape[1]).points
+    return np.where(flat[:, None], values[:, :1] + ramp, values)

@@ -7,8 +7,7 @@ from math import degrees
 from typing import Any
 
 from tmmcalc.cams.facts.design_game import game_document, game_facts, option_values
-from tmmcalc.cams.optimum.border import Corner, Outline
-from tmmcalc.cams.optimum.contour import Contour
+from tmmcalc.cams.optimum.contour import Contour, Corner, Outline
 from tmmcalc.cams.optimum.margins import NAMES
 from tmmcalc.cams.optimum.results import CamOptimum, Check, Choice, Relaxation
 from tmmcalc.core.quantity import Quantity, keyed, keys, quantity_of, table

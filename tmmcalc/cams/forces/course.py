@@ -12,7 +12,7 @@ from tmmcalc.cams.forces.state import Carried, State, carried, state
 from tmmcalc.cams.forces.turn import Points, at_angles, crossings, divided, smooth_panels, spans
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure.angle import check_reach, terms
-from tmmcalc.cams.steadying import steady
+from tmmcalc.cams.program import steady
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.errors import SingularityError
 from tmmcalc.core.numerics.panels import Panels, resolved

@@ -8,9 +8,9 @@ import numpy as np
 
 from tmmcalc.cams.forces.course import Course
 from tmmcalc.cams.forces.results import CamWork, ForceExtreme, SpringFound
+from tmmcalc.cams.forces.springerrors import exact_carried, exact_spring, spring_error
 from tmmcalc.cams.forces.state import Carried, State, pivot_force, state
 from tmmcalc.cams.forces.turn import Points, acceleration, at_rows
-from tmmcalc.cams.forces.widespring import exact_carried, exact_spring, spring_error
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.pressure.angle import terms
 from tmmcalc.cams.program import TURN

@@ -10,11 +10,11 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.course import NOTHING, Course, course_of, reserve_of
 from tmmcalc.cams.forces.errors import force_errors
-from tmmcalc.cams.forces.notes import force_notes
 from tmmcalc.cams.forces.results import CamForces, CamWork, ForceExtreme
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.state import pivot_force, state
 from tmmcalc.cams.forces.turn import at_rows, loads_of, spans
+from tmmcalc.cams.forces.verdicts import force_notes
 from tmmcalc.cams.task import CamTask, Loads
 
 

@@ -24,8 +24,7 @@ from tmmcalc.cams.forces.results import Governing, SpringFound, Wire
 from tmmcalc.cams.forces.turn import at_angles, smooth_panels, weight
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure.angle import on_phase
-from tmmcalc.cams.program import SAME, TURN, Program
-from tmmcalc.cams.steadying import steady
+from tmmcalc.cams.program import SAME, TURN, Program, steady
 from tmmcalc.cams.task import CamTask, Loads, Spring
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.panels import Panels

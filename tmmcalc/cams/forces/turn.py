@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Mask
+from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.program import TURN, Positions
-from tmmcalc.cams.steadying import FLAT, steady
+from tmmcalc.cams.program import FLAT, TURN, Positions, steady
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.panels import Panels, panels

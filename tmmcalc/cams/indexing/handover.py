@@ -11,8 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.cams.indexing.flanks import Drive, Flank
-from tmmcalc.cams.indexing.signs import changes
+from tmmcalc.cams.indexing.flanks import Drive, Flank, changes
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record

@@ -7,9 +7,8 @@ from collections.abc import Callable
 import numpy as np
 
 from tmmcalc.cams.indexing.efficiency import Terms, against_terms, aiding_terms, cut
-from tmmcalc.cams.indexing.flanks import Drive, Flank
+from tmmcalc.cams.indexing.flanks import Drive, Flank, changes, sampled
 from tmmcalc.cams.indexing.results import EfficiencyTable
-from tmmcalc.cams.indexing.signs import changes, sampled
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.core.records import record
 

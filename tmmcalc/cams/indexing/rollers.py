@@ -12,8 +12,7 @@ from math import pi, sin
 
 import numpy as np
 
-from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName
-from tmmcalc.cams.indexing.signs import sampled
+from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName, sampled
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record

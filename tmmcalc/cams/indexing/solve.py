@@ -10,13 +10,12 @@ import numpy as np
 from tmmcalc.cams.indexing.bounds import bounds, start_angle, start_pressure
 from tmmcalc.cams.indexing.choice import WHERE, choose_ratio, choose_roller
 from tmmcalc.cams.indexing.errors import indexing_errors
-from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName
+from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName, sampled
 from tmmcalc.cams.indexing.handover import Handover, crossing, handover, working_tip
 from tmmcalc.cams.indexing.laws import StepLaw
 from tmmcalc.cams.indexing.losses import efficiency_table
 from tmmcalc.cams.indexing.results import Cam, FlankTable, Indexing, PressureReached
 from tmmcalc.cams.indexing.rollers import RollerLimit, roller_limits
-from tmmcalc.cams.indexing.signs import sampled
 from tmmcalc.cams.indexing.task import IndexingTask
 from tmmcalc.cams.indexing.verdicts import remarks
 from tmmcalc.cams.laws.law import Values

@@ -16,7 +16,7 @@ import numpy as np
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.extremes import FUNCTIONS, Extremes, extremes
 from tmmcalc.cams.optimum.scene import Scene
-from tmmcalc.cams.strength.kernels import (
+from tmmcalc.cams.strength.formulas import (
     BAD,
     concave_margin,
     contact_stress,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import resultant
+from tmmcalc.cams.forces.formulas import resultant
 from tmmcalc.cams.forces.results import SpringFound
 from tmmcalc.cams.forces.turn import Points, at_angles
 from tmmcalc.cams.laws.law import Indices, Values

@@ -6,13 +6,13 @@ from itertools import combinations
 
 import numpy as np
 
-from tmmcalc.cams.optimum.beyond import Beyond
 from tmmcalc.cams.optimum.checks import checks
-from tmmcalc.cams.optimum.guide import SINGLE, TALL, Range, ranges
+from tmmcalc.cams.optimum.firstfeasible import Beyond
+from tmmcalc.cams.optimum.guidelength import SINGLE, TALL, Range, ranges
 from tmmcalc.cams.optimum.margins import NAMES, judge
 from tmmcalc.cams.optimum.results import Check
 from tmmcalc.cams.optimum.scene import WHERE, Scene
-from tmmcalc.cams.optimum.steps import farthest
+from tmmcalc.cams.optimum.wholesteps import farthest
 from tmmcalc.cams.task import Optimum
 from tmmcalc.core.errors import NoSolutionError
 

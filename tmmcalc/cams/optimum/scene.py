@@ -14,7 +14,7 @@ from typing import Any, Literal
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.kernels import Guided, driving_torque, guided
+from tmmcalc.cams.forces.formulas import Guided, driving_torque, guided
 from tmmcalc.cams.forces.results import SpringFound
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.turn import WIDEST, Points, at_rows, loads_of

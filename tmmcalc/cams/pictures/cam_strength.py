@@ -15,9 +15,9 @@ from tmmcalc.cams.forces.turn import loads_of
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.cam_forces import DIGITS, phase_ends
 from tmmcalc.cams.pictures.ordered import cam_of
-from tmmcalc.cams.strength.kernels import HERTZ
+from tmmcalc.cams.strength.case import Case, case_of, contact_square, curved
+from tmmcalc.cams.strength.formulas import HERTZ
 from tmmcalc.cams.strength.results import CamStrength, Rolling
-from tmmcalc.cams.strength.work import Case, case_of, contact_square, curved
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.curves import Diagram, Line, bottom
 from tmmcalc.report.drawing.labels import Labels, signed

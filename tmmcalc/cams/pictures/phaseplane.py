@@ -15,7 +15,7 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.pictures.zone import LIMIT, OTHER, ZONE, axis_of_cam, dimension
 from tmmcalc.cams.synthesis.results import Synthesis
-from tmmcalc.cams.synthesis.translating import Line, Lines, lines_of, region_of
+from tmmcalc.cams.synthesis.translatingsizes import Line, Lines, lines_of, region_of
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.board import Board
 from tmmcalc.report.drawing.labels import signed

@@ -10,8 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.follower import Complex
-from tmmcalc.cams.pictures.pivotzone import swept_of
-from tmmcalc.cams.pictures.zone import BASE, LIMIT, OTHER, PASSING, ZONE, axis_of_cam, dimension
+from tmmcalc.cams.pictures.zone import BASE, LIMIT, OTHER, PASSING, ZONE, axis_of_cam, dimension, swept_of
 from tmmcalc.cams.synthesis.halfplanes import Family, Lines, families
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.task import CamTask

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.kernels import Mask
+from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import Errors

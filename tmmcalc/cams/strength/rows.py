@@ -6,14 +6,14 @@ from dataclasses import fields
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Mask
+from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.forces.state import State
 from tmmcalc.cams.forces.turn import Points
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.strength.carriers import bending_of, pressure_of
-from tmmcalc.cams.strength.kernels import contact_stress, flat_stress, reduced_moment, slip
+from tmmcalc.cams.strength.case import Case, curved, spun
+from tmmcalc.cams.strength.formulas import contact_stress, flat_stress, reduced_moment, slip
 from tmmcalc.cams.strength.results import Rolling
-from tmmcalc.cams.strength.work import Case, curved, spun
+from tmmcalc.cams.strength.shaftstem import bending_of, pressure_of
 from tmmcalc.core.records import record
 
 

@@ -11,14 +11,14 @@ from tmmcalc.cams.forces.results import CamForces
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.state import state
 from tmmcalc.cams.forces.turn import at_rows, loads_of
-from tmmcalc.cams.strength.carriers import shaft_margins, shaft_of, stem_margins
+from tmmcalc.cams.strength.case import Case, case_of
 from tmmcalc.cams.strength.errors import Positioned, strength_errors
-from tmmcalc.cams.strength.kernels import shaft_by_strength, whole
+from tmmcalc.cams.strength.formulas import shaft_by_strength, whole
+from tmmcalc.cams.strength.profilemargins import shape_margins
 from tmmcalc.cams.strength.results import OK, CamStrength, Margin, Rolling, ShaftFound
 from tmmcalc.cams.strength.roller import contact_margin, roller_unit, rolling_of, slip_margin, unit_margins
 from tmmcalc.cams.strength.rows import rows_of
-from tmmcalc.cams.strength.shape import shape_margins
-from tmmcalc.cams.strength.work import Case, case_of
+from tmmcalc.cams.strength.shaftstem import shaft_margins, shaft_of, stem_margins
 from tmmcalc.cams.task import CamTask
 
 FAULTS = {  # the gravest first

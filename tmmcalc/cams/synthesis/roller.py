@@ -16,7 +16,7 @@ import numpy as np
 from tmmcalc.cams.follower import Follower, contact_path, curvature
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure.angle import Extreme, halved
-from tmmcalc.cams.steadying import steady
+from tmmcalc.cams.program import steady
 from tmmcalc.cams.synthesis.results import RollerChoice, RollerRule
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import NoSolutionError

@@ -9,8 +9,7 @@ import numpy as np
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.results import Place
-from tmmcalc.cams.program import TURN
-from tmmcalc.cams.steadying import steady
+from tmmcalc.cams.program import TURN, steady
 from tmmcalc.core.numerics.panels import Panels, resolved
 from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.records import record

@@ -10,10 +10,10 @@ from math import pi, sqrt
 
 import numpy as np
 
-from tmmcalc.cams.optimum.guide import SINGLE, TALL, Range, ranges
+from tmmcalc.cams.optimum.guidelength import SINGLE, TALL, Range, ranges
 from tmmcalc.cams.optimum.margins import margins
 from tmmcalc.cams.optimum.scene import Scene
-from tmmcalc.cams.strength.kernels import HERTZ, pin_radius, shaft_by_stiffness, shaft_by_strength
+from tmmcalc.cams.strength.formulas import HERTZ, pin_radius, shaft_by_stiffness, shaft_by_strength
 from tmmcalc.core.records import record
 
 NODES = 32  # of S0, and of r2 at each of them

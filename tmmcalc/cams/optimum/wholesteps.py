@@ -13,12 +13,12 @@ from dataclasses import replace
 import numpy as np
 
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.optimum.beyond import Beyond, beyond
-from tmmcalc.cams.optimum.guide import SINGLE, TALL, Range, ranges
+from tmmcalc.cams.optimum.firstfeasible import Beyond, beyond
+from tmmcalc.cams.optimum.guidelength import SINGLE, TALL, Range, ranges
 from tmmcalc.cams.optimum.margins import SLACK, margins
 from tmmcalc.cams.optimum.scene import WHERE, Scene
-from tmmcalc.cams.optimum.slipping import may_roll
-from tmmcalc.cams.strength.kernels import rolling
+from tmmcalc.cams.optimum.slipbounds import may_roll
+from tmmcalc.cams.strength.formulas import rolling
 from tmmcalc.cams.task import Optimum
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record

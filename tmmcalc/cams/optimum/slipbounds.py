@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Mask
+from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.extremes import blocks, spun
 from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.peaks import largest
 from tmmcalc.cams.optimum.scene import Scene, carried
-from tmmcalc.cams.strength.kernels import cylinder, pin_radius, resisting, slip
+from tmmcalc.cams.strength.formulas import cylinder, pin_radius, resisting, slip
 
 
 def may_roll(scene: Scene, start: Values, roller: Values, low: Values, high: Values) -> Mask:

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.kernels import Mask, Number
+from tmmcalc.cams.forces.formulas import Mask, Number
 from tmmcalc.cams.laws.law import Values
 
 BAD = -1e9  # margin where there is no value

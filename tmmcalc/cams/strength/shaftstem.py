@@ -9,7 +9,8 @@ import numpy as np
 
 from tmmcalc.cams.forces.state import State
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.strength.kernels import (
+from tmmcalc.cams.strength.case import Case, Extremes
+from tmmcalc.cams.strength.formulas import (
     guide_pressure,
     shaft_by_stiffness,
     shaft_by_strength,
@@ -19,9 +20,8 @@ from tmmcalc.cams.strength.kernels import (
     unused,
     whole,
 )
+from tmmcalc.cams.strength.profilemargins import judged, stressed
 from tmmcalc.cams.strength.results import OPEN, Margin, ShaftFound
-from tmmcalc.cams.strength.shape import judged, stressed
-from tmmcalc.cams.strength.work import Case, Extremes
 
 STRENGTH = "r1 >= cbrt(4 M_E/(pi [sigma_F])) (5.77)"
 STIFFNESS = "r1 >= (R l_s^3/(12 pi E [Delta]))^(1/4) (5.78)"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tmmcalc.cams.strength.kernels import concave_margin, convex_margin, unused
+from tmmcalc.cams.strength.case import Case
+from tmmcalc.cams.strength.formulas import concave_margin, convex_margin, unused
 from tmmcalc.cams.strength.results import OK, OPEN, Margin
-from tmmcalc.cams.strength.work import Case
 
 RULE_BASE, RULE_SHARP = 0.4, 0.7  # of R0 and of the least radius of curvature
 

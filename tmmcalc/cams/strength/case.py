@@ -13,8 +13,8 @@ from tmmcalc.cams.forces.state import State, state
 from tmmcalc.cams.forces.turn import Points, at_angles
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure.angle import terms
-from tmmcalc.cams.steadying import steady
-from tmmcalc.cams.strength.kernels import flat_radius, rolling
+from tmmcalc.cams.program import steady
+from tmmcalc.cams.strength.formulas import flat_radius, rolling
 from tmmcalc.cams.task import CamTask, Loads, Requirements
 from tmmcalc.core.numerics.panels import Panels, resolved
 from tmmcalc.core.records import record
