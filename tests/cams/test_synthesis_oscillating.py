@@ -12,7 +12,7 @@ from sparing import sparing
 from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.catalogue import LAWS
-from tmmcalc.cams.pressure.angle import pressure, reached
+from tmmcalc.cams.pressure.angle import pressure_angle, reached
 from tmmcalc.cams.synthesis.bestplace import best
 from tmmcalc.cams.synthesis.halfplanes import families, outside
 from tmmcalc.cams.synthesis.objectives import Distance
@@ -228,7 +228,7 @@ def test_region_is_where_the_limits_hold():
     for k in np.flatnonzero(region.side):  # a side belongs to its angle of the cam
         z, at = corners[k] + edges[k] / 2, region.phi[[k]]
         follower = Follower("oscillating", float(-np.angle(z)), centres=abs(z), rocker=L2)
-        theta = pressure(follower, at, task.program.at(at))[0]
+        theta = pressure_angle(follower, at, task.program.at(at))[0]
         assert region.side[k] * theta == pytest.approx(radians(40), abs=1e-9)
 
 

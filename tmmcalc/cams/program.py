@@ -71,7 +71,7 @@ class Program:
     @cached_property
     def turned(self) -> tuple[Values, Values]:
         """Angles and y (m,) of all places where the follower turns, and of both sides of all edges of the panels."""
-        return self.panels.turning(steady(self.sampled[0]))
+        return self.panels.turning(levelled(self.sampled[0]))
 
     @property
     def lowest(self) -> float:
@@ -238,7 +238,7 @@ def of_step(program: Program, step: float) -> Positions:
     return positions(program, step * np.arange(int(end / step + 1e-9) + 1))
 
 
-def steady(values: Values) -> Values:
+def levelled(values: Values) -> Values:
     """Values (K, N) with a slope of rounding on panels where they are constant.
 
     Rounding would make such a panel full of turning points, which all would be looked for.

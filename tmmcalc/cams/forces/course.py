@@ -11,8 +11,8 @@ from tmmcalc.cams.forces.results import ForceExtreme, Reserve, SpringFound
 from tmmcalc.cams.forces.state import Carried, State, carried, state
 from tmmcalc.cams.forces.turn import Points, at_angles, crossings, divided, smooth_panels, spans
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure.angle import check_reach, terms
-from tmmcalc.cams.program import steady
+from tmmcalc.cams.pressure.angle import check_reach, tangent_terms
+from tmmcalc.cams.program import levelled
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.errors import SingularityError
 from tmmcalc.core.numerics.panels import Panels, resolved
@@ -38,7 +38,7 @@ class Course:
 
     def extreme(self, name: str, unit: str, values: Values) -> ForceExtreme:
         """Extremes of values (K N,) over the turn."""
-        (least, least_at), (largest, largest_at) = self.on.extremes(steady(self.shaped(values)))
+        (least, least_at), (largest, largest_at) = self.on.extremes(levelled(self.shaped(values)))
         return ForceExtreme(name, unit, least + 0.0, least_at, largest + 0.0, largest_at)
 
 
@@ -53,7 +53,7 @@ def course_of(task: CamTask, follower: Follower, loads: Loads, spring: SpringFou
     still = np.abs(now.load) <= NOTHING * size  # a dwell without load has no sign to change
     roots = [crossings(first, np.where(still, 0.0, now.load).reshape(first.x.shape))]
     if of.friction and follower.kind == "translating":
-        across, _ = terms(follower, at.motion, follower.start, follower.offset)
+        across, _ = tangent_terms(follower, at.motion, follower.start, follower.offset)
         roots.append(crossings(first, across.reshape(first.x.shape)))
     parts_on = divided(first, np.concatenate(roots))
     _check_jamming(task, loads, of, parts_on)
@@ -85,7 +85,7 @@ def _check_jamming(task: CamTask, loads: Loads, of: Carried, on: Panels) -> None
     values = useful(on.x.ravel()).reshape(on.count, on.order)
     if np.min(values) > CLEAR:
         return
-    (least, place), _ = on.extremes(steady(values))
+    (least, place), _ = on.extremes(levelled(values))
     if least > 0:
         return
     parts = divided(on, crossings(on, values))
@@ -123,7 +123,7 @@ def reserve_of(course: Course) -> Reserve:
     """The place where friction takes the largest part of the useful component."""
     now, at, of = course.state, course.points, course.carried
     values = _useful(now, at) / now.cosine if of.rubs else now.cosine
-    (part, place), _ = course.on.extremes(steady(course.shaped(values)))
+    (part, place), _ = course.on.extremes(levelled(course.shaped(values)))
 
     def there(values: Values) -> Values:
         return course.on.at(course.shaped(values), np.array([place]))

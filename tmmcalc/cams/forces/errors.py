@@ -12,7 +12,7 @@ from tmmcalc.cams.forces.springerrors import exact_carried, exact_spring, spring
 from tmmcalc.cams.forces.state import Carried, State, pivot_force, state
 from tmmcalc.cams.forces.turn import Points, acceleration, at_rows
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.pressure.angle import terms
+from tmmcalc.cams.pressure.angle import tangent_terms
 from tmmcalc.cams.program import TURN
 from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, chosen, joints, nearer, relative, sides, steep
 from tmmcalc.cams.task import CamTask, Loads
@@ -65,7 +65,9 @@ def force_errors(
 ) -> Errors:
     """Estimates for the state at the rows of the task, and over the turn."""
     near = np.hypot(
-        *terms(course.carried.follower, points.motion, course.carried.follower.start, course.carried.follower.offset)
+        *tangent_terms(
+            course.carried.follower, points.motion, course.carried.follower.start, course.carried.follower.offset
+        )
     )
     which = chosen(len(points.phi), now.load, now.contact, now.ratio, 1 / near, *steep(points.phi, points.motion))
     again = wide_points(task, loads, points, task.positions.piece, which)

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure.angle import terms
+from tmmcalc.cams.pressure.angle import tangent_terms
 
 Number = Values | float
 Mask = NDArray[np.bool_]
@@ -53,7 +53,7 @@ def inclination(
 ) -> tuple[Values, Values]:
     """Sine and cosine of the pressure angle (5.42, 5.48); sizes that are given take the place of the follower's."""
     place = follower.start if start is None else start
-    across, along = terms(follower, motion, place, follower.offset if offset is None else offset)
+    across, along = tangent_terms(follower, motion, place, follower.offset if offset is None else offset)
     size = np.hypot(across, along)
     return across / size, along / size
 

@@ -148,16 +148,16 @@ class Flank:
         return np.asarray(np.conj(place) * (place * (1 + rate) - self.drive.centres * rate))
 
 
-def sampled(f: Function, drive: Drive, low: float, high: float, *breaks: float) -> tuple[Panels, Values]:
+def on_panels(f: Function, drive: Drive, low: float, high: float, *breaks: float) -> tuple[Panels, Values]:
     """Panels from ``low`` to ``high`` of the step that resolve f, and its values (K, N)."""
     edges = [*drive.law.breaks.tolist(), 0.5, *breaks]
     on, values, _ = resolved(lambda k: f(k)[None], panels(low, high, edges, WIDEST))
     return on, values[0]
 
 
-def changes(f: Function, drive: Drive, low: float, high: float, *breaks: float) -> list[float]:
+def sign_changes(f: Function, drive: Drive, low: float, high: float, *breaks: float) -> list[float]:
     """All k between ``low`` and ``high`` at which f changes sign, ascending; ``breaks`` are its kinks."""
-    on, values = sampled(f, drive, low, high, *breaks)
+    on, values = on_panels(f, drive, low, high, *breaks)
     at, found = on.turning(values)
     k = np.concatenate((on.x.ravel(), at))
     order = np.argsort(k, kind="stable")

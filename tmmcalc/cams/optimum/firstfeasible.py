@@ -23,7 +23,7 @@ AMPLE = 2.0  # what is tried over what should do
 
 
 @record
-class Beyond:
+class FirstFeasible:
     """Sizes that keep all constraints [m]."""
 
     start: float
@@ -31,7 +31,7 @@ class Beyond:
     height: float
 
 
-def beyond(scene: Scene, low: float) -> Beyond | None:
+def first_feasible(scene: Scene, low: float) -> FirstFeasible | None:
     """The lowest of the mechanisms tried with S0 above ``low``; None if none keeps all constraints."""
     roller = _roller(scene)
     high = AMPLE * _start(scene, roller)
@@ -53,7 +53,7 @@ def beyond(scene: Scene, low: float) -> Beyond | None:
     if not good.size:
         return None
     k = good[int(np.argmin(top[good]))]
-    return Beyond(float(start[k]), float(side[k]), float(top[k]))
+    return FirstFeasible(float(start[k]), float(side[k]), float(top[k]))
 
 
 def _roller(scene: Scene) -> float:

@@ -85,7 +85,7 @@ def _solved(task: CamTask, follower: Follower, asked: Optimum, phases: Phases) -
         return _flat(task, follower, scene, asked, phases)
     found, known = search(scene, asked)
     if found is None:
-        raise refusal(scene, asked, known.beyond)
+        raise refusal(scene, asked, known.far)
     best = found.best
     order = np.argsort(-np.min(found.margin, axis=0), kind="stable")
     chosen = choice_of(scene, float(found.start[best]), float(found.roller[best]), found.height)

@@ -19,7 +19,7 @@ from tmmcalc.cams.forces.state import pivot_force
 from tmmcalc.cams.forces.turn import at_angles, loads_of
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
-from tmmcalc.cams.pressure.angle import halved, on_phase
+from tmmcalc.cams.pressure.angle import on_phase
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.report.drawing.curves import Diagram, Line, bottom, mark
 from tmmcalc.report.drawing.labels import Labels, signed
@@ -159,7 +159,7 @@ def _draw_spring(axes: Axes, task: CamTask, loads: Loads, result: CamForces) -> 
 
 def _over_lift(task: CamTask, loads: Loads, kind: str, factor: float) -> tuple[Values, Values]:
     """dS and P of a phase with both limits at edges."""
-    on = halved(halved(task.program.panels))
+    on = task.program.panels.halved().halved()
     at = at_angles(task, loads, on.x.ravel())
     both = np.stack((at.motion[0], lifting_force(task, loads, at.acceleration)))
     part, values = on_phase(task.program, on, both.reshape(2, *on.x.shape), kind)

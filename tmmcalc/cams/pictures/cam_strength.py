@@ -15,7 +15,7 @@ from tmmcalc.cams.forces.turn import loads_of
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.cam_forces import DIGITS, phase_ends
 from tmmcalc.cams.pictures.ordered import cam_of
-from tmmcalc.cams.strength.case import Case, case_of, contact_square, curved
+from tmmcalc.cams.strength.case import Case, case_of
 from tmmcalc.cams.strength.formulas import HERTZ
 from tmmcalc.cams.strength.results import CamStrength, Rolling
 from tmmcalc.cams.task import CamTask
@@ -78,7 +78,7 @@ def _label_judged(axes: Axes, diagram: Diagram, limit: float | None) -> None:
 def _judged_diagrams(case: Case, result: CamStrength) -> list[tuple[Diagram, float | None]]:
     """Slip, contact stress and M_E as far as their data is there, each with its limit."""
     course, needs = case.course, case.needs
-    now, kappa = course.state, curved(case.follower, course.points.motion)
+    now = course.state
     phi, nodes = places(course.on), result.positions.phi
     found: list[tuple[Diagram, float | None]] = []
 
@@ -95,7 +95,7 @@ def _judged_diagrams(case: Case, result: CamStrength) -> list[tuple[Diagram, flo
         drawn = _drawn_slip(limits(now.contact), limits(case.run), result.rolling, course.on.count)
         add("D", "", drawn, np.minimum(result.slip, FAR), 1.0)
     if result.stress is not None and needs.width is not None:
-        square = np.abs(now.contact) * kappa if case.flat else contact_square(now, kappa, case.follower.roller)
+        square = case.stress_square
         factor, top = 1e-6 * HERTZ * sqrt(needs.modulus / needs.width), case.over(square)
         stress = factor * np.sqrt(np.maximum(limits(square), 0.0))
         limit = None if needs.contact is None else 1e-6 * needs.contact

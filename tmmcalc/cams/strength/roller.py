@@ -12,8 +12,8 @@ from tmmcalc.cams.forces.formulas import Number
 from tmmcalc.cams.forces.state import state
 from tmmcalc.cams.forces.turn import at_rows, crossings, divided, spans
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.program import Positions, steady
-from tmmcalc.cams.strength.case import Case, contact_square, curved, spun
+from tmmcalc.cams.program import Positions, levelled
+from tmmcalc.cams.strength.case import Case, roller_acceleration
 from tmmcalc.cams.strength.formulas import (
     HERTZ,
     cylinder,
@@ -22,8 +22,7 @@ from tmmcalc.cams.strength.formulas import (
     resisting,
     unused,
 )
-from tmmcalc.cams.strength.profilemargins import judged, stressed
-from tmmcalc.cams.strength.results import OPEN, Margin, RollerUnit, Rolling
+from tmmcalc.cams.strength.results import OPEN, Margin, RollerUnit, Rolling, judged, stressed
 from tmmcalc.cams.task import Requirements
 
 STEPS = 40
@@ -125,9 +124,7 @@ def contact_margin(case: Case) -> Margin:
         why = "the profile has a cusp" if not case.flat else "the profile is not convex"
     if why or needs.width is None:
         return Margin("contact stress", 9, OPEN, formula, "sigma_H", "Pa", why=why)
-    now, kappa = case.course.state, curved(case.follower, case.course.points.motion)
-    square = np.abs(now.contact) * kappa if case.flat else contact_square(now, kappa, case.follower.roller)
-    found = case.over(square)
+    found = case.over(case.stress_square)
     value = HERTZ * float(np.sqrt(needs.modulus / needs.width * found.largest))
     return stressed("contact stress", 9, formula, "sigma_H", value, needs.contact, found.largest_phi, "contact")
 
@@ -155,7 +152,7 @@ def largest_slip(case: Case, c1: float, c2: float) -> tuple[float, float]:
     found, place = _worst(size, case.run, course.points.phi, least, c1, c2)
     for _ in range(STEPS):
         beyond = [side * (c1 * size + c2 * case.run) - found * size for side in (1, -1)]
-        tops = np.array([course.on.extremes(steady(course.shaped(each)))[1][1] for each in beyond])
+        tops = np.array([course.on.extremes(levelled(course.shaped(each)))[1][1] for each in beyond])
         better, at = _worst(*_both_sides(case, tops), least, c1, c2)
         if better <= found:
             break
@@ -180,4 +177,4 @@ def _both_sides(case: Case, phi: Values) -> tuple[Values, Values, Values]:
     rows = Positions(np.tile(phi, 2), np.concatenate(sides), ())
     at = at_rows(case.task, case.loads, rows)
     contact = state(case.course.carried, at).contact
-    return np.abs(contact), spun(case.task, case.loads, case.follower, at, contact), rows.phi
+    return np.abs(contact), roller_acceleration(case.task, case.loads, case.follower, at, contact), rows.phi

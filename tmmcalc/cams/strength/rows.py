@@ -10,7 +10,7 @@ from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.forces.state import State
 from tmmcalc.cams.forces.turn import Points
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.strength.case import Case, curved, spun
+from tmmcalc.cams.strength.case import Case, contact_curvature, roller_acceleration
 from tmmcalc.cams.strength.formulas import contact_stress, flat_stress, reduced_moment, slip
 from tmmcalc.cams.strength.results import Rolling
 from tmmcalc.cams.strength.shaftstem import bending_of, pressure_of
@@ -38,8 +38,8 @@ class Rows:
 
 def rows_of(case: Case, rolling: Rolling | None, at: Points, now: State) -> Rows:
     """The rows at points with the forces there."""
-    kappa = curved(case.follower, at.motion)
-    run = spun(case.task, case.loads, case.follower, at, now.contact)
+    kappa = contact_curvature(case.follower, at.motion)
+    run = roller_acceleration(case.task, case.loads, case.follower, at, now.contact)
     touching = np.abs(now.contact) > 0 if case.grooved else now.contact > 0
     return Rows(
         curvature=kappa,

@@ -20,8 +20,7 @@ from tmmcalc.cams.strength.formulas import (
     unused,
     whole,
 )
-from tmmcalc.cams.strength.profilemargins import judged, stressed
-from tmmcalc.cams.strength.results import OPEN, Margin, ShaftFound
+from tmmcalc.cams.strength.results import OPEN, Margin, ShaftFound, judged, stressed
 
 STRENGTH = "r1 >= cbrt(4 M_E/(pi [sigma_F])) (5.77)"
 STIFFNESS = "r1 >= (R l_s^3/(12 pi E [Delta]))^(1/4) (5.78)"

@@ -23,7 +23,7 @@ WHOLE = 5e-3  # [m] sizes below it are not rounded to millimetres
 NEAR = 1e-9
 
 
-def finished(
+def completed(
     task: CamTask,
     bare: Follower,
     sizes: tuple[Size, ...],

@@ -14,12 +14,12 @@ from tmmcalc.cams.synthesis.completion import (
     PIVOT_ROOM,
     WHOLE,
     WHOLE_NAME,
-    finished,
+    completed,
     judged,
     size_of,
     up,
 )
-from tmmcalc.cams.synthesis.enlargement import grown, has_room
+from tmmcalc.cams.synthesis.enlargement import enlarged, has_room
 from tmmcalc.cams.synthesis.oscillatingsizes import Triangle
 from tmmcalc.cams.synthesis.pivotclearance import chosen_room, passing
 from tmmcalc.cams.synthesis.results import Design, Synthesis
@@ -40,7 +40,7 @@ def rocker(task: CamTask) -> Synthesis:
         by = oscillatingsizes.deeper(found, task.program.stroke, x, asked) if x else found
         return _rocker(task, by)
 
-    bare, governs = grown(task, place) if free else (place(0.0), "" if found.how != GIVEN else GIVEN)
+    bare, governs = enlarged(task, place) if free else (place(0.0), "" if found.how != GIVEN else GIVEN)
     how = f"{governs}, away from the rocker's middle position" if free and governs else found.how
     if governs != GIVEN:
         bare, governs, how = _passed(task, bare, governs, how)
@@ -55,7 +55,7 @@ def rocker(task: CamTask) -> Synthesis:
     region = oscillatingsizes.region_of(task, taken)
     designs = _designs_rk(task, bare) if region is not None else ()
     rounded = _rounded_rk(task, bare) if free and not governs and asked.rocker is not None else None
-    return finished(task, bare, sizes, governs or ANGLE, designs, rounded, region)
+    return completed(task, bare, sizes, governs or ANGLE, designs, rounded, region)
 
 
 def _passed(task: CamTask, bare: Follower, governs: str, how: str) -> tuple[Follower, str, str]:

@@ -18,7 +18,7 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.pivot import PivotRoom, highest, pivot_room, told
 from tmmcalc.cams.synthesis import oscillatingsizes, roller
 from tmmcalc.cams.synthesis.curves import TOUCH, best_on
-from tmmcalc.cams.synthesis.enlargement import grown
+from tmmcalc.cams.synthesis.enlargement import enlarged
 from tmmcalc.cams.synthesis.halfplanes import families, outside
 from tmmcalc.cams.synthesis.objectives import Distance, Ratio
 from tmmcalc.cams.synthesis.oscillatingsizes import Triangle
@@ -125,7 +125,7 @@ def _on_border(task: CamTask, asked: Asked, passage: Passage, make: Make) -> Fou
             raise NoSolutionError("the border leaves the region of the pressure angle", where="cam_synthesis")
         return make(oscillatingsizes.scaled(asked, point, PASSES))
 
-    found, governs = grown(task, place, FIRST)
+    found, governs = enlarged(task, place, FIRST)
     rule = "least base circle" if task.asked.base is None else "longest rocker"
     return found, f"{governs}, where the cam {PASSES}" if governs else f"{rule} with which the cam {PASSES}"
 

@@ -14,12 +14,12 @@ from tmmcalc.cams.synthesis.completion import (
     TEXTBOOK,
     WHOLE,
     WHOLE_NAME,
-    finished,
+    completed,
     judged,
     size_of,
     up,
 )
-from tmmcalc.cams.synthesis.enlargement import grown, has_room
+from tmmcalc.cams.synthesis.enlargement import enlarged, has_room
 from tmmcalc.cams.synthesis.results import Design, Synthesis
 from tmmcalc.cams.synthesis.translatingsizes import Lines, Point
 from tmmcalc.cams.task import CamTask
@@ -40,7 +40,7 @@ def stem(task: CamTask) -> Synthesis:
     def place(x: float) -> Follower:
         return Follower("translating", start * (1 + x), e, asked.roller or 0.0, sense=asked.sense)
 
-    bare, governs = grown(task, place) if free else (place(0.0), GIVEN)
+    bare, governs = enlarged(task, place) if free else (place(0.0), GIVEN)
     if free and governs:
         how = f"{governs}, at this e"
     closing = asked.start is not None and asked.base is not None
@@ -53,7 +53,7 @@ def stem(task: CamTask) -> Synthesis:
     designs = _designs_rt(task, lines, given)
     rounded = _rounded_rt(task, lines, bare, asked.offset is None) if free else None
     region = translatingsizes.region_of(lines, (e, bare.start))
-    return finished(task, bare, sizes, governs or ANGLE, designs, rounded, region)
+    return completed(task, bare, sizes, governs or ANGLE, designs, rounded, region)
 
 
 def _place(task: CamTask, lines: Lines, given: float | None) -> tuple[Point, str]:

@@ -9,7 +9,7 @@ from typing import Any
 from tmmcalc.core.quantity import columns, keyed, quantity_of
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
-from tmmcalc.vibration.facts.rows import some, whole
+from tmmcalc.vibration.facts.rows import all_rows, spaced_rows
 from tmmcalc.vibration.vibrator.columns import vibrator_columns
 from tmmcalc.vibration.vibrator.forced import Steady
 from tmmcalc.vibration.vibrator.paths import PointPath
@@ -28,7 +28,7 @@ def summary(result: VibratorResult, title: str) -> Document:
 def document(result: VibratorResult, title: str, *, patterns: Sequence[str] = (), everything: bool = False) -> Document:
     """The summary with the modes as a table and the courses in time; with ``everything`` all series in SI."""
     if everything:
-        table = whole(vibrator_columns(result), patterns)
+        table = all_rows(vibrator_columns(result), patterns)
         return Document(title, tuple(_facts(result)), result.notes, table)
     return Document(
         title,
@@ -57,7 +57,7 @@ def _parts(result: VibratorResult, patterns: Sequence[str]) -> Iterator[Document
         shown = columns(course, "t", "omega") | dict(zip(HEADERS, course.q, strict=True))
         if isinstance(start, MotorStart):
             shown |= columns(start, "motor")
-        yield Document(f"course of the {name}", table=some(shown, patterns), wide=not patterns, more=MORE)
+        yield Document(f"course of the {name}", table=spaced_rows(shown, patterns), wide=not patterns, more=MORE)
 
 
 def _facts(result: VibratorResult) -> Iterator[Fact]:
