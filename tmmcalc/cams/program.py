@@ -22,11 +22,10 @@ from tmmcalc.core.numerics.panels import Extreme, Panels, panels
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
-FLAT = 1e-13  # of the largest: what varies less is constant
-
 PhaseKind = Literal["rise", "high dwell", "return", "low dwell"]
 TURN = 2 * pi
 SAME = 1e-12  # of the largest: a jump that is rounding
+FLAT = 1e-13  # of the largest: what varies less on a panel is constant there, as all is in a dwell
 
 
 @record

@@ -31,7 +31,6 @@ from tmmcalc.core.records import record
 
 WIDEST = 1 / 16  # of a first panel, of the step
 Function = Callable[[Values], Values]
-
 FlankName = Literal["A", "B", "back"]
 STARTS = {"A": 1, "B": -1, "back": -3}  # theta at k = 0, in parts of beta_0
 NUDGE = 1e-6  # of the step, beside a point of the groove

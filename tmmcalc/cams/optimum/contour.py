@@ -1,6 +1,7 @@
 """The blocking contour: the closed region of S0 and r2 in which all constraints hold at one height H2.
 
-A grid finds how the region lies; ``border`` traces its border to rounding, ``curves`` the single constraints around it.
+A grid finds how the region lies; The border is traced to rounding, with the corners where the constraint that binds
+changes; ``curves`` are the single constraints around it.
 """
 
 from __future__ import annotations
@@ -26,7 +27,6 @@ CROSSING = 4  # Newton's steps to a point between two of the border
 LAST = 1e-6  # margin from which one step leads to a corner
 MET = 1e-11  # margin at a corner
 EDGE = 0  # number of a border of the plane itself
-
 FINE = 27  # nodes a side that show its border
 WINDOW = 0.45  # of the region's size that the picture shows beyond it
 

@@ -1,4 +1,8 @@
-"""How the admissible zone, its limits and the axis of the cam are drawn."""
+"""How the admissible zone, its limits and the axis of the cam are drawn, and what the rocker's pivot takes from it.
+
+With the rocker and the roller that were taken the cam just passes on a branch of a hyperbola about the pivot and the
+highest roller (`tmmcalc.cams.synthesis.pivotborder`); all that lies on the side of the pivot sweeps over it.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +20,6 @@ from tmmcalc.report.drawing.style import INK, MARK, PATH, THIN
 
 POINTS = 241
 FAR = 1e3  # of the longer of rocker and centre distance: where the branch is cut
-
 ZONE: dict[str, Any] = {"facecolor": "#e3f1ea", "edgecolor": "#7fbf9f", "hatch": "////", "linewidth": 0.0, "zorder": 1}
 LIMIT: dict[str, Any] = {"color": MARK, "linewidth": 1.2, "linestyle": (0, (6, 2)), "zorder": 6}
 PASSING: dict[str, Any] = {"color": "#7a5195", "linewidth": 1.2, "linestyle": (0, (8, 2, 2, 2)), "zorder": 6}

@@ -1,4 +1,4 @@
-"""Margins of the roller: it does not slip, its pin is strong enough, the contact stress."""
+"""Margins of the roller: where it slips and the largest slip function, the strength of its pin, the contact stress."""
 
 from __future__ import annotations
 
@@ -27,7 +27,6 @@ from tmmcalc.cams.task import Requirements
 
 STEPS = 40
 LEVEL = 1e-12  # of the largest force: what counts as none; of D: a step that is the last
-
 SLIP = "|C1 + C2 A/|R|| <= 1 (5.72)"
 CONTACT = "0.418 sqrt(E_n R/b (1/(rho - r2) + 1/r2)) (5.90)"
 TOO_THICK = "the pin does not fit into the roller"
