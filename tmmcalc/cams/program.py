@@ -139,7 +139,11 @@ class Program:
         """The same in extended precision, for the estimates of errors."""
         from tmmcalc.cams.wide import wide
 
-        return Program(tuple(_wide_phase(each, wide((each.angle, each.start, each.end))) for each in self.phases))
+        laws = (None if each.law is None else each.law.wider for each in self.phases)
+        ends = (wide((each.angle, each.start, each.end)) for each in self.phases)
+        return Program(
+            tuple(Phase(each.kind, *own, law) for each, own, law in zip(self.phases, ends, laws, strict=True))
+        )
 
     @cached_property
     def panels(self) -> Panels:
@@ -170,10 +174,6 @@ class Program:
         jump = after - np.roll(before, 1, axis=1)
         size = np.max(np.abs(np.concatenate((after, before, self.sampled.reshape(ORDERS, -1)), axis=1)), axis=1)
         return np.where(np.abs(jump) > SAME * size[:, None], jump, 0.0)
-
-
-def _wide_phase(phase: Phase, numbers: tuple[float, float, float]) -> Phase:
-    return Phase(phase.kind, *numbers, None if phase.law is None else phase.law.wider)
 
 
 def _moved(phase: Phase, law: Law, start: float, phi: Values, piece: Indices) -> Values:

@@ -45,7 +45,8 @@ def studies(scene: Scene) -> Iterator[Study]:
         return np.asarray(np.max(forces(carried(), of_step(task.program, TURN / count)), axis=1))
 
     def by_extremes() -> Values:
-        return _sizes(solve_forces(task, found.follower))
+        extreme = solve_forces(task, found.follower).extreme
+        return np.array([extreme(name).size for name in ("R", "M_drive")])
 
     of = carried()
 
@@ -73,7 +74,3 @@ def studies(scene: Scene) -> Iterator[Study]:
             of_positions("table of equal steps", ways, error, scene.clock),
         ),
     )
-
-
-def _sizes(found: CamForces) -> Values:
-    return np.array([found.extreme(name).size for name in ("R", "M_drive")])

@@ -1,6 +1,6 @@
 """The blocking contour: the closed region of S0 and r2 in which all constraints hold at one height H2.
 
-A grid finds how the region lies; The border is traced to rounding, with the corners where the constraint that binds
+A grid finds how the region lies; the border is traced to rounding, with the corners where the constraint that binds
 changes; ``curves`` are the single constraints around it.
 """
 

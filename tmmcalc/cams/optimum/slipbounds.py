@@ -36,7 +36,7 @@ def _may_roll(scene: Scene, start: Values, roller: Values, low: Values, high: Va
     least = np.minimum(ends[0].contact, ends[1].contact)
     most = np.maximum(ends[0].contact, ends[1].contact)
     works = np.all(ends[0].works & ends[1].works, axis=1) & np.all(least > 0, axis=1)
-    pins = _pins(scene, np.max(least, axis=1), np.maximum(*(_largest(scene, end.contact) for end in ends)))
+    pins = _pins(scene, np.max(least, axis=1), np.maximum(*(largest(scene.by_panel(end.contact)) for end in ends)))
     run = spun(scene, start, roller)
     resisted = [resisting(arm, need.pin_friction or 0.0, r0, friction, wide) for r0 in pins]
     masses = [cylinder(need.width or 0.0, need.roller_density, wide, r0) if inertia is None else inertia for r0 in pins]
@@ -57,7 +57,3 @@ def _pins(scene: Scene, least: Values, most: Values) -> list[Values]:
     if need.pin is not None or need.pin_pressure is None:
         return [np.full((len(least), 1), need.pin or 0.0)] * 2
     return [pin_radius(np.maximum(size, 0.0), need.pin_pressure, need.pin_ratio)[:, None] for size in (least, most)]
-
-
-def _largest(scene: Scene, values: Values) -> Values:
-    return largest(scene.by_panel(values))

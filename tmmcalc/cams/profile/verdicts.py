@@ -29,11 +29,12 @@ def refuse(found: Profile, task: CamTask) -> None:
     for wall in (found.working, found.outer):
         if wall is None or wall.sound:
             continue
+        reach = found.inner_reach if wall.name == "inner" else found.outer_reach
         raise NoSolutionError(
             f"the {NAMES[wall.name]} {fault(wall)}",
             where="cam profile",
             value=found.sharpest.value if found.flat else found.follower.roller,
-            limit=_limit(found, wall),
+            limit=0.0 if reach is None else reach.distance,
             remedy=_remedy(found, wall, task),
         )
     room = found.pivot
@@ -74,11 +75,6 @@ def _cut_off(crossing: Crossing) -> float:
 def _rest(count: int) -> str:
     """How many lesser places there are."""
     return "" if count == 1 else f" and at {count - 1} lesser place{'s' if count > 2 else ''}"
-
-
-def _limit(found: Profile, wall: Wall) -> float:
-    limit = found.inner_reach if wall.name == "inner" else found.outer_reach
-    return 0.0 if limit is None else limit.distance
 
 
 def _remedy(found: Profile, wall: Wall, task: CamTask) -> str:

@@ -40,13 +40,14 @@ def rows_of(case: Case, rolling: Rolling | None, at: Points, now: State) -> Rows
     """The rows at points with the forces there."""
     kappa = contact_curvature(case.follower, at.motion)
     run = roller_acceleration(case.task, case.loads, case.follower, at, now.contact)
+    span = case.needs.span
     touching = np.abs(now.contact) > 0 if case.grooved else now.contact > 0
     return Rows(
         curvature=kappa,
         run=None if case.flat else run,
         slip=_slip(case, rolling, now, run),
         stress=_stress(case, now, kappa, touching),
-        reduced=_reduced(case, now),
+        reduced=None if span is None else reduced_moment(now.contact, now.torque, span, case.needs.torsion),
         bending=bending_of(case, now, at.motion),
         pressure=pressure_of(case, now),
         touching=touching,
@@ -73,8 +74,3 @@ def _stress(case: Case, now: State, kappa: Values, touching: Mask) -> Values | N
     else:
         found, _ = contact_stress(now.contact, kappa, case.follower.roller, width, modulus)
     return np.where(touching, found, 0.0)
-
-
-def _reduced(case: Case, now: State) -> Values | None:
-    span = case.needs.span
-    return None if span is None else reduced_moment(now.contact, now.torque, span, case.needs.torsion)

@@ -51,7 +51,7 @@ def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None =
     points = at_rows(task, loads, rows)
     now = state(case.course.carried, points)
     found = rows_of(case, rolling, points, now)
-    bend = case.bend
+    bend, decisive = case.bend, {verdict for verdict, _ in _decisive(margins)}
     sharpest = 1 / bend.largest if bend.largest > 0 else None
     return CamStrength(
         follower=follower,
@@ -73,7 +73,7 @@ def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None =
         rolling=rolling,
         shaft=shaft,
         margins=margins,
-        verdict=_verdict(margins),
+        verdict=next((fault for fault in FAULTS if fault in decisive), OK),  # the gravest
         notes=tuple(_notes(case, margins, rolling, shaft)),
         error=strength_errors(case, rolling, Positioned(points, rows.piece, now, found), margins, shaft, spring),
     )
@@ -84,12 +84,6 @@ def _decisive(margins: tuple[Margin, ...]) -> Iterator[tuple[str, Margin]]:
     for each in margins:
         if not each.advice and each.verdict not in (OK, "not judged"):
             yield each.verdict, each
-
-
-def _verdict(margins: tuple[Margin, ...]) -> str:
-    """The gravest of what is wrong."""
-    found = {verdict for verdict, _ in _decisive(margins)}
-    return next((verdict for verdict in FAULTS if verdict in found), OK)
 
 
 def _notes(case: Case, margins: tuple[Margin, ...], rolling: Rolling | None, shaft: ShaftFound | None) -> Iterator[str]:

@@ -32,7 +32,8 @@ def document(result: PendulumResult, title: str, *, patterns: Sequence[str] = ()
         view = spaced_rows(campbell_columns(result.campbell), patterns)
         parts.append(Document("Campbell diagram", table=view, wide=not patterns, more=MORE))
     if result.swing is not None:
-        parts.append(Document("motion of the lower end", table=_swing_view(result.swing, patterns), more=MORE))
+        path = columns(result.swing, "t", "v", "w", "carrier_x", "carrier_y")
+        parts.append(Document("motion of the lower end", table=spaced_rows(path, patterns), more=MORE))
     return Document(title, facts, result.notes, _modes(result), parts=tuple(parts), more=MORE)
 
 
@@ -47,10 +48,6 @@ def _modes(result: PendulumResult) -> View:
     ]
     headers = ["whirl", "mode", *keys(WhirlModes, "hertz", "frequency", "speed"), "nodes"]
     return View(headers, [list(column) for column in zip(*rows, strict=True)])
-
-
-def _swing_view(swing: SwingCourse, patterns: Sequence[str]) -> View:
-    return spaced_rows(columns(swing, "t", "v", "w", "carrier_x", "carrier_y"), patterns)
 
 
 def _speeds(values: Values) -> str:
