@@ -149,7 +149,7 @@ def bare(task):
         e, start = nearest(lines_of(task))
         follower = Follower("translating", start, e, task.asked.roller)
     else:
-        found = oscillatingsizes.find(task)
+        found = oscillatingsizes.least_triangle(task)
         sizes = {"centres": found.centres, "rocker": found.rocker, "roller": task.asked.roller}
         follower = Follower("oscillating", found.start, **sizes)
     rise, back = reached(task, follower)

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.cams.forces.course import Course
 from tmmcalc.cams.forces.results import CamWork, ForceExtreme, SpringFound
 from tmmcalc.cams.forces.springerrors import exact_carried, exact_spring, spring_error
 from tmmcalc.cams.forces.state import Carried, State, pivot_force, state
 from tmmcalc.cams.forces.turn import Points, acceleration, at_rows
+from tmmcalc.cams.forces.turnforces import TurnForces
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.pressure.angle import tangent_terms
 from tmmcalc.cams.program import TURN
@@ -56,7 +56,7 @@ def at_sides(task: CamTask, loads: Loads, phi: Values) -> Points:
 def force_errors(
     task: CamTask,
     loads: Loads,
-    course: Course,
+    course: TurnForces,
     spring: SpringFound,
     points: Points,
     now: State,
@@ -93,7 +93,7 @@ def _work(work: CamWork, missed: float) -> float:
     return max(MARGIN * work.error, MARGIN * TURN * missed / turned if turned else 0.0, FLOOR)
 
 
-def _rows(course: Course, now: State, exact: State) -> Iterator[tuple[str, Values, Values]]:
+def _rows(course: TurnForces, now: State, exact: State) -> Iterator[tuple[str, Values, Values]]:
     yield "load", now.load, exact.load
     yield "contact", now.contact, exact.contact
     if course.carried.guide:

@@ -45,19 +45,19 @@ def aiding(angle: Values, sigma: Values, f1: float, f2: float) -> tuple[Values, 
 
 def against_terms(angle: Values, sigma: Values, f1: float, f2: float) -> Terms:
     """Numerator and denominator of (12), the latter not negative."""
-    cosine, sine, sigma = np.cos(angle), np.abs(np.sin(angle)), _felt(sigma, f1)
+    cosine, sine, sigma = np.cos(angle), np.abs(np.sin(angle)), _effective_angle(sigma, f1)
     gain = (1 - f1 * f2) * cosine - (f1 + f2) * sine
     return gain * np.sin(sigma), cosine * (np.sin(sigma) + f1 * np.cos(sigma))
 
 
 def aiding_terms(angle: Values, sigma: Values, f1: float, f2: float) -> Terms:
     """Numerator and denominator of (13), which has no sense where the latter is not positive."""
-    cosine, sine, sigma = np.cos(angle), np.abs(np.sin(angle)), _felt(sigma, f1)
+    cosine, sine, sigma = np.cos(angle), np.abs(np.sin(angle)), _effective_angle(sigma, f1)
     loss = (1 - f1 * f2) * cosine + (f1 + f2) * sine
     return (np.sin(sigma) - f1 * np.cos(sigma)) * cosine, np.sin(sigma) * loss
 
 
-def _felt(sigma: Values, f1: float) -> Values:
+def _effective_angle(sigma: Values, f1: float) -> Values:
     """sigma, or a right angle where the rollers have no friction on the cam and it does not matter."""
     return sigma if f1 else np.full_like(sigma, np.pi / 2)
 

@@ -22,7 +22,7 @@ from tmmcalc.cams.optimum.leastheight import QUICK, REGION, least_heights
 from tmmcalc.cams.optimum.margins import NUMBERS, judge
 from tmmcalc.cams.optimum.peaks import largest
 from tmmcalc.cams.optimum.results import ACTIVE, Choice, Option
-from tmmcalc.cams.optimum.scene import WHERE, Phases, Scene, carried, scene_of
+from tmmcalc.cams.optimum.scene import WHERE, Phases, Scene, guided_at, scene_of
 from tmmcalc.cams.optimum.wholesteps import search
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.task import CamTask, Optimum
@@ -68,7 +68,7 @@ def with_ratio(task: CamTask, ratio: float) -> CamTask:
 
 def changes(task: CamTask, asked: Optimum) -> list[list[Change]]:
     """The changes of every kind that is asked for, without those that leave all as it is."""
-    kept = _kept(task)
+    kept = _asked_values(task)
     found = [
         [Change(f"law {name}", partial(with_law, name=name)) for name in asked.laws if name != kept["law"]],
         [Change(f"safety {k:g}", partial(with_safety, safety=k)) for k in asked.safeties if k != kept["safety"]],
@@ -183,7 +183,7 @@ def _option(
     torque, driving = torques(scene, start, roller, height)
     return Option(
         changes=words,
-        **_kept(task),
+        **_asked_values(task),
         height=height,
         start=start,
         roller=roller,
@@ -202,7 +202,7 @@ def _option(
 def _refused(words: tuple[str, ...], task: CamTask, scene: Scene | None, why: str) -> Option:
     return Option(
         changes=words,
-        **_kept(task),
+        **_asked_values(task),
         height=0.0,
         start=0.0,
         roller=0.0,
@@ -218,7 +218,7 @@ def _refused(words: tuple[str, ...], task: CamTask, scene: Scene | None, why: st
     )
 
 
-def _kept(task: CamTask) -> dict[str, Any]:
+def _asked_values(task: CamTask) -> dict[str, Any]:
     """Law, safety, allowed stress and roller of a task, by the names of the fields."""
     need, spring = task.requirements, None if task.loads is None else task.loads.spring
     return {
@@ -231,7 +231,7 @@ def _kept(task: CamTask) -> dict[str, Any]:
 
 def torques(scene: Scene, start: float, roller: float, top: float) -> tuple[float, float]:
     """Largest |T| of P_c S' (5.75), and the largest driving torque, friction of the guide included [N*m]."""
-    on = carried(scene, *np.array([[start], [roller], [top]]))
+    on = guided_at(scene, *np.array([[start], [roller], [top]]))
     driving = cam_torque(on.contact, on.cosine, scene.motion)[0]
     rows = np.stack((scene.torque, -scene.torque, driving))
     plus, minus, given = largest(scene.by_panel(rows)).tolist()

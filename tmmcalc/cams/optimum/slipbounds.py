@@ -15,7 +15,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.extremes import blocks, spun
 from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.peaks import largest
-from tmmcalc.cams.optimum.scene import Scene, carried
+from tmmcalc.cams.optimum.scene import Scene, guided_at
 from tmmcalc.cams.strength.formulas import cylinder, pin_radius, resisting, slip
 
 
@@ -32,7 +32,7 @@ def _may_roll(scene: Scene, start: Values, roller: Values, low: Values, high: Va
     pinned = need.pin is not None or need.pin_pressure is not None
     if arm is None or friction is None or (inertia is None and (need.width is None or not pinned)):
         return np.ones(len(start), bool)
-    ends = [carried(scene, start, roller, top) for top in (low, high)]
+    ends = [guided_at(scene, start, roller, top) for top in (low, high)]
     least = np.minimum(ends[0].contact, ends[1].contact)
     most = np.maximum(ends[0].contact, ends[1].contact)
     works = np.all(ends[0].works & ends[1].works, axis=1) & np.all(least > 0, axis=1)

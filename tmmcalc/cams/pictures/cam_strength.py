@@ -9,9 +9,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from tmmcalc.cams.forces.course import course_of
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.turn import loads_of
+from tmmcalc.cams.forces.turnforces import turn_forces
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.cam_forces import DIGITS, phase_ends
 from tmmcalc.cams.pictures.ordered import cam_of
@@ -39,7 +39,7 @@ def figure(order: Order) -> Figure:
 def strength_figure(task: CamTask, result: CamStrength) -> Figure:
     """One sheet over the turn: slip function, contact stress, reduced moment of the shaft, with their limits."""
     loads = loads_of(task)
-    case = case_of(task, result.follower, loads, course_of(task, result.follower, loads, solve_spring(task, loads)))
+    case = case_of(task, result.follower, loads, turn_forces(task, result.follower, loads, solve_spring(task, loads)))
     diagrams = _judged_diagrams(case, result)
     figure, (sheet,) = blank(1)
     sheet.suptitle(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import degrees, tau
 
-from tmmcalc.cams.pivot import told
+from tmmcalc.cams.pivot import pivot_fault
 from tmmcalc.cams.profile.results import Crossing, Place, Profile, Reach, Wall
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import NoSolutionError
@@ -40,7 +40,7 @@ def refuse(found: Profile, task: CamTask) -> None:
     room = found.pivot
     if room is not None and room.swept:
         raise NoSolutionError(
-            told(room),
+            pivot_fault(room),
             where="cam profile",
             value=room.radius,
             limit=room.limit,
@@ -98,9 +98,9 @@ def remarks(found: Profile, task: CamTask) -> Iterator[str]:
         if not wall.sound and not wall.name.endswith("tool"):
             yield f"warning: the {NAMES[wall.name]} {fault(wall)}"
     if found.pivot is not None and found.pivot.swept:
-        yield f"warning: {told(found.pivot)}"
+        yield f"warning: {pivot_fault(found.pivot)}"
     if found.pivot is not None and found.pivot.passed:
-        yield f"note: {told(found.pivot)}"
+        yield f"note: {pivot_fault(found.pivot)}"
     yield from _flat_remarks(found, task) if found.flat else _roller_remarks(found, task)
     yield from _concave_remarks(found, task)
     yield from _tool_remarks(found)

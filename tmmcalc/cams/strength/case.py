@@ -8,9 +8,9 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.course import Course
 from tmmcalc.cams.forces.state import state
 from tmmcalc.cams.forces.turn import Points, at_angles
+from tmmcalc.cams.forces.turnforces import TurnForces
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure.angle import tangent_terms
 from tmmcalc.cams.program import levelled
@@ -23,7 +23,7 @@ TOLERANCE = 1e-11  # of the panels
 
 
 @record
-class Extremes:
+class TurnExtremes:
     """Least and largest of a quantity over the turn."""
 
     least: float
@@ -68,13 +68,13 @@ def roller_acceleration(task: CamTask, loads: Loads, follower: Follower, at: Poi
     return found
 
 
-def extremes_of(on: Panels, values: Values) -> Extremes:
+def extremes_of(on: Panels, values: Values) -> TurnExtremes:
     """Extremes of values (K, N) with both one-sided limits."""
     (least, least_at), (largest, largest_at) = on.extremes(levelled(values))
-    return Extremes(least + 0.0, least_at, largest + 0.0, largest_at)
+    return TurnExtremes(least + 0.0, least_at, largest + 0.0, largest_at)
 
 
-def curvature_extremes(follower: Follower, course: Course) -> Extremes:
+def curvature_extremes(follower: Follower, course: TurnForces) -> TurnExtremes:
     """kappa of the pitch curve over the turn; under a flat face its radius rho."""
     motion = course.points.motion
     values = flat_radius(motion, follower.start) if follower.kind == "flat" else contact_curvature(follower, motion)
@@ -88,10 +88,10 @@ class Case:
     task: CamTask
     loads: Loads
     follower: Follower
-    course: Course
-    bend: Extremes  # kappa [1/m] of the pitch curve; of a flat face rho [m]
+    course: TurnForces
+    bend: TurnExtremes  # kappa [1/m] of the pitch curve; of a flat face rho [m]
     run: Values  # (K N,) A [m] of the roller
-    pressing: Extremes  # R [N]
+    pressing: TurnExtremes  # R [N]
     touches: bool  # a force presses the follower on the cam all over the turn, or walls hold it
 
     @property
@@ -129,12 +129,12 @@ class Case:
         kappa = contact_curvature(self.follower, self.course.points.motion)
         return np.abs(contact) * kappa if self.flat else contact_square(contact, kappa, self.follower.roller)[0]
 
-    def over(self, values: Values) -> Extremes:
+    def over(self, values: Values) -> TurnExtremes:
         """Extremes of values (K N,) over the turn."""
         return extremes_of(self.course.on, self.course.shaped(values))
 
 
-def case_of(task: CamTask, follower: Follower, loads: Loads, first: Course) -> Case:
+def case_of(task: CamTask, follower: Follower, loads: Loads, first: TurnForces) -> Case:
     """Forces and curvature over the turn on panels that resolve the stress of the contact as well."""
     course = _refined(task, loads, first)
     now = course.state
@@ -144,7 +144,7 @@ def case_of(task: CamTask, follower: Follower, loads: Loads, first: Course) -> C
     return Case(task, loads, follower, course, curvature_extremes(follower, course), run, pressing, touches)
 
 
-def _refined(task: CamTask, loads: Loads, course: Course) -> Course:
+def _refined(task: CamTask, loads: Loads, course: TurnForces) -> TurnForces:
     of, roller = course.carried, course.carried.follower.roller
     flat = of.follower.kind == "flat" and curvature_extremes(of.follower, course).least > 0
 
@@ -161,4 +161,4 @@ def _refined(task: CamTask, loads: Loads, course: Course) -> Course:
     if on.count == course.on.count:
         return course
     points = at_angles(task, loads, on.x.ravel())
-    return Course(of, on, points, state(of, points))
+    return TurnForces(of, on, points, state(of, points))

@@ -18,7 +18,7 @@ from tmmcalc.cams.strength.case import Case
 from tmmcalc.cams.strength.formulas import flat_radius
 from tmmcalc.cams.strength.results import Margin, Rolling, ShaftFound
 from tmmcalc.cams.strength.roller import factors, pin_of
-from tmmcalc.cams.strength.rows import Rows, rows_of
+from tmmcalc.cams.strength.rows import RequirementRows, rows_of
 from tmmcalc.cams.wide import wide
 from tmmcalc.core.records import record
 
@@ -33,7 +33,7 @@ class Positioned:
     points: Points
     piece: Indices
     state: State
-    rows: Rows
+    rows: RequirementRows
 
 
 def strength_errors(

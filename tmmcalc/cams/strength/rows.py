@@ -18,7 +18,7 @@ from tmmcalc.core.records import record
 
 
 @record
-class Rows:
+class RequirementRows:
     """At m points, each (m,); what has no data is None."""
 
     curvature: Values  # kappa [1/m] of the pitch curve, or of the profile under a flat face
@@ -36,13 +36,13 @@ class Rows:
         return {name: values for name, values in every.items() if values is not None}
 
 
-def rows_of(case: Case, rolling: Rolling | None, at: Points, now: State) -> Rows:
+def rows_of(case: Case, rolling: Rolling | None, at: Points, now: State) -> RequirementRows:
     """The rows at points with the forces there."""
     kappa = contact_curvature(case.follower, at.motion)
     run = roller_acceleration(case.task, case.loads, case.follower, at, now.contact)
     span = case.needs.span
     touching = np.abs(now.contact) > 0 if case.grooved else now.contact > 0
-    return Rows(
+    return RequirementRows(
         curvature=kappa,
         run=None if case.flat else run,
         slip=_slip(case, rolling, now, run),

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from math import degrees
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.course import course_of
 from tmmcalc.cams.forces.results import CamForces
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.state import state
 from tmmcalc.cams.forces.turn import at_rows, loads_of
+from tmmcalc.cams.forces.turnforces import turn_forces
 from tmmcalc.cams.strength.case import Case, case_of
 from tmmcalc.cams.strength.errors import Positioned, strength_errors
 from tmmcalc.cams.strength.formulas import shaft_by_strength, whole
@@ -36,7 +36,7 @@ def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None =
     """
     loads = loads_of(task, "cam_strength")
     spring = forces.spring if forces else solve_spring(task, loads)
-    case = case_of(task, follower, loads, course_of(task, follower, loads, spring))
+    case = case_of(task, follower, loads, turn_forces(task, follower, loads, spring))
     unit, shaft = roller_unit(case), shaft_of(case)
     rolling = rolling_of(case, unit)
     margins = (

@@ -11,7 +11,7 @@ from tmmcalc.cams.synthesis.results import Convexity
 from tmmcalc.cams.task import CamTask
 
 
-def find(task: CamTask) -> tuple[float, str, Convexity]:
+def flat_sizes(task: CamTask) -> tuple[float, str, Convexity]:
     """S0 [m], what decides it, and what convexity asks; a given S0 is kept."""
     program, asked, limits = task.program, task.asked, task.limits
     dense = program.panels.halved()

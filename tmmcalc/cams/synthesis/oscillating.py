@@ -32,18 +32,18 @@ MOST = 5  # whole millimetres above l0 that are tried
 def rocker(task: CamTask) -> Synthesis:
     """Find the sizes of a rocker with a roller that are not given; raises as `solve_synthesis` does."""
     asked = task.asked
-    found = oscillatingsizes.find(task)
+    found = oscillatingsizes.least_triangle(task)
     lengths = [size for size in (asked.rocker, asked.centres, asked.base) if size is not None]
     free = len(lengths) == 1 and asked.start is None
 
     def place(x: float) -> Follower:
-        by = oscillatingsizes.deeper(found, task.program.stroke, x, asked) if x else found
+        by = oscillatingsizes.lowered(found, task.program.stroke, x, asked) if x else found
         return _rocker(task, by)
 
     bare, governs = enlarged(task, place) if free else (place(0.0), "" if found.how != GIVEN else GIVEN)
     how = f"{governs}, away from the rocker's middle position" if free and governs else found.how
     if governs != GIVEN:
-        bare, governs, how = _passed(task, bare, governs, how)
+        bare, governs, how = _clear_of_pivot(task, bare, governs, how)
     closing = "from the triangle of l0, l2, R0, psi0"
     sizes = (
         size_of("l0", bare.centres, asked.centres is not None, how if governs != GIVEN else closing),
@@ -58,7 +58,7 @@ def rocker(task: CamTask) -> Synthesis:
     return completed(task, bare, sizes, governs or ANGLE, designs, rounded, region)
 
 
-def _passed(task: CamTask, bare: Follower, governs: str, how: str) -> tuple[Follower, str, str]:
+def _clear_of_pivot(task: CamTask, bare: Follower, governs: str, how: str) -> tuple[Follower, str, str]:
     """The follower, what governs it and how, with the axis where the cam passes the rocker's pivot."""
     try:
         found = passing(task, bare, lambda each: _rocker(task, each))
@@ -74,7 +74,7 @@ def _designs_rk(task: CamTask, taken: Follower) -> tuple[Design, ...]:
     asked = replace(task.asked, rocker=taken.rocker, centres=None, base=None, start=None)
     alone = replace(task, asked=asked)
     book = oscillatingsizes.textbook(task, taken.rocker)
-    near, close = oscillatingsizes.find(alone), oscillatingsizes.least_centres(alone)
+    near, close = oscillatingsizes.least_triangle(alone), oscillatingsizes.least_centres(alone)
     found = [(LEAST, near), ("least centre distance", close)]
     if abs(near.centres - close.centres) <= NEAR * close.centres:
         found = [(f"{LEAST} and l0", near)]
@@ -90,7 +90,7 @@ def _rounded_rk(task: CamTask, found: Follower) -> Design | None:
     for more in range(MOST):
         asked = replace(task.asked, rocker=found.rocker, centres=up(found.centres) + more / 1e3, base=None, start=None)
         try:
-            follower = _rocker(task, oscillatingsizes.find(replace(task, asked=asked)))
+            follower = _rocker(task, oscillatingsizes.least_triangle(replace(task, asked=asked)))
             if has_room(task, follower) and not chosen_room(task, follower).swept:
                 return next(iter(judged(task, WHOLE_NAME, follower)), None)
         except NoSolutionError:

@@ -47,7 +47,7 @@ class Triangle:
         return self.rocker * abs(self.axis - 1)
 
 
-def find(task: CamTask) -> Triangle:
+def least_triangle(task: CamTask) -> Triangle:
     """The sizes that keep the limits; what is given is kept.
 
     Raises `UsageError` if no length is given or the given ones contradict each other, `NoSolutionError` if no place of
@@ -62,7 +62,7 @@ def find(task: CamTask) -> Triangle:
             remedy="give rocker_length or centre_distance",
         )
     if len(lengths) + (asked.start is not None) >= 3:
-        return given(asked)
+        return given_triangle(asked)
     every = families(task)
     try:
         if len(lengths) == 1 and asked.start is None:
@@ -79,7 +79,7 @@ def least_centres(task: CamTask) -> Triangle:
     return scaled(task.asked, point, "least centre distance")
 
 
-def given(asked: Asked) -> Triangle:
+def given_triangle(asked: Asked) -> Triangle:
     """The triangle that the given sizes fix; raises `UsageError` if it does not close or they contradict each other."""
     l0, l2, base, psi0 = asked.centres, asked.rocker, asked.base, asked.start
     if psi0 is None:
@@ -138,7 +138,7 @@ def textbook(task: CamTask, rocker: float) -> Triangle | None:
     return Triangle(rocker / cos(start + half), rocker, start, "textbook (5.50, 5.51)")
 
 
-def deeper(found: Triangle, stroke: float, by: float, asked: Asked) -> Triangle:
+def lowered(found: Triangle, stroke: float, by: float, asked: Asked) -> Triangle:
     """The axis moved away from the rocker's middle position by so many lengths of it, the given length kept."""
     return scaled(asked, found.axis - 1j * by * complex(np.exp(0.5j * stroke)), found.how)
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.pivot import PivotRoom, highest, pivot_room, told
+from tmmcalc.cams.pivot import PivotRoom, highest, pivot_fault, pivot_room
 from tmmcalc.cams.synthesis import oscillatingsizes, roller
 from tmmcalc.cams.synthesis.curves import TOUCH, best_on
 from tmmcalc.cams.synthesis.enlargement import enlarged
@@ -133,7 +133,7 @@ def _on_border(task: CamTask, asked: Asked, passage: Passage, make: Make) -> Fou
 def _longest(task: CamTask, r2: float) -> float:
     """The rocker [m] whose least base circle with the pivot passed is the one given."""
     base, every, aim = task.asked.base or 0.0, families(task), Distance(1.0)
-    least = oscillatingsizes.find(task)
+    least = oscillatingsizes.least_triangle(task)
 
     def beyond(rocker: float) -> float:
         passage = _passage(task, replace(task.asked, base=None, rocker=rocker), r2)
@@ -177,7 +177,7 @@ def _forbidden(task: CamTask, bare: Follower, room: PivotRoom) -> NoSolutionErro
     if room.pivot:
         ways.append("a smaller pivot_radius")
     return NoSolutionError(
-        f"{told(room)}; no other place of the cam's axis{with_given} keeps the pressure angle and passes it",
+        f"{pivot_fault(room)}; no other place of the cam's axis{with_given} keeps the pressure angle and passes it",
         where="cam_synthesis",
         value=room.radius,
         limit=room.limit,

@@ -30,7 +30,7 @@ def solve_synthesis(task: CamTask) -> Synthesis:
 
 
 def _flat(task: CamTask) -> Synthesis:
-    start, governs, convexity = flatface.find(task)
+    start, governs, convexity = flatface.flat_sizes(task)
     if start <= 0:
         raise NoSolutionError(
             f"S0 = {1e3 * start:g} mm: the profile is convex for every S0 and nothing else asks for a size",

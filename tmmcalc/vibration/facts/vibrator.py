@@ -14,7 +14,7 @@ from tmmcalc.vibration.vibrator.columns import vibrator_columns
 from tmmcalc.vibration.vibrator.forced import Steady
 from tmmcalc.vibration.vibrator.paths import PointPath
 from tmmcalc.vibration.vibrator.results import COORDINATE, HEADERS, Curve, MotorStart, Start, VibratorResult
-from tmmcalc.vibration.vibrator.runup import Course
+from tmmcalc.vibration.vibrator.runup import DeviceMotion
 from tmmcalc.vibration.vibrator.task import COORDINATES, UNITS
 
 MORE = "--format csv prints modes, curve, a turn of the steady motion and the starts in SI"
@@ -145,7 +145,7 @@ def _path(path: PointPath) -> Fact:
 
 
 def _start(name: str, start: Start | MotorStart) -> Fact:
-    course: Course = start.course
+    course: DeviceMotion = start.course
     moved = [
         f"{each} {_size(size, unit)}"
         for each, unit, size in zip(COORDINATES, UNITS, start.largest.tolist(), strict=True)

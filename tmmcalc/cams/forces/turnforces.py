@@ -24,7 +24,7 @@ CLEAR = 0.3  # of cos(theta) - mu at all points: it is then nowhere at zero betw
 
 
 @record
-class Course:
+class TurnForces:
     """The forces over the turn on panels within which they are smooth, so that extremes and integrals are exact."""
 
     carried: Carried
@@ -42,7 +42,7 @@ class Course:
         return ForceExtreme(name, unit, least + 0.0, least_at, largest + 0.0, largest_at)
 
 
-def course_of(task: CamTask, follower: Follower, loads: Loads, spring: SpringFound) -> Course:
+def turn_forces(task: CamTask, follower: Follower, loads: Loads, spring: SpringFound) -> TurnForces:
     """The forces over the turn; raises as `solve_forces` does."""
     check_reach(task.program, follower)
     of = carried(task, follower, loads, spring.stiffness, spring.preload)
@@ -65,7 +65,7 @@ def course_of(task: CamTask, follower: Follower, loads: Loads, spring: SpringFou
     scale = np.array([size, size, size * task.program.stroke * pi, size]) + 1e-300
     on, _, _ = resolved(rows, parts_on, TOLERANCE, scale)
     points = at_angles(task, loads, on.x.ravel())
-    return Course(of, on, points, state(of, points))
+    return TurnForces(of, on, points, state(of, points))
 
 
 def _useful(now: State, at: Points) -> Values:
@@ -119,7 +119,7 @@ def _critical(of: Carried, now: State) -> float | None:
     return atan(1 / (of.friction * (1 + 2 * float(now.protrusion[0]) / guide.length))) if guide else None
 
 
-def reserve_of(course: Course) -> Reserve:
+def reserve_of(course: TurnForces) -> Reserve:
     """The place where friction takes the largest part of the useful component."""
     now, at, of = course.state, course.points, course.carried
     values = _useful(now, at) / now.cosine if of.rubs else now.cosine
