@@ -20,7 +20,7 @@ from tmmcalc.cams.pressure.solve import solve_pressure
 from tmmcalc.cams.profile.solve import solve_profile
 from tmmcalc.cams.strength.solve import solve_strength
 from tmmcalc.cams.synthesis.solve import solve_synthesis
-from tmmcalc.cams.synthesis.translating import lines_of, nearest
+from tmmcalc.cams.synthesis.translatingsizes import lines_of, nearest
 from tmmcalc.cams.tables.tasks.cam import to_cam
 from tmmcalc.cams.tables.tasks.indexing import to_indexing
 from tmmcalc.cams.task import CamTask

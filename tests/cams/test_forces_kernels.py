@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from tmmcalc.cams.follower import Follower, contact_path
-from tmmcalc.cams.forces.kernels import (
+from tmmcalc.cams.forces.formulas import (
     cam_torque,
     contact_force,
     driving_torque,
     friction_ratio,
     guide_forces,
-    guided,
+    guided_forces,
     inclination,
     protrusion,
     resultant,
@@ -35,7 +35,7 @@ def test_reactions_of_the_worked_cases(case):
     motion = rise("cosine", expected["k"], 0.02, radians(60))
     spring = (0.0, 0.0) if case.endswith("b") else (9500.0, 10.0)
     load = resultant(motion, 0.2 * 100**2, *spring)
-    found = guided(
+    found = guided_forces(
         Follower("translating", 0.06, roller=0.008),
         motion, load, np.ones(len(load)),
         stroke=0.02, friction=0.1, start=0.06, roller=0.008, top=0.12,
@@ -116,7 +116,9 @@ def test_power_of_contact_is_power_of_forces_and_friction():
     motion = rise("shun", np.linspace(0.05, 0.95, 19), 0.02, radians(70))
     follower = Follower("translating", 0.04, 0.004, 0.008)
     load = resultant(motion, 900.0, 5000.0, 40.0)
-    found = guided(follower, motion, load, np.ones(19), stroke=0.02, friction=0.15, start=0.04, roller=0.008, top=0.11)
+    found = guided_forces(
+        follower, motion, load, np.ones(19), stroke=0.02, friction=0.15, start=0.04, roller=0.008, top=0.11
+    )
     lost = 0.15 * (np.abs(found.lower) + np.abs(found.upper)) * np.abs(motion[1])
     given = cam_torque(found.contact, found.cosine, motion)
     assert given - lost == pytest.approx(driving_torque(load, motion), rel=1e-13)
@@ -127,14 +129,14 @@ def test_sizes_broadcast_against_the_motion():
     load = resultant(motion, 2000.0, 9500.0, 10.0)
     starts, rollers = np.array([0.04, 0.06, 0.08]), np.array([0.006, 0.01])
     follower = Follower("translating", 0.05)
-    grid = guided(
+    grid = guided_forces(
         follower, motion, load, np.ones(7),
         stroke=0.02, friction=0.1, start=starts[:, None, None], roller=rollers[:, None], top=0.12,
     )  # fmt: skip
     assert grid.contact.shape == (3, 2, 7)
     for i, start in enumerate(starts):
         for j, roller in enumerate(rollers):
-            one = guided(
+            one = guided_forces(
                 follower, motion, load, np.ones(7), stroke=0.02, friction=0.1, start=start, roller=roller, top=0.12
             )
             assert np.array_equal(one.contact, grid.contact[i, j])
@@ -145,7 +147,7 @@ def test_jamming_and_a_guide_without_length_are_masked_and_finite():
     motion = rise("cosine", np.linspace(0, 1, 21), 0.03, radians(20))
     load = resultant(motion, 100.0, 1000.0, 50.0)
     tops = np.array([0.2, 0.075, 0.05])[:, None]
-    found = guided(
+    found = guided_forces(
         Follower("translating", 0.02), motion, load, np.ones(21),
         stroke=0.03, friction=0.2, start=0.02, roller=0.006, top=tops,
     )  # fmt: skip
@@ -164,7 +166,9 @@ def test_without_friction_the_force_is_the_projection():
     follower = Follower("translating", 0.05, 0.003, 0.008)
     errors = []
     for f in (1e-3, 1e-6, 0.0):
-        found = guided(follower, motion, load, np.ones(9), stroke=0.02, friction=f, start=0.05, roller=0.008, top=0.12)
+        found = guided_forces(
+            follower, motion, load, np.ones(9), stroke=0.02, friction=f, start=0.05, roller=0.008, top=0.12
+        )
         errors.append(np.max(np.abs(found.contact + load / found.cosine)))
     assert errors[2] < 1e-12 * np.max(np.abs(load))
     assert 500 < errors[0] / errors[1] < 2000

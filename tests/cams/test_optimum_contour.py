@@ -13,11 +13,11 @@ from sparing import sparing
 from cams.optimum_scene import CASES, flat_task, roller_task
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.optimum.contour import Contour, contour
-from tmmcalc.cams.optimum.march import crossed
 from tmmcalc.cams.optimum.margins import NUMBERS, judge, margins
 from tmmcalc.cams.optimum.results import CamOptimum
 from tmmcalc.cams.optimum.scene import Scene, scene_of
 from tmmcalc.cams.optimum.solve import solve_optimum
+from tmmcalc.cams.optimum.zerolines import crossed
 from tmmcalc.core.conversion import from_record, to_record
 from tmmcalc.core.numerics.roots import bracketed
 

@@ -9,7 +9,7 @@ from cams.optimum_scene import flat_task, roller_task
 from tmmcalc.cams.facts.cam_optimum import document as optimum_document
 from tmmcalc.cams.facts.cam_optimum import summary as optimum_summary
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.optimum.game import with_law
+from tmmcalc.cams.optimum.options import with_law
 from tmmcalc.cams.optimum.results import CamOptimum
 from tmmcalc.cams.optimum.solve import solve_optimum
 from tmmcalc.cams.task import Spring

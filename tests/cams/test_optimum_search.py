@@ -13,14 +13,14 @@ from sparing import sparing
 from cams.optimum_scene import CASES, flat_task, roller_task
 from tmmcalc.cams.facts.cam_optimum import document as optimum_document
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.optimum.game import MOST, with_law
-from tmmcalc.cams.optimum.least import least_height
+from tmmcalc.cams.optimum.leastheight import least_height
 from tmmcalc.cams.optimum.margins import NUMBERS, judge, margins
+from tmmcalc.cams.optimum.options import MOST, with_law
 from tmmcalc.cams.optimum.peaks import ended, largest
 from tmmcalc.cams.optimum.scene import scene_of
-from tmmcalc.cams.optimum.slipping import may_roll
+from tmmcalc.cams.optimum.slipbounds import may_roll
 from tmmcalc.cams.optimum.solve import solve_optimum
-from tmmcalc.cams.optimum.steps import search
+from tmmcalc.cams.optimum.wholesteps import search
 from tmmcalc.cams.strength.solve import solve_strength
 from tmmcalc.cams.tables.checks.cam_search import MOST_OPTIONS
 from tmmcalc.cams.task import CamTask, Optimum, Spring
@@ -282,10 +282,10 @@ def test_flat_contact_stress_asks_for_more_height() -> None:
     least = solve_optimum(tight, Follower("flat", 0.05)).least
     assert 9 in least.active
     for start in least.start + np.array([-1e-3, -1e-4, 1e-4, 1e-3]):  # no S0 beside it is lower
-        from tmmcalc.cams.optimum import flat
+        from tmmcalc.cams.optimum import flatface
 
         scene = scene_of(tight, Follower("flat", 0.05))
-        found = flat.lengths(scene)(np.array([start]))
+        found = flatface.lengths(scene)(np.array([start]))
         assert start + scene.stroke + found.least[0] > least.height - 1e-7
 
 

@@ -10,10 +10,10 @@ from sparing import sparing
 
 from cams.optimum_scene import roller_task
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.optimum.game import with_law
 from tmmcalc.cams.optimum.margins import NUMBERS, judge
+from tmmcalc.cams.optimum.options import with_law
 from tmmcalc.cams.optimum.scene import scene_of
-from tmmcalc.cams.optimum.slipping import may_roll
+from tmmcalc.cams.optimum.slipbounds import may_roll
 from tmmcalc.cams.optimum.solve import solve_optimum
 from tmmcalc.cams.speed import Speed
 from tmmcalc.cams.strength.solve import solve_strength

@@ -14,15 +14,15 @@ from cams.optimum_scene import roller_task, turn
 from tmmcalc.cams.facts.cam_optimum import document as optimum_document
 from tmmcalc.cams.facts.cam_optimum import summary as optimum_summary
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.kernels import Mask
+from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.optimum.game import with_law
 from tmmcalc.cams.optimum.margins import judge
+from tmmcalc.cams.optimum.options import with_law
 from tmmcalc.cams.optimum.scene import Scene, scene_of
 from tmmcalc.cams.optimum.solve import solve_optimum
-from tmmcalc.cams.optimum.steps import search
+from tmmcalc.cams.optimum.wholesteps import search
 from tmmcalc.cams.pressure.angle import reached
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Optimum, Spring
 from tmmcalc.core.errors import NoSolutionError
@@ -77,10 +77,10 @@ def test_sizes_too_far_for_the_steps_are_named() -> None:
 @pytest.mark.slow
 def test_a_roller_that_slips_everywhere_is_refused_soon() -> None:
     """Every step point is looked at once, however far the search goes."""
-    from tmmcalc.cams.optimum import slipping, steps
+    from tmmcalc.cams.optimum import slipbounds, wholesteps
 
     seen: list[int] = []
-    own = slipping.may_roll
+    own = slipbounds.may_roll
 
     def counted(scene: Scene, start: Values, *rest: Values) -> Mask:
         seen.append(len(start))
@@ -90,7 +90,7 @@ def test_a_roller_that_slips_everywhere_is_refused_soon() -> None:
     assert given.loads is not None
     task = replace(given, loads=replace(given.loads, mass=1e-6))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(steps, "may_roll", counted)
+        patch.setattr(wholesteps, "may_roll", counted)
         found, known = search(scene_of(task, ROLLER), Optimum(step=4e-3, height_step=4e-3))
     assert found is None
     assert 0 < sum(seen) <= len(known.start)

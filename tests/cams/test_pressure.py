@@ -12,7 +12,7 @@ from sparing import sparing
 from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower, contact_path
 from tmmcalc.cams.laws.law import polynomial
-from tmmcalc.cams.pressure.angle import pressure
+from tmmcalc.cams.pressure.angle import pressure_angle
 from tmmcalc.cams.pressure.solve import Pressure, pressure_columns, solve_pressure
 from tmmcalc.cams.program import Phase, Program
 from tmmcalc.cams.task import AngleLimits
@@ -38,7 +38,7 @@ def test_worked_case_of_all_senses(cam, sign):
     case = CASES["cams-s10"]
     follower = Follower("translating", 0.055, sign * 0.008, sense=1 if cam.startswith("cw") else -1)
     phi = np.radians(case["inputs"]["phi_deg"])
-    theta = pressure(follower, phi, program_of(follower).at(phi))
+    theta = pressure_angle(follower, phi, program_of(follower).at(phi))
     assert np.degrees(theta) == pytest.approx(case["expected"][cam]["theta_deg"], rel=1e-6, abs=1e-6)
 
 
@@ -55,7 +55,7 @@ def test_it_is_the_angle_between_normal_and_velocity(follower):
         to_roller = path[0] - follower.centres * np.exp(1j * phi)
         lift = -1j * follower.assembly * to_roller / np.abs(to_roller)
     turned = -np.angle(normal / lift)  # positive as the cam turns: clockwise
-    theta = pressure(follower, phi, motion)
+    theta = pressure_angle(follower, phi, motion)
     expected = turned if follower.kind == "translating" else -follower.assembly * turned
     assert theta == pytest.approx(expected, abs=1e-12)
 
@@ -67,11 +67,11 @@ def test_extremes_are_those_of_a_dense_sample(follower, law):
     found = solve_pressure(task_of(program, follower.kind), follower)
     for k, on in ((0, found.rise), (2, found.back)):
         phi = np.linspace(program.starts[k], program.starts[k + 1], 200001)
-        theta = pressure(follower, phi, program.at(phi))
+        theta = pressure_angle(follower, phi, program.at(phi))
         for extreme, value in ((on.least, theta.min()), (on.largest, theta.max())):
             assert extreme.value == pytest.approx(value, abs=1e-9)
             there = np.array([extreme.phi])
-            assert pressure(follower, there, program.at(there))[0] == pytest.approx(extreme.value, abs=1e-13)
+            assert pressure_angle(follower, there, program.at(there))[0] == pytest.approx(extreme.value, abs=1e-13)
         assert on.largest.value >= theta.max() - 1e-15
         assert on.least.value <= theta.min() + 1e-15
 
@@ -84,14 +84,14 @@ def test_where_the_limit_is_exceeded():
     assert found.verdict == "pressure_angle_exceeded"
     assert len(found.notes) == 2
     phi = np.linspace(0, program.starts[-1], 100001)
-    theta = np.abs(pressure(follower, phi, program.at(phi)))
+    theta = np.abs(pressure_angle(follower, phi, program.at(phi)))
     for k, on in ((0, found.rise), (2, found.back)):
         moving = (phi > program.starts[k]) & (phi < program.starts[k + 1])
         inside = np.zeros(len(phi), bool)
         for low, high in on.exceeded:
             inside |= (phi > low) & (phi < high)
             for end in (low, high):
-                value = abs(pressure(follower, np.array([end]), program.at(np.array([end])))[0])
+                value = abs(pressure_angle(follower, np.array([end]), program.at(np.array([end])))[0])
                 at_end_of_phase = min(abs(end - program.starts)) < 1e-12
                 assert value == pytest.approx(on.limit, abs=1e-13) or (at_end_of_phase and value > on.limit)
         assert np.array_equal(inside[moving], (theta > on.limit)[moving])
@@ -129,10 +129,10 @@ def test_arrays_of_sizes_are_broadcast():
     program, follower = turn(), FOLLOWERS[0]
     phi = np.linspace(0.1, 1.0, 5)
     starts, offsets = np.array([0.02, 0.03, 0.04])[:, None], np.array([0.0, 0.006, -0.01])[:, None]
-    every = pressure(follower, phi, program.at(phi), start=starts, offset=offsets)
+    every = pressure_angle(follower, phi, program.at(phi), start=starts, offset=offsets)
     assert every.shape == (3, 5)
     for row, start, e in zip(every, starts[:, 0], offsets[:, 0], strict=True):
-        alone = pressure(Follower("translating", start, e), phi, program.at(phi))
+        alone = pressure_angle(Follower("translating", start, e), phi, program.at(phi))
         assert np.array_equal(row, alone)
 
 

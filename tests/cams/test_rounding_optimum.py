@@ -19,10 +19,10 @@ from cams.exact_strength import Judged
 from cams.optimum_scene import flat_task, roller_task
 from cams.scenes import briefly, judged
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.optimum import flat
+from tmmcalc.cams.optimum import flatface
 from tmmcalc.cams.optimum.checks import choice_of
 from tmmcalc.cams.optimum.errors import optimum_errors
-from tmmcalc.cams.optimum.least import least_height
+from tmmcalc.cams.optimum.leastheight import least_height
 from tmmcalc.cams.optimum.margins import margins
 from tmmcalc.cams.optimum.results import ACTIVE
 from tmmcalc.cams.optimum.scene import scene_of
@@ -83,7 +83,7 @@ def the_face(random):
     task = replace(flat_task(), program=random_program(random, 10 ** random.uniform(-2.5, -2.0), own=False))
     follower = Follower("flat", 0.1)
     scene = scene_of(task, follower)
-    least = flat.choice_of(scene, *flat.lowest(scene))
+    least = flatface.choice_of(scene, *flatface.lowest(scene))
     loaded, need, program = Loaded(task, follower), task.requirements, task.program
     start = mpf(task.limits.convex) - extremes(program, lambda lib, phi, m, piece: m[0] + m[2])[0][0]
     limit = mpf(need.guide_pressure) * 2 * mpf(task.guide.land) * mpf(task.guide.stem)

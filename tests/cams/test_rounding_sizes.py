@@ -17,10 +17,10 @@ from cams.scenes import briefly, judged
 from cams.test_rounding_pressure import of_theta
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pressure.angle import reached
-from tmmcalc.cams.synthesis import oscillating, roller
+from tmmcalc.cams.synthesis import oscillatingsizes, roller
 from tmmcalc.cams.synthesis.errors import size_errors
 from tmmcalc.cams.synthesis.solve import solve_synthesis
-from tmmcalc.cams.synthesis.translating import lines_of, nearest
+from tmmcalc.cams.synthesis.translatingsizes import lines_of, nearest
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask
 
 FEW = 1
@@ -149,7 +149,7 @@ def bare(task):
         e, start = nearest(lines_of(task))
         follower = Follower("translating", start, e, task.asked.roller)
     else:
-        found = oscillating.find(task)
+        found = oscillatingsizes.least_triangle(task)
         sizes = {"centres": found.centres, "rocker": found.rocker, "roller": task.asked.roller}
         follower = Follower("oscillating", found.start, **sizes)
     rise, back = reached(task, follower)

@@ -12,8 +12,8 @@ from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.forces.turn import at_angles
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.speed import Speed
+from tmmcalc.cams.strength.case import roller_acceleration
 from tmmcalc.cams.strength.solve import solve_strength
-from tmmcalc.cams.strength.work import spun
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Loads, Requirements, Spring
 from tmmcalc.core.numerics.panels import panels
 
@@ -86,9 +86,9 @@ def test_roller_of_a_cam_whose_speed_varies():
 
     grown = (spin(phi + step) - spin(phi - step)) / (2 * step) * speed.at(phi)[0]
     at = at_angles(asked, asked.loads, phi)
-    pressed = spun(asked, asked.loads, FOLLOWER, at, np.ones(5))
+    pressed = roller_acceleration(asked, asked.loads, FOLLOWER, at, np.ones(5))
     assert pressed == pytest.approx(0.008 * grown / 100**2, rel=1e-5, abs=1e-8)
-    on_outer = spun(asked, asked.loads, FOLLOWER, at, -np.ones(5))
+    on_outer = roller_acceleration(asked, asked.loads, FOLLOWER, at, -np.ones(5))
     assert on_outer - pressed == pytest.approx(2 * 0.008 * speed.at(phi)[1] / 100**2, rel=1e-9)
     found, steady = (solve_strength(each, FOLLOWER) for each in (asked, replace(asked, turning=None)))
     assert any("eps (v - r2)" in note for note in found.notes)

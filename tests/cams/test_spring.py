@@ -10,10 +10,10 @@ import pytest
 from cams.turns import overshooting, task_of
 from tmmcalc.cams.facts.cam_forces import summary as forces_summary
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.notes import force_notes
 from tmmcalc.cams.forces.results import Reserve
 from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.forces.spring import lifting, solve_spring
+from tmmcalc.cams.forces.verdicts import force_notes
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.law import polynomial
 from tmmcalc.cams.program import Phase, Program

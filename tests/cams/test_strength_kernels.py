@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from tmmcalc.cams.follower import Follower, contact_path, curvature
-from tmmcalc.cams.forces.kernels import contact_force, driving_torque, guided, inclination, resultant
+from tmmcalc.cams.forces.formulas import contact_force, driving_torque, guided_forces, inclination, resultant
 from tmmcalc.cams.laws.catalogue import LAWS
-from tmmcalc.cams.strength.kernels import (
+from tmmcalc.cams.strength.formulas import (
     BAD,
     concave_margin,
     contact_stress,
@@ -69,7 +69,9 @@ def test_slip_stem_shaft_and_stress_of_the_worked_case():
     motion = rise("cosine", np.linspace(0, 1, 4001), 0.02, radians(60))
     load = resultant(motion, 2000.0, 9500.0, 10.0)
     follower = Follower("translating", 0.06, roller=0.008)
-    found = guided(follower, motion, load, np.ones(4001), stroke=0.02, friction=0.1, start=0.06, roller=0.008, top=0.12)
+    found = guided_forces(
+        follower, motion, load, np.ones(4001), stroke=0.02, friction=0.1, start=0.06, roller=0.008, top=0.12
+    )
     bend, run = rolling(follower, motion)
     pin = pin_radius(np.max(found.contact), 5e6, 1.4)
     c1 = resisting(0.05e-3, 0.1, pin, 0.1, 0.008)

@@ -12,11 +12,11 @@ from sparing import sparing
 from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.catalogue import LAWS
-from tmmcalc.cams.pressure.angle import pressure, reached
-from tmmcalc.cams.synthesis.aims import Distance
-from tmmcalc.cams.synthesis.exchange import best
+from tmmcalc.cams.pressure.angle import pressure_angle, reached
+from tmmcalc.cams.synthesis.bestplace import best
 from tmmcalc.cams.synthesis.halfplanes import families, outside
-from tmmcalc.cams.synthesis.oscillating import find
+from tmmcalc.cams.synthesis.objectives import Distance
+from tmmcalc.cams.synthesis.oscillatingsizes import least_triangle
 from tmmcalc.cams.synthesis.results import Synthesis, region_columns
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits
@@ -91,7 +91,7 @@ def test_optimum_against_a_search(seed, which):
     limits = AngleLimits(radians(random.uniform(30, 55)), None if seed % 3 == 0 else radians(random.uniform(30, 55)))
     task = rocker_task(limits, program, assembly=1 if seed % 2 else -1, roller=0.0, **{which: L2})
     task = replace(task, limits=replace(limits, convex=0.0))
-    follower = find(task)  # of the pressure angle alone, whatever room the pivot has
+    follower = least_triangle(task)  # of the pressure angle alone, whatever room the pivot has
 
     def aim(psi0, l0):
         base = np.sqrt(1 + l0 * l0 - 2 * l0 * np.cos(psi0))
@@ -228,7 +228,7 @@ def test_region_is_where_the_limits_hold():
     for k in np.flatnonzero(region.side):  # a side belongs to its angle of the cam
         z, at = corners[k] + edges[k] / 2, region.phi[[k]]
         follower = Follower("oscillating", float(-np.angle(z)), centres=abs(z), rocker=L2)
-        theta = pressure(follower, at, task.program.at(at))[0]
+        theta = pressure_angle(follower, at, task.program.at(at))[0]
         assert region.side[k] * theta == pytest.approx(radians(40), abs=1e-9)
 
 

@@ -16,8 +16,7 @@ from matplotlib.colors import to_hex
 from matplotlib.text import Text
 
 from tmmcalc.cams.pictures.cam_synthesis import synthesis_figure
-from tmmcalc.cams.pictures.pivotzone import swept_of
-from tmmcalc.cams.pictures.zone import LIMIT, PASSING
+from tmmcalc.cams.pictures.zone import LIMIT, PASSING, swept_of
 
 PROGRAM = turn("sine", stroke=radians(30))
 SPRING, BOTH = AngleLimits(radians(45), None), AngleLimits(radians(45), radians(45))

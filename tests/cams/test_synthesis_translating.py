@@ -16,7 +16,7 @@ from tmmcalc.cams.pressure.angle import reached
 from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.synthesis.results import Synthesis, region_columns
 from tmmcalc.cams.synthesis.solve import solve_synthesis
-from tmmcalc.cams.synthesis.translating import least_start, lines_of, lowest, nearest
+from tmmcalc.cams.synthesis.translatingsizes import least_start, lines_of, lowest, nearest
 from tmmcalc.cams.task import AngleLimits
 from tmmcalc.core.conversion import from_record, to_record
 from tmmcalc.core.errors import NoSolutionError, UsageError

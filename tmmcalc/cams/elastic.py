@@ -15,13 +15,13 @@ import numpy as np
 
 from tmmcalc.cams.elasticerrors import spectrum_error, vibration_errors
 from tmmcalc.cams.follower import Follower, along
-from tmmcalc.cams.forces.kernels import resultant
+from tmmcalc.cams.forces.formulas import resultant
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.turn import at_angles, loads_of
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.law import Law, Values
 from tmmcalc.cams.program import SAME
-from tmmcalc.cams.response import Course, residual, steady
+from tmmcalc.cams.response import Response, residual, steady
 from tmmcalc.cams.rounding import Errors
 from tmmcalc.cams.separation import Contact, contact_notes, contact_of
 from tmmcalc.cams.speed import constant_speed
@@ -147,7 +147,7 @@ def solve_elastic(task: CamTask, follower: Follower) -> ElasticResult:
     )
 
 
-def _loads(task: CamTask, loads: Loads, course: Course, mass: float) -> tuple[Values, Values]:
+def _loads(task: CamTask, loads: Loads, course: Response, mass: float) -> tuple[Values, Values]:
     """P_c (K, N) with the acceleration of the mass, and with that of the cam."""
     on = course.panels
     at = at_angles(task, loads, on.x.ravel())
@@ -167,7 +167,7 @@ def _curves(task: CamTask, on: Panels, values: Values) -> tuple[Values, Values]:
     return phi[kept], rows[:, kept]
 
 
-def _phases(task: CamTask, course: Course, frequency: float, damping: float) -> Iterator[PhaseVibration]:
+def _phases(task: CamTask, course: Response, frequency: float, damping: float) -> Iterator[PhaseVibration]:
     program, on = task.program, course.panels
     free = frequency * sqrt(1 - damping**2)
     for phase, begin, end in zip(program.phases, program.starts, program.starts[1:], strict=False):

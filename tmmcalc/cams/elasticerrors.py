@@ -14,7 +14,7 @@ import numpy as np
 
 from tmmcalc.cams.laws.law import Law, Values
 from tmmcalc.cams.program import Program
-from tmmcalc.cams.response import SPAN, Course, kicks_of, residual
+from tmmcalc.cams.response import SPAN, Response, kicks_of, residual
 from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, relative
 from tmmcalc.cams.speed import Speed
 from tmmcalc.cams.wide import wide
@@ -25,7 +25,7 @@ FEW = 6  # panels integrated again
 RATIOS = (0, -1)  # of a spectrum, the ends
 
 
-def vibration_errors(program: Program, speed: Speed, course: Course, frequency: float, damping: float) -> Errors:
+def vibration_errors(program: Program, speed: Speed, course: Response, frequency: float, damping: float) -> Errors:
     """Estimates of the stretch z, of the acceleration of the mass and of that of the cam, and of the amplitudes."""
     on, rate = course.panels, complex(-damping * frequency, frequency * sqrt(1 - damping**2))
     ratio, found = course.ratio, course.kicks

@@ -80,7 +80,7 @@ def pivot_room(task: CamTask, follower: Follower) -> PivotRoom | None:
     return PivotRoom(reach, phi, follower.centres - pivot, pivot, groove)
 
 
-def told(room: PivotRoom) -> str:
+def pivot_fault(room: PivotRoom) -> str:
     """What is wrong where the cam sweeps over the pivot, or what its disc asks of it."""
     less = f" less its radius of {1e3 * room.pivot:.6g} mm" if room.pivot else ""
     what = "second wall reaches beyond" if room.passed else "cam sweeps over"

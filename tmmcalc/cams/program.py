@@ -16,8 +16,8 @@ from typing import Literal
 import numpy as np
 
 from tmmcalc.cams.laws.law import ORDERS, Indices, Law, Values
-from tmmcalc.cams.steadying import steady
 from tmmcalc.core.columns import degrees
+from tmmcalc.core.numerics.gauss import rule
 from tmmcalc.core.numerics.panels import Extreme, Panels, panels
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
@@ -25,6 +25,7 @@ from tmmcalc.core.records import record
 PhaseKind = Literal["rise", "high dwell", "return", "low dwell"]
 TURN = 2 * pi
 SAME = 1e-12  # of the largest: a jump that is rounding
+FLAT = 1e-13  # of the largest: what varies less on a panel is constant there, as all is in a dwell
 
 
 @record
@@ -69,7 +70,7 @@ class Program:
     @cached_property
     def turned(self) -> tuple[Values, Values]:
         """Angles and y (m,) of all places where the follower turns, and of both sides of all edges of the panels."""
-        return self.panels.turning(steady(self.sampled[0]))
+        return self.panels.turning(levelled(self.sampled[0]))
 
     @property
     def lowest(self) -> float:
@@ -138,7 +139,11 @@ class Program:
         """The same in extended precision, for the estimates of errors."""
         from tmmcalc.cams.wide import wide
 
-        return Program(tuple(_wide_phase(each, wide((each.angle, each.start, each.end))) for each in self.phases))
+        laws = (None if each.law is None else each.law.wider for each in self.phases)
+        ends = (wide((each.angle, each.start, each.end)) for each in self.phases)
+        return Program(
+            tuple(Phase(each.kind, *own, law) for each, own, law in zip(self.phases, ends, laws, strict=True))
+        )
 
     @cached_property
     def panels(self) -> Panels:
@@ -169,10 +174,6 @@ class Program:
         jump = after - np.roll(before, 1, axis=1)
         size = np.max(np.abs(np.concatenate((after, before, self.sampled.reshape(ORDERS, -1)), axis=1)), axis=1)
         return np.where(np.abs(jump) > SAME * size[:, None], jump, 0.0)
-
-
-def _wide_phase(phase: Phase, numbers: tuple[float, float, float]) -> Phase:
-    return Phase(phase.kind, *numbers, None if phase.law is None else phase.law.wider)
 
 
 def _moved(phase: Phase, law: Law, start: float, phi: Values, piece: Indices) -> Values:
@@ -234,3 +235,16 @@ def of_step(program: Program, step: float) -> Positions:
     """Rows every ``step`` [rad], and at the ends of the phases."""
     end = float(program.starts[-1])
     return positions(program, step * np.arange(int(end / step + 1e-9) + 1))
+
+
+def levelled(values: Values) -> Values:
+    """Values (K, N) with a slope of rounding on panels where they are constant.
+
+    Rounding would make such a panel full of turning points, which all would be looked for.
+    """
+    peak = np.max(np.abs(values))
+    flat = np.max(values, axis=1) - np.min(values, axis=1) <= FLAT * peak
+    if not flat.any():
+        return values
+    ramp = FLAT * peak * rule(values.shape[1]).points
+    return np.where(flat[:, None], values[:, :1] + ramp, values)

@@ -32,7 +32,7 @@ RESONANT = 1e-9  # what a turn takes from a vibration: below it there is no stea
 
 
 @record
-class Course:
+class Response:
     """The steady vibration over a turn at the points (K, N) of panels, and q at their edges."""
 
     panels: Panels
@@ -46,7 +46,7 @@ class Course:
     kicks: Complex  # (K,) what a panel adds to q
 
 
-def steady(program: Program, speed: Speed, frequency: float, damping: float) -> Course:
+def steady(program: Program, speed: Speed, frequency: float, damping: float) -> Response:
     """The periodic response at the natural frequency w [rad/s] and damping zeta.
 
     Raises `SingularityError` at resonance without damping, `UsageError` where w is too high to follow.
@@ -70,7 +70,7 @@ def steady(program: Program, speed: Speed, frequency: float, damping: float) -> 
     q = inner + edges[:-1, None] * np.exp(rate * _inside(on, inverse))
     z = q.imag / rate.imag
     mass = -2 * damping * frequency * (q.real + rate.real * z) - frequency**2 * z
-    return Course(on, lift, given, z, mass, edges, time, ratio, kicks)
+    return Response(on, lift, given, z, mass, edges, time, ratio, kicks)
 
 
 def _rate(frequency: float, damping: float) -> complex:

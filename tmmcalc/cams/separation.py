@@ -52,10 +52,10 @@ def contact_of(task: CamTask, loads: Loads, on: Panels, load: Values, rigid: Val
     acts = loads.mass or loads.spring.method != "none" or force.rise or force.back or force.values is not None
     closure = task.asked.closure
     largest = on.extremes(load)[1][0]
-    return Contact(closure, closure == "groove" or bool(acts), largest, _beyond(on, load), _beyond(on, rigid))
+    return Contact(closure, closure == "groove" or bool(acts), largest, _lifted(on, load), _lifted(on, rigid))
 
 
-def _beyond(on: Panels, load: Values) -> Spans:
+def _lifted(on: Panels, load: Values) -> Spans:
     """Where a load is positive, beyond rounding."""
     if np.max(load) <= 0:
         return ()

@@ -22,7 +22,7 @@ from tmmcalc.cams.elastic import ElasticResult
 from tmmcalc.cams.forces.turn import loads_of
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import TURN, Program
-from tmmcalc.cams.response import Course, kicks_of, steady
+from tmmcalc.cams.response import Response, kicks_of, steady
 from tmmcalc.cams.speed import Speed, constant_speed
 from tmmcalc.cams.stages.parts import at_speed
 from tmmcalc.cams.task import CamTask
@@ -80,7 +80,7 @@ class _Problem:
     def speed(self) -> Speed:
         return constant_speed(self.omega)
 
-    def course(self) -> Course:
+    def course(self) -> Response:
         return steady(self.program, self.speed, self.frequency, self.damping)
 
     def stretch(self) -> Values:

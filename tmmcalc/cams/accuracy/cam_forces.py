@@ -12,12 +12,12 @@ from functools import partial
 import numpy as np
 
 from tmmcalc.cams.accuracy.sides import beside
-from tmmcalc.cams.forces.course import course_of
 from tmmcalc.cams.forces.results import CamForces
 from tmmcalc.cams.forces.solve import solve_forces
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.state import Carried, state
 from tmmcalc.cams.forces.turn import at_rows, loads_of
+from tmmcalc.cams.forces.turnforces import turn_forces
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import TURN, Positions, of_step
 from tmmcalc.cams.stages.parts import at_speed
@@ -35,7 +35,7 @@ def studies(scene: Scene) -> Iterator[Study]:
     loads = loads_of(task)
 
     def carried() -> Carried:
-        return course_of(task, found.follower, loads, solve_spring(task, loads)).carried
+        return turn_forces(task, found.follower, loads, solve_spring(task, loads)).carried
 
     def forces(of: Carried, rows: Positions) -> Values:
         now = state(of, at_rows(task, loads, rows))
@@ -45,7 +45,8 @@ def studies(scene: Scene) -> Iterator[Study]:
         return np.asarray(np.max(forces(carried(), of_step(task.program, TURN / count)), axis=1))
 
     def by_extremes() -> Values:
-        return _sizes(solve_forces(task, found.follower))
+        extreme = solve_forces(task, found.follower).extreme
+        return np.array([extreme(name).size for name in ("R", "M_drive")])
 
     of = carried()
 
@@ -73,7 +74,3 @@ def studies(scene: Scene) -> Iterator[Study]:
             of_positions("table of equal steps", ways, error, scene.clock),
         ),
     )
-
-
-def _sizes(found: CamForces) -> Values:
-    return np.array([found.extreme(name).size for name in ("R", "M_drive")])

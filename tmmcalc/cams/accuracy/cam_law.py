@@ -134,7 +134,8 @@ def _by_points(law: Law, clock: Clock) -> tuple[Series, ...]:
 
     def splined(count: int) -> Values:
         k = np.arange(count + 1) / count
-        return np.asarray(of_points(k, _ended(law.at(k)[0])).at(PLACES)[2])
+        s = np.concatenate(([0.0], law.at(k)[0, 1:-1], [1.0]))  # exact ends
+        return np.asarray(of_points(k, s).at(PLACES)[2])
 
     def differenced(count: int) -> Values:
         k = np.arange(count + 1) / count
@@ -151,8 +152,3 @@ def _by_points(law: Law, clock: Clock) -> tuple[Series, ...]:
         series("spline through the points", ways(splined), error, clock, note=FOURTH),
         series("second differences of the table", ways(differenced), error, clock),
     )
-
-
-def _ended(s: Values) -> Values:
-    """s with exact ends."""
-    return np.concatenate(([0.0], s[1:-1], [1.0]))

@@ -13,12 +13,12 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.cams.optimum import flat
-from tmmcalc.cams.optimum.least import least_height
+from tmmcalc.cams.optimum import flatface
+from tmmcalc.cams.optimum.leastheight import least_height
 from tmmcalc.cams.optimum.margins import SLACK, margins
 from tmmcalc.cams.optimum.results import CamOptimum
 from tmmcalc.cams.optimum.scene import Phases, Scene, scene_of
-from tmmcalc.cams.optimum.steps import search
+from tmmcalc.cams.optimum.wholesteps import search
 from tmmcalc.cams.stages.parts import at_speed
 from tmmcalc.cams.task import CamTask, Optimum
 from tmmcalc.core.errors import NoSolutionError
@@ -68,13 +68,13 @@ def _flat(scene: Scene) -> bool:
 def _corner(scene: Scene, found: CamOptimum) -> float:
     """The least H2 of any sizes [m]."""
     if _flat(scene):
-        return flat.lowest(scene)[1]
+        return flatface.lowest(scene)[1]
     return least_height(scene, found.chosen.start, found.chosen.roller, found.chosen.height).height
 
 
 def _steps(scene: Scene, asked: Optimum, step: float) -> float:
     if _flat(scene):
-        return flat.steps(scene, step, step)[0]
+        return flatface.steps(scene, step, step)[0]
     lowest, _ = search(scene, replace(asked, step=step, height_step=step))
     if lowest is None:
         raise NoSolutionError(f"no step point of {1e3 * step:g} mm keeps all constraints", where="cam_optimum")

@@ -13,7 +13,7 @@ import numpy as np
 from tmmcalc.cams.accuracy.sides import beside
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure.angle import pressure, reached
+from tmmcalc.cams.pressure.angle import pressure_angle, reached
 from tmmcalc.cams.pressure.solve import Pressure
 from tmmcalc.cams.program import TURN, Program
 from tmmcalc.cams.task import CamTask
@@ -42,7 +42,7 @@ def studies(scene: Scene) -> Iterator[Study]:
 
     def tabled(count: int) -> float:
         phi = TURN * np.arange(count) / count
-        return float(np.max(np.abs(pressure(follower, phi, program.at(phi)))))
+        return float(np.max(np.abs(pressure_angle(follower, phi, program.at(phi)))))
 
     def by_roots() -> float:
         return max(abs(on.worst.value) for on in reached(task, follower, intervals=False))
@@ -64,5 +64,7 @@ def studies(scene: Scene) -> Iterator[Study]:
 
 def _sizes(program: Program, follower: Follower, phi: Values) -> Values:
     """|theta| (1, m) in extended precision; at an end of a piece of the law the larger of both."""
-    sides = [pressure(wide(follower), at, program.wider.at(at, piece)) for at, piece in beside(program, wide(phi))]
+    sides = [
+        pressure_angle(wide(follower), at, program.wider.at(at, piece)) for at, piece in beside(program, wide(phi))
+    ]
     return np.max(np.abs(sides), axis=0)[None]

@@ -15,11 +15,11 @@ from functools import partial
 import numpy as np
 
 from tmmcalc.cams.pressure.angle import limited_phases
-from tmmcalc.cams.synthesis import oscillating
-from tmmcalc.cams.synthesis.aims import Distance
-from tmmcalc.cams.synthesis.exchange import Best, best
+from tmmcalc.cams.synthesis import oscillatingsizes
+from tmmcalc.cams.synthesis.bestplace import Best, best
 from tmmcalc.cams.synthesis.halfplanes import Family, Lines, families
-from tmmcalc.cams.synthesis.region import polygon
+from tmmcalc.cams.synthesis.objectives import Distance
+from tmmcalc.cams.synthesis.polygon import polygon
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.task import CamTask
 from tmmcalc.cams.wide import wide
@@ -61,7 +61,7 @@ def rocker(task: CamTask, found: Synthesis, clock: Clock) -> Study:
         of_positions("lines of n positions", ways, error, clock),
         series(f"raster, {DRAWN} positions", squares, error, clock, note=RASTER, stepwise=False),
     ]
-    if oscillating.textbook(task, 1.0) is not None:
+    if oscillatingsizes.textbook(task, 1.0) is not None:
         book = [Way("", None, lambda: _by_textbook(task))]
         all_series.append(series("textbook (5.50), (5.51)", book, error, clock, note=MIDDLE))
     name = f"the lines that the exchange finds, closed in extended precision; {MANY} positions a phase ask for no more"
@@ -74,7 +74,7 @@ def _by_exchange(task: CamTask) -> float:
 
 
 def _by_textbook(task: CamTask) -> float:
-    found = oscillating.textbook(task, 1.0)
+    found = oscillatingsizes.textbook(task, 1.0)
     assert found is not None
     return found.base
 

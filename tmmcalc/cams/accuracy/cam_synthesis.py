@@ -20,9 +20,9 @@ from tmmcalc.cams.accuracy.sides import beside
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure.angle import limited_phases
 from tmmcalc.cams.program import TURN
-from tmmcalc.cams.synthesis.flat import find
+from tmmcalc.cams.synthesis.flatface import flat_sizes
 from tmmcalc.cams.synthesis.results import Synthesis
-from tmmcalc.cams.synthesis.translating import Line, Lines, least_start, lines_of, nearest
+from tmmcalc.cams.synthesis.translatingsizes import Line, Lines, least_start, lines_of, nearest
 from tmmcalc.cams.task import CamTask
 from tmmcalc.cams.wide import wide
 from tmmcalc.core.numerics.extended import WIDER
@@ -141,7 +141,7 @@ def _flat(task: CamTask, found: Synthesis, clock: Clock) -> Study:
             max(found.error["sizes"], exact.short),
         ),
         (
-            series("exact least F", [Way("", None, lambda: find(task)[0])], error, clock),
+            series("exact least F", [Way("", None, lambda: flat_sizes(task)[0])], error, clock),
             of_positions("F of n positions", ways, error, clock),
         ),
     )

@@ -60,7 +60,8 @@ def _facts(result: LawResult, constants: bool = True) -> Iterator[Fact]:
     if result.speed is not None:
         text = f"{number(result.speed)} rad/s ({number(result.speed * 30 / pi)} rpm)"
         yield Fact("speed of the cam", text, keyed(result, "speed"))
-    yield Fact("stroke", _size(result, result.stroke), keyed(result, "stroke", **along(result.turns)))
+    text = f"{number(degrees(result.stroke))} deg" if result.turns else _plain(result, result.stroke)
+    yield Fact("stroke", text, keyed(result, "stroke", **along(result.turns)))
     for phase in result.phases:
         yield _phase_fact(phase)
     if constants:
@@ -72,11 +73,6 @@ def _facts(result: LawResult, constants: bool = True) -> Iterator[Fact]:
         if pair:
             yield _extreme_fact(result, order, pair)
     yield _shock_fact(result)
-
-
-def _size(result: LawResult, value: float, power: str = "") -> str:
-    """A displacement or a derivative of it for people."""
-    return f"{number(degrees(value))} deg{power}" if result.turns and not power else _plain(result, value)
 
 
 def _plain(result: LawResult, value: float) -> str:

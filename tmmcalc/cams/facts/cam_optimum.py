@@ -7,8 +7,7 @@ from math import degrees
 from typing import Any
 
 from tmmcalc.cams.facts.design_game import game_document, game_facts, option_values
-from tmmcalc.cams.optimum.border import Corner, Outline
-from tmmcalc.cams.optimum.contour import Contour
+from tmmcalc.cams.optimum.contour import Contour, Corner
 from tmmcalc.cams.optimum.margins import NAMES
 from tmmcalc.cams.optimum.results import CamOptimum, Check, Choice, Relaxation
 from tmmcalc.core.quantity import Quantity, keyed, keys, quantity_of, table
@@ -140,12 +139,9 @@ def _cells(each: Check, least: Check) -> tuple[str, ...]:
     if each.value is None:
         return str(each.number), each.name, "not judged", "", "", ""
     value = f"{each.symbol} = {quantity(each.value, each.unit, 5)}"
+    margins = (f"{100 * margin:.2f}".replace("-0.00", "0.00") for margin in (each.margin, least.margin))
     limit = "none" if each.limit is None else f"{each.relation} {quantity(each.limit, each.unit, 5)}"
-    return str(each.number), each.name, value, limit, *(_percent(m) for m in (each.margin, least.margin))
-
-
-def _percent(margin: float) -> str:
-    return f"{100 * margin:.2f}".replace("-0.00", "0.00")
+    return str(each.number), each.name, value, limit, *margins
 
 
 def _check_values(each: Check) -> dict[str, Any]:
@@ -160,7 +156,8 @@ def _contour_part(contour: Contour) -> Document:
     title = f"blocking contour at H2 = {quantity(contour.height, 'm')}"
     facts = []
     for outline in contour.outlines:
-        ends = [quantity(float(v), "m", 5) for v in _ends(outline)]
+        s, r = outline.start, outline.roller
+        ends = [quantity(float(v), "m", 5) for v in (s.min(), s.max(), r.min(), r.max())]
         text = f"S0 from {ends[0]} to {ends[1]}, r2 from {ends[2]} to {ends[3]}, area {outline.area * 1e6:.5g} mm^2"
         facts.append(Fact("region", text, keyed(outline, "area")))
     corners = [corner for outline in contour.outlines for corner in outline.corners]
@@ -168,11 +165,6 @@ def _contour_part(contour: Contour) -> Document:
     between = [" and ".join(_named((key,)) for key in corner.numbers) for corner in corners]
     view = View([*places, "between"], [*([round(mm, 6) for mm in row] for row in places.values()), between])
     return Document(title, tuple(facts), (), view if corners else None)
-
-
-def _ends(outline: Outline) -> tuple[float, float, float, float]:
-    s, r = outline.start, outline.roller
-    return float(s.min()), float(s.max()), float(r.min()), float(r.max())
 
 
 def _contour_values(contour: Contour) -> dict[str, Any]:

@@ -56,12 +56,9 @@ def _with_radii(result: Profile, columns: dict[str, np.ndarray], named: bool) ->
             cells = ["straight" if flat else radius for radius, flat in zip(radii.tolist(), straight, strict=True)]
             kept[BEND.of(curve=index).shown("mm")[0]] = np.array(cells, object) if straight.any() else radii
     first = ("i", "phi", "x_c", "y_c", "x_w", "y_w", "rho_c", "rho_w")
-    order = sorted(kept, key=lambda header: _rank(header.partition("[")[0], first))
+    names = {header: header.partition("[")[0] for header in kept}
+    order = sorted(kept, key=lambda header: first.index(names[header]) if names[header] in first else len(first))
     return {header: kept[header] for header in order}
-
-
-def _rank(name: str, first: Sequence[str]) -> int:
-    return first.index(name) if name in first else len(first)
 
 
 def _facts(result: Profile) -> Iterator[Fact]:

@@ -120,7 +120,8 @@ def _rounded_fact(result: Synthesis, design: Design) -> Fact:
     sizes = _sizes(result, design)
     text = ", ".join(f"{name} = {_shown(name, value)}" for name, value in sizes.items())
     if result.kind != "flat":
-        text += f"\n(pressure angle at most {number(_largest(design), 6)} deg)"
+        largest = degrees(max(map(abs, (*design.rise, *design.back))))
+        text += f"\n(pressure angle at most {number(largest, 6)} deg)"
     return Fact("in whole millimetres", text, {"rounded": _design_values(result, design)})
 
 
@@ -174,10 +175,6 @@ def _design_values(result: Synthesis, design: Design) -> dict[str, Any]:
 
 def _size_quantity(symbol: str) -> Quantity:
     return quantity_of(Size, "value", symbol=symbol, unit="rad" if symbol == "psi0" else "m")
-
-
-def _largest(design: Design) -> float:
-    return degrees(max(map(abs, (*design.rise, *design.back))))
 
 
 def _shown(name: str, value: float) -> str:

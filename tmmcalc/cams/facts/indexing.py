@@ -69,9 +69,10 @@ def _radii(flank: FlankTable) -> np.ndarray:
 
 def _facts(result: Indexing) -> Iterator[Fact]:
     yield _drive_fact(result)
-    yield _law_fact(result)
+    yield Fact("law", f"{result.law}, B = {number(result.peak)}", keyed(result, "law", "peak"))
     yield _ratio_fact(result)
-    yield _step_fact(result)
+    text = f"{_deg(result.step)}, within {_deg(result.step_min)} and {_deg(result.step_max)}"
+    yield Fact("step angle", text, keyed(result, "step_min[deg]", "step_max[deg]"))
     values = keyed(result, "base", "start_angle[deg]", "start_pressure[deg]")
     text = f"R0 = {quantity(result.base, 'm')}, delta_0 = {_deg(result.start_angle)}, "
     yield Fact("dwell", f"{text}theta_1m = {_deg(result.start_pressure)}", values)
@@ -85,10 +86,6 @@ def _drive_fact(result: Indexing) -> Fact:
     return Fact("drive", text, keyed(result, "rollers", "pitch", "step[deg]", "dwell[deg]", "wheel"))
 
 
-def _law_fact(result: Indexing) -> Fact:
-    return Fact("law", f"{result.law}, B = {number(result.peak)}", keyed(result, "law", "peak"))
-
-
 def _ratio_fact(result: Indexing) -> Fact:
     limits = result.bounds
     most = "any" if limits.ratio_max is None else number(limits.ratio_max, 6)
@@ -97,11 +94,6 @@ def _ratio_fact(result: Indexing) -> Fact:
     values = keyed(result, "ratio", "ratio_how", "centres") | keyed(limits, "ratio_min", "ratio_max")
     values |= keyed(result, "least_centres")
     return Fact("lambda", text, values)
-
-
-def _step_fact(result: Indexing) -> Fact:
-    text = f"{_deg(result.step)}, within {_deg(result.step_min)} and {_deg(result.step_max)}"
-    return Fact("step angle", text, keyed(result, "step_min[deg]", "step_max[deg]"))
 
 
 def _cam_facts(result: Indexing, cam: Cam) -> Iterator[Fact]:

@@ -14,13 +14,9 @@ from tmmcalc.report.sizes import quantity
 def pivot_fact(room: PivotRoom) -> Fact:
     """Clearance, and the largest radius of the cam."""
     left, to = room.clearance, "surface" if room.pivot else "centre"
-    said = f"swept over, {quantity(-left, 'm')} deep" if room.swept else f"{_left(room)} left to its {to}"
+    some = quantity(left, "m") if left > NEAR * room.limit else "nothing"  # rounding is none
+    said = f"swept over, {quantity(-left, 'm')} deep" if room.swept else f"{some} left to its {to}"
     said = f"beside the disc, which reaches {quantity(-left, 'm')} beyond its {to}" if room.passed else said
     what = "second wall" if room.beside else "cam"
     text = f"{said}\n(the {what} reaches {quantity(room.radius, 'm')} at phi = {angle(degrees(room.phi))} deg)"
     return Fact("rocker's pivot", text, keyed(room, "clearance", "pivot", "radius", "phi[deg]"))
-
-
-def _left(room: PivotRoom) -> str:
-    """The clearance; rounding is none."""
-    return quantity(room.clearance, "m") if room.clearance > NEAR * room.limit else "nothing"

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.cams.forces.course import Course
 from tmmcalc.cams.forces.results import CamWork, ForceExtreme, SpringFound
+from tmmcalc.cams.forces.springerrors import exact_carried, exact_spring, spring_error
 from tmmcalc.cams.forces.state import Carried, State, pivot_force, state
 from tmmcalc.cams.forces.turn import Points, acceleration, at_rows
-from tmmcalc.cams.forces.widespring import exact_carried, exact_spring, spring_error
+from tmmcalc.cams.forces.turnforces import TurnForces
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.pressure.angle import terms
+from tmmcalc.cams.pressure.angle import tangent_terms
 from tmmcalc.cams.program import TURN
 from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, chosen, joints, nearer, relative, sides, steep
 from tmmcalc.cams.task import CamTask, Loads
@@ -56,7 +56,7 @@ def at_sides(task: CamTask, loads: Loads, phi: Values) -> Points:
 def force_errors(
     task: CamTask,
     loads: Loads,
-    course: Course,
+    course: TurnForces,
     spring: SpringFound,
     points: Points,
     now: State,
@@ -65,7 +65,9 @@ def force_errors(
 ) -> Errors:
     """Estimates for the state at the rows of the task, and over the turn."""
     near = np.hypot(
-        *terms(course.carried.follower, points.motion, course.carried.follower.start, course.carried.follower.offset)
+        *tangent_terms(
+            course.carried.follower, points.motion, course.carried.follower.start, course.carried.follower.offset
+        )
     )
     which = chosen(len(points.phi), now.load, now.contact, now.ratio, 1 / near, *steep(points.phi, points.motion))
     again = wide_points(task, loads, points, task.positions.piece, which)
@@ -91,7 +93,7 @@ def _work(work: CamWork, missed: float) -> float:
     return max(MARGIN * work.error, MARGIN * TURN * missed / turned if turned else 0.0, FLOOR)
 
 
-def _rows(course: Course, now: State, exact: State) -> Iterator[tuple[str, Values, Values]]:
+def _rows(course: TurnForces, now: State, exact: State) -> Iterator[tuple[str, Values, Values]]:
     yield "load", now.load, exact.load
     yield "contact", now.contact, exact.contact
     if course.carried.guide:

@@ -8,13 +8,13 @@ from math import pi
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.course import NOTHING, Course, course_of, reserve_of
 from tmmcalc.cams.forces.errors import force_errors
-from tmmcalc.cams.forces.notes import force_notes
 from tmmcalc.cams.forces.results import CamForces, CamWork, ForceExtreme
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.state import pivot_force, state
 from tmmcalc.cams.forces.turn import at_rows, loads_of, spans
+from tmmcalc.cams.forces.turnforces import NOTHING, TurnForces, reserve_of, turn_forces
+from tmmcalc.cams.forces.verdicts import force_notes
 from tmmcalc.cams.task import CamTask, Loads
 
 
@@ -26,7 +26,7 @@ def solve_forces(task: CamTask, follower: Follower) -> CamForces:
     """
     loads = loads_of(task)
     spring = solve_spring(task, loads)
-    course = course_of(task, follower, loads, spring)
+    course = turn_forces(task, follower, loads, spring)
     rows = task.positions
     points = at_rows(task, loads, rows)
     found = state(course.carried, points)
@@ -68,7 +68,7 @@ def solve_forces(task: CamTask, follower: Follower) -> CamForces:
     )
 
 
-def _extremes(course: Course) -> Iterator[ForceExtreme]:
+def _extremes(course: TurnForces) -> Iterator[ForceExtreme]:
     now, of = course.state, course.carried
     turns = of.follower.kind == "oscillating"
     yield course.extreme("M_c" if turns else "P_c", "N*m" if turns else "N", now.load)
@@ -81,7 +81,7 @@ def _extremes(course: Course) -> Iterator[ForceExtreme]:
     yield course.extreme("M_drive", "N*m", now.driving)
 
 
-def _lost(task: CamTask, course: Course) -> tuple[tuple[float, float], ...]:
+def _lost(task: CamTask, course: TurnForces) -> tuple[tuple[float, float], ...]:
     """Intervals where no force presses the follower on the cam; a groove holds it."""
     if task.asked.closure == "groove":
         return ()
@@ -91,7 +91,7 @@ def _lost(task: CamTask, course: Course) -> tuple[tuple[float, float], ...]:
     return spans(course.on.edges, open_ & ~touched)
 
 
-def _reversals(task: CamTask, course: Course) -> tuple[float, ...]:
+def _reversals(task: CamTask, course: TurnForces) -> tuple[float, ...]:
     """Angles where R changes its sign in a groove; where it rests at zero, the begin of that."""
     if task.asked.closure != "groove":
         return ()
@@ -105,7 +105,7 @@ def _reversals(task: CamTask, course: Course) -> tuple[float, ...]:
     return tuple(float(course.on.edges[k]) for k in held[changed])
 
 
-def _work(task: CamTask, course: Course, loads: Loads) -> CamWork:
+def _work(task: CamTask, course: TurnForces, loads: Loads) -> CamWork:
     """Energies by integrals over the panels; inertia, spring and weight give none in a turn."""
     of, on, now = course.carried, course.on, course.state
     motion, force = course.points.motion, course.points.force

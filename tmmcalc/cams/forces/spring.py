@@ -24,8 +24,7 @@ from tmmcalc.cams.forces.results import Governing, SpringFound, Wire
 from tmmcalc.cams.forces.turn import at_angles, smooth_panels, weight
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure.angle import on_phase
-from tmmcalc.cams.program import SAME, TURN, Program
-from tmmcalc.cams.steadying import steady
+from tmmcalc.cams.program import SAME, TURN, Program, levelled
 from tmmcalc.cams.task import CamTask, Loads, Spring
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.panels import Panels
@@ -113,7 +112,7 @@ def peaks_of(task: CamTask, lifted: Lifting) -> list[Peak]:
     found = []
     for kind in ("rise", "return"):
         part, force = on_phase(task.program, lifted.on, lifted.force, kind)
-        at, values = part.turning(steady(force))
+        at, values = part.turning(levelled(force))
         at = _on_edges(task.program, at)
         lift = task.program.at(at)[0]
         highest = np.max(values)
@@ -173,7 +172,7 @@ def _least(lifted: Lifting, needed: Values, deflection: float) -> tuple[float, f
     level = LEVEL * float(np.max(np.abs(needed)))
     c, place = 0.0, 0.0
     for _ in range(STEPS):
-        _, (excess, at) = on.extremes(steady(needed - c * arm))
+        _, (excess, at) = on.extremes(levelled(needed - c * arm))
         length = float(on.at(arm, np.array([at]))[0])
         if length <= LEVEL * float(np.max(arm)) or not np.isfinite(excess / length):
             return None if excess > level else (c, place)
@@ -208,10 +207,10 @@ def _by_tangent(task: CamTask, asked: Spring, lifted: Lifting) -> tuple[float, f
 def _reached(lifted: Lifting, stiffness: float, preload: float) -> tuple[float, float]:
     """The least Q/P where P > 0 and its place, by Newton on H from above."""
     on, spring = lifted.on, preload + stiffness * lifted.lift
-    _, (top, at) = on.extremes(steady(lifted.force))
+    _, (top, at) = on.extremes(levelled(lifted.force))
     ratio = float(on.at(spring, np.array([at]))[0]) / top
     for _ in range(STEPS):
-        (short, place), _ = on.extremes(steady(spring - ratio * lifted.force))
+        (short, place), _ = on.extremes(levelled(spring - ratio * lifted.force))
         lifts = _before_and_after(on, lifted.force, place)
         if short >= 0 or lifts <= LEVEL * top:
             break

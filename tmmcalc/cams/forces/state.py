@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.kernels import (
+from tmmcalc.cams.forces.formulas import (
     Mask,
     cam_torque,
     contact_force,

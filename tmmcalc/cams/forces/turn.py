@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Mask
+from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.program import TURN, Positions
-from tmmcalc.cams.steadying import FLAT, steady
+from tmmcalc.cams.program import FLAT, TURN, Positions, levelled
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.panels import Panels, panels
@@ -99,7 +98,7 @@ def crossings(on: Panels, values: Values) -> Values:
     """Places (m,) inside panels where a function, (K, N) at their points, passes zero; jumps stand on edges already."""
     if not _may_cross(on, values):
         return np.empty(0)
-    at, found = on.turning(steady(values))
+    at, found = on.turning(levelled(values))
     first = np.arange(len(at)) < len(at) - on.count  # the last are limits at upper edges, which come before a jump
     order = np.lexsort((first, at))
     at, found = at[order], np.where(np.abs(found[order]) > FLAT * np.max(np.abs(values)), found[order], 0.0)

@@ -45,7 +45,7 @@ def choose_ratio(task: IndexingTask) -> tuple[float, str]:
             where=WHERE,
             value=least,
             limit=most,
-            remedy=_ways(task, most),
+            remedy=_remedies(task, most),
         )
     if most is None or ABOVE * least <= (least + most) / 2:
         return ABOVE * least, f"chosen, {ABOVE:g} lambda_min"
@@ -56,20 +56,20 @@ def choose_ratio(task: IndexingTask) -> tuple[float, str]:
     return TIGHT * least, f"chosen, {TIGHT:g} lambda_min: the limits leave no room"
 
 
-def _ways(task: IndexingTask, most: float) -> str:
+def _remedies(task: IndexingTask, most: float) -> str:
     """What would leave a lambda: a larger step, another law, other numbers of rollers."""
-    ways = []
+    remedies = []
     step = 2 * pi * task.law.peak / (task.rollers * (most - 1))
     if step < pi:
-        ways.append(f"a step_angle of {degrees(step):.6g} deg or more")
+        remedies.append(f"a step_angle of {degrees(step):.6g} deg or more")
     laws = {name: step_law(name).peak for name in symmetric_laws()}
     fitting = [name for name, peak in laws.items() if least_ratio(peak, task.rollers, task.step) <= most]
     if fitting:
-        ways.append(f"law = {fitting[0]!r}" + (f" ({len(fitting) - 1} more would do)" if len(fitting) > 1 else ""))
+        remedies.append(f"law = {fitting[0]!r}" + (f" ({len(fitting) - 1} more would do)" if len(fitting) > 1 else ""))
     fewer = most_rollers(task)
     if fewer is not None:
-        ways.append(f"rollers = {fewer} or fewer")
-    return ", or ".join(ways) or "a larger pressure_angle"
+        remedies.append(f"rollers = {fewer} or fewer")
+    return ", or ".join(remedies) or "a larger pressure_angle"
 
 
 def most_rollers(task: IndexingTask) -> int | None:

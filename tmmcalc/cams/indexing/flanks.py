@@ -15,6 +15,7 @@ against its cam, whence points, tangents and curvature:
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 from math import cos, pi
 from typing import Literal
@@ -24,8 +25,12 @@ import numpy as np
 from tmmcalc.cams.follower import Complex, Follower
 from tmmcalc.cams.laws.law import Indices, Law, Values
 from tmmcalc.cams.profile.offsets import Frame, frame
+from tmmcalc.core.numerics.panels import Panels, panels, resolved
+from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.records import record
 
+WIDEST = 1 / 16  # of a first panel, of the step
+Function = Callable[[Values], Values]
 FlankName = Literal["A", "B", "back"]
 STARTS = {"A": 1, "B": -1, "back": -3}  # theta at k = 0, in parts of beta_0
 NUDGE = 1e-6  # of the step, beside a point of the groove
@@ -140,3 +145,22 @@ class Flank:
         """The normal (n,) [m^2], from the pole to the roller, turned and scaled so that the line from O1 is real."""
         rate, place = self.motion(k)[1], self.roller(k)
         return np.asarray(np.conj(place) * (place * (1 + rate) - self.drive.centres * rate))
+
+
+def on_panels(f: Function, drive: Drive, low: float, high: float, *breaks: float) -> tuple[Panels, Values]:
+    """Panels from ``low`` to ``high`` of the step that resolve f, and its values (K, N)."""
+    edges = [*drive.law.breaks.tolist(), 0.5, *breaks]
+    on, values, _ = resolved(lambda k: f(k)[None], panels(low, high, edges, WIDEST))
+    return on, values[0]
+
+
+def sign_changes(f: Function, drive: Drive, low: float, high: float, *breaks: float) -> list[float]:
+    """All k between ``low`` and ``high`` at which f changes sign, ascending; ``breaks`` are its kinks."""
+    on, values = on_panels(f, drive, low, high, *breaks)
+    at, found = on.turning(values)
+    k = np.concatenate((on.x.ravel(), at))
+    order = np.argsort(k, kind="stable")
+    k, value = k[order], np.concatenate((values.ravel(), found))[order]
+    which = np.flatnonzero(np.signbit(value[1:]) != np.signbit(value[:-1]))
+    roots: list[float] = bracketed(lambda x, _: f(x), k[which], k[which + 1]).tolist()
+    return roots

@@ -11,8 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.cams.indexing.flanks import Drive, Flank
-from tmmcalc.cams.indexing.signs import changes
+from tmmcalc.cams.indexing.flanks import Drive, Flank, sign_changes
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
@@ -43,7 +42,7 @@ def tip(drive: Drive) -> float | None:
     def before(k: Values) -> Values:
         return flank.polar(k) - drive.step * (k - 0.5)
 
-    found = changes(before, drive, 0.5, 1.0)
+    found = sign_changes(before, drive, 0.5, 1.0)
     return found[0] if found else 1.0 if abs(before(np.ones(1))[0]) < ROUNDING else None
 
 
@@ -66,7 +65,7 @@ def crossing(drive: Drive) -> float | None:
 
     if beyond(np.ones(1))[0] > ROUNDING:
         return 1.0
-    found = [k for k in changes(beyond, drive, 0.5 + BESIDE, 1.0) if k < 1 - ROUNDING]
+    found = [k for k in sign_changes(beyond, drive, 0.5 + BESIDE, 1.0) if k < 1 - ROUNDING]
     return found[-1] if found else None
 
 
@@ -74,5 +73,5 @@ def working_tip(drive: Drive, roller: float, part: float) -> float:
     """k_w, at which the working profile of flank A ends on the axis of the lobe; ``part`` is k_m."""
     flank = Flank(drive, "A")
     axis = np.exp(0.5j * drive.step)
-    found = changes(lambda k: (flank.points(k, roller) * axis).imag, drive, 0.0, part)
+    found = sign_changes(lambda k: (flank.points(k, roller) * axis).imag, drive, 0.0, part)
     return found[0] if found else part

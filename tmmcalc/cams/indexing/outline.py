@@ -18,7 +18,7 @@ from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.core.numerics.curves import Curve, cubics, knots
 from tmmcalc.core.records import record
-from tmmcalc.report.strokes import Bow, Cubics, Outline, Piece
+from tmmcalc.report.strokes import Bow, Cubics, Outline
 
 SAME = 1e-12  # of the step
 NAMES = {"A": "flank A", "back": "back of the lobe", "B": "groove B"}
@@ -95,9 +95,5 @@ def _arc(name: str, phi: float, angle: float, start: float, radius: float) -> St
 def outline(name: str, chain: tuple[Stretch, ...], tolerance: float) -> Outline:
     """The closed outline of a profile, counter-clockwise [m], within ``tolerance`` of it."""
     points = [stretch.curve.point(knots(stretch.curve, tolerance))[:-1] for stretch in chain]
-    pieces = tuple(_piece(stretch, tolerance) for stretch in reversed(chain))
+    pieces = tuple(stretch.arc or Cubics(cubics(stretch.curve, tolerance)[::-1, ::-1]) for stretch in reversed(chain))
     return Outline(name, name, pieces, np.concatenate(points)[::-1], True)
-
-
-def _piece(stretch: Stretch, tolerance: float) -> Piece:
-    return stretch.arc or Cubics(cubics(stretch.curve, tolerance)[::-1, ::-1])

@@ -5,10 +5,10 @@ from __future__ import annotations
 from math import pi
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.indexing.bounds import Bounds
-from tmmcalc.cams.indexing.efficiency import Flags
 from tmmcalc.cams.indexing.handover import Handover
 from tmmcalc.cams.indexing.rollers import RollerLimit
 from tmmcalc.cams.laws.law import Indices, Values
@@ -16,6 +16,7 @@ from tmmcalc.cams.rounding import Errors
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
+Flags = NDArray[np.bool_]
 LARGEST = 1e12  # of l_k: a radius of curvature that stands for a straight line
 
 

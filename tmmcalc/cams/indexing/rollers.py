@@ -12,8 +12,7 @@ from math import pi, sin
 
 import numpy as np
 
-from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName
-from tmmcalc.cams.indexing.signs import sampled
+from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName, on_panels
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
@@ -34,7 +33,7 @@ class RollerLimit:
 def convex_limit(drive: Drive, name: FlankName, end: float) -> RollerLimit:
     """Least convex radius of the pitch curve of a flank from k = 0 to ``end``."""
     flank = Flank(drive, name)
-    on, values = sampled(flank.curvature, drive, 0.0, end)
+    on, values = on_panels(flank.curvature, drive, 0.0, end)
     _, (most, at) = on.extremes(values)
     return RollerLimit(f"convex parts of {name}", 1 / most if most > 0 else None, at)
 
@@ -49,7 +48,7 @@ def tip_limit(drive: Drive) -> RollerLimit:
         points, normal = (flank.follower.placed(each) * axis for each in (here.points, 1j * here.tangent))
         return np.asarray(-normal.imag / points.imag)
 
-    on, values = sampled(reach, drive, 0.0, 0.5)
+    on, values = on_panels(reach, drive, 0.0, 0.5)
     _, (most, at) = on.extremes(values)
     return RollerLimit("tip of the lobe", 1 / most if most > SMALL / drive.centres else None, at)
 

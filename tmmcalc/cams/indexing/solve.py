@@ -9,14 +9,13 @@ import numpy as np
 
 from tmmcalc.cams.indexing.bounds import bounds, start_angle, start_pressure
 from tmmcalc.cams.indexing.choice import WHERE, choose_ratio, choose_roller
+from tmmcalc.cams.indexing.efficiency import efficiency_table
 from tmmcalc.cams.indexing.errors import indexing_errors
-from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName
+from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName, on_panels
 from tmmcalc.cams.indexing.handover import Handover, crossing, handover, working_tip
 from tmmcalc.cams.indexing.laws import StepLaw
-from tmmcalc.cams.indexing.losses import efficiency_table
 from tmmcalc.cams.indexing.results import Cam, FlankTable, Indexing, PressureReached
 from tmmcalc.cams.indexing.rollers import RollerLimit, roller_limits
-from tmmcalc.cams.indexing.signs import sampled
 from tmmcalc.cams.indexing.task import IndexingTask
 from tmmcalc.cams.indexing.verdicts import remarks
 from tmmcalc.cams.laws.law import Values
@@ -138,7 +137,7 @@ def _reached(drive: Drive, name: FlankName, low: float, high: float, limit: floa
     The limits of a panel at its ends are extrapolated, which makes rounding several times as large.
     """
     flank = Flank(drive, name)
-    on, values = sampled(flank.pressure, drive, low, high)
+    on, values = on_panels(flank.pressure, drive, low, high)
     at, _ = on.turning(values)
     size = np.abs(flank.pressure(at))
     worst = int(np.flatnonzero(size >= np.max(size) * (1 - 1e-12))[-1])  # ends stand last, after a root beside them

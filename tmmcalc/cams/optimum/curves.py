@@ -11,11 +11,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Mask
+from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.optimum.march import crossed
 from tmmcalc.cams.optimum.margins import NUMBERS
 from tmmcalc.cams.optimum.plane import Plane, guessed, tamed
+from tmmcalc.cams.optimum.zerolines import crossed
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.forces.springerrors import exact_spring, spring_miss
 from tmmcalc.cams.forces.turn import loads_of
-from tmmcalc.cams.forces.widespring import exact_spring, spring_miss
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.optimum import flat
+from tmmcalc.cams.optimum import flatface
 from tmmcalc.cams.optimum.margins import NUMBERS, margins
 from tmmcalc.cams.optimum.results import ACTIVE, Choice
 from tmmcalc.cams.optimum.scene import Phases, Scene, scene_of
@@ -73,7 +73,7 @@ def _at(scene: Scene, choice: Choice) -> Values:
 def _margins(scene: Scene, x: Values) -> Values:
     """Margins (k,) at S0, r2, H2; far below 0 all alike."""
     if scene.follower.kind == "flat":
-        found = np.array([each.margin for each in flat.choice_of(scene, float(x[0]), float(x[2])).checks])
+        found = np.array([each.margin for each in flatface.choice_of(scene, float(x[0]), float(x[2])).checks])
     else:
         found = margins(scene, *x[:, None])[:, 0]
     return np.maximum(found, -1.0)

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Mask, guide_length, protrusion
+from tmmcalc.cams.forces.formulas import Mask, guide_length, protrusion
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.peaks import Crest, crest, peak
 from tmmcalc.cams.optimum.scene import Scene

@@ -16,7 +16,7 @@ import numpy as np
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.extremes import FUNCTIONS, Extremes, extremes
 from tmmcalc.cams.optimum.scene import Scene
-from tmmcalc.cams.strength.kernels import (
+from tmmcalc.cams.strength.formulas import (
     BAD,
     concave_margin,
     contact_stress,
@@ -99,16 +99,16 @@ def judge(scene: Scene, start: Values, roller: Values, top: Values, row: Indices
             concave_margin(bent, roller, limits.concave) if limits.allow_concave else bent * start,
             np.where(works, _pinned(need, on.contact, least, roller), BAD),
             np.where(works, shafted(flattest, roller, shaft[2]), BAD),
-            np.where(works, _left(stem, need.bending), BAD),
-            np.where(works, _left(pressure, need.guide_pressure), BAD),
-            np.where(works & (on.smooth | (need.width is None)), _left(stress, need.contact), BAD),
+            np.where(works, _margin_of(stem, need.bending), BAD),
+            np.where(works, _margin_of(pressure, need.guide_pressure), BAD),
+            np.where(works & (on.smooth | (need.width is None)), _margin_of(stress, need.contact), BAD),
         )
     )
     radius = none if pin is None else pin
     return Judged(margin, grown, on.curvature, on.contact, radius, least, shaft, stem, on.edge, pressure, stress)
 
 
-def _left(value: Values, limit: float | None) -> Values:
+def _margin_of(value: Values, limit: float | None) -> Values:
     return np.ones_like(value) if limit is None else 1 - value / limit
 
 

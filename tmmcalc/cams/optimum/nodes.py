@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.cams.forces.kernels import resultant
+from tmmcalc.cams.forces.formulas import resultant
 from tmmcalc.cams.forces.results import SpringFound
 from tmmcalc.cams.forces.turn import Points, at_angles, at_rows
 from tmmcalc.cams.laws.law import Indices, Values

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Mask
+from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.core.numerics.gauss import ORDER, rule
 

@@ -6,13 +6,13 @@ from itertools import combinations
 
 import numpy as np
 
-from tmmcalc.cams.optimum.beyond import Beyond
 from tmmcalc.cams.optimum.checks import checks
-from tmmcalc.cams.optimum.guide import SINGLE, TALL, Range, ranges
+from tmmcalc.cams.optimum.firstfeasible import FirstFeasible
+from tmmcalc.cams.optimum.guidelength import SINGLE, TALL, Range, ranges
 from tmmcalc.cams.optimum.margins import NAMES, judge
 from tmmcalc.cams.optimum.results import Check
 from tmmcalc.cams.optimum.scene import WHERE, Scene
-from tmmcalc.cams.optimum.steps import farthest
+from tmmcalc.cams.optimum.wholesteps import farthest
 from tmmcalc.cams.task import Optimum
 from tmmcalc.core.errors import NoSolutionError
 
@@ -30,7 +30,7 @@ REMEDIES = {
 }
 
 
-def refusal(scene: Scene, asked: Optimum, found: Beyond | None) -> NoSolutionError:
+def refusal(scene: Scene, asked: Optimum, found: FirstFeasible | None) -> NoSolutionError:
     """The error that tells what stands against each other; ``found`` keeps all constraints, but far out."""
     base = scene.stroke + scene.guide.gap
     high = farthest(scene, asked)

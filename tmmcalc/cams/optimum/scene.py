@@ -14,7 +14,7 @@ from typing import Any, Literal
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.kernels import Guided, driving_torque, guided
+from tmmcalc.cams.forces.formulas import GuidedForces, driving_torque, guided_forces
 from tmmcalc.cams.forces.results import SpringFound
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.turn import WIDEST, Points, at_rows, loads_of
@@ -120,9 +120,9 @@ def scene_of(task: CamTask, follower: Follower, phases: Phases = "turn", denser:
     )
 
 
-def carried(scene: Scene, start: Values, roller: Values, top: Values) -> Guided:
+def guided_at(scene: Scene, start: Values, roller: Values, top: Values) -> GuidedForces:
     """What stem and guide carry at the nodes with S0, r2 and H2 (B,) [m], each (B, M); of a flat face r2 is 0."""
-    return guided(
+    return guided_forces(
         scene.follower,
         scene.motion,
         scene.load,

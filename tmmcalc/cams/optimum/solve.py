@@ -9,20 +9,20 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.optimum import flat
+from tmmcalc.cams.optimum import flatface
 from tmmcalc.cams.optimum.checks import choice_of
 from tmmcalc.cams.optimum.contour import Contour, contour
 from tmmcalc.cams.optimum.errors import optimum_errors
-from tmmcalc.cams.optimum.game import changed, options, options_without, variants
-from tmmcalc.cams.optimum.least import least_height
+from tmmcalc.cams.optimum.leastheight import least_height
 from tmmcalc.cams.optimum.margins import SLACK, margins
-from tmmcalc.cams.optimum.notes import optimum_notes
+from tmmcalc.cams.optimum.options import changed, options, options_without, variants
 from tmmcalc.cams.optimum.refusal import refusal
-from tmmcalc.cams.optimum.relax import relaxations
+from tmmcalc.cams.optimum.relaxation import relaxations
 from tmmcalc.cams.optimum.results import CamOptimum, Choice
 from tmmcalc.cams.optimum.scene import WHERE, Phases, Scene, scene_of
 from tmmcalc.cams.optimum.section import section_of
-from tmmcalc.cams.optimum.steps import Candidates, Found, search
+from tmmcalc.cams.optimum.verdicts import optimum_notes
+from tmmcalc.cams.optimum.wholesteps import Candidates, Found, search
 from tmmcalc.cams.pressure.angle import reached
 from tmmcalc.cams.task import CamTask, Optimum
 from tmmcalc.core.errors import NoSolutionError, UsageError
@@ -85,7 +85,7 @@ def _solved(task: CamTask, follower: Follower, asked: Optimum, phases: Phases) -
         return _flat(task, follower, scene, asked, phases)
     found, known = search(scene, asked)
     if found is None:
-        raise refusal(scene, asked, known.beyond)
+        raise refusal(scene, asked, known.far)
     best = found.best
     order = np.argsort(-np.min(found.margin, axis=0), kind="stable")
     chosen = choice_of(scene, float(found.start[best]), float(found.roller[best]), found.height)
@@ -124,10 +124,10 @@ def _solved(task: CamTask, follower: Follower, asked: Optimum, phases: Phases) -
 
 def _flat(task: CamTask, follower: Follower, scene: Scene, asked: Optimum, phases: Phases) -> CamOptimum:
     """The same of a flat-faced follower, whose only size is S0."""
-    top, start, examined = flat.steps(scene, asked.step, asked.height_step)
-    designs = [flat.choice_of(scene, each, top) for each in start.tolist()]
+    top, start, examined = flatface.steps(scene, asked.step, asked.height_step)
+    designs = [flatface.choice_of(scene, each, top) for each in start.tolist()]
     designs.sort(key=lambda each: -each.worst.margin)
-    least = flat.choice_of(scene, *flat.lowest(scene))
+    least = flatface.choice_of(scene, *flatface.lowest(scene))
     return CamOptimum(
         kind="flat",
         phases=phases,
@@ -148,10 +148,10 @@ def _flat(task: CamTask, follower: Follower, scene: Scene, asked: Optimum, phase
         least=least,
         asked=task.guide.top,
         contours=(),
-        relaxations=tuple(flat.relaxations(scene, least)),
+        relaxations=tuple(flatface.relaxations(scene, least)),
         options=tuple(options(task, scene, designs[0], least, asked, phases)),
         section=None,
-        flat=flat.chart(scene),
+        flat=flatface.chart(scene),
         notes=tuple(optimum_notes(task, scene, designs[0], least, ())),
         error=optimum_errors(task, follower, phases, scene, designs[0], least),
     )

@@ -12,14 +12,14 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-from tmmcalc.cams.forces.course import Course, course_of
 from tmmcalc.cams.forces.results import CamForces
 from tmmcalc.cams.forces.spring import lifting_force
 from tmmcalc.cams.forces.state import pivot_force
 from tmmcalc.cams.forces.turn import at_angles, loads_of
+from tmmcalc.cams.forces.turnforces import TurnForces, turn_forces
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
-from tmmcalc.cams.pressure.angle import halved, on_phase
+from tmmcalc.cams.pressure.angle import on_phase
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.report.drawing.curves import Diagram, Line, bottom, mark
 from tmmcalc.report.drawing.labels import Labels, signed
@@ -40,7 +40,7 @@ def figure(order: Order) -> Figure:
 def forces_figure(task: CamTask, result: CamForces) -> Figure:
     """One sheet: the force that lifts off and the spring over the lift; forces, reactions, torque over the turn."""
     loads = loads_of(task)
-    course = course_of(task, result.follower, loads, result.spring)
+    course = turn_forces(task, result.follower, loads, result.spring)
     figure, (sheet,) = blank(1)
     sheet.suptitle(_heading(result), fontsize=9)
     left, right = sheet.subfigures(1, 2, squeeze=False, width_ratios=[1.0, 1.55])[0]
@@ -76,7 +76,7 @@ def _heading(result: CamForces) -> str:
 
 
 def _line(
-    label: str, course: Course, values: Values, nodes: Values, style: dict[str, Any], marked: bool = True
+    label: str, course: TurnForces, values: Values, nodes: Values, style: dict[str, Any], marked: bool = True
 ) -> Line:
     """A curve with its extremes."""
     shaped = course.shaped(values)
@@ -85,7 +85,7 @@ def _line(
     return Line(label, with_limits(course.on, shaped), nodes, style, marks)
 
 
-def _diagrams(result: CamForces, course: Course) -> list[Diagram]:
+def _diagrams(result: CamForces, course: TurnForces) -> list[Diagram]:
     now, turns = course.state, result.follower.kind == "oscillating"
     phi, nodes = places(course.on), result.positions.phi
 
@@ -159,7 +159,7 @@ def _draw_spring(axes: Axes, task: CamTask, loads: Loads, result: CamForces) -> 
 
 def _over_lift(task: CamTask, loads: Loads, kind: str, factor: float) -> tuple[Values, Values]:
     """dS and P of a phase with both limits at edges."""
-    on = halved(halved(task.program.panels))
+    on = task.program.panels.halved().halved()
     at = at_angles(task, loads, on.x.ravel())
     both = np.stack((at.motion[0], lifting_force(task, loads, at.acceleration)))
     part, values = on_phase(task.program, on, both.reshape(2, *on.x.shape), kind)

@@ -97,12 +97,13 @@ def _scale(result: LawResult, order: int) -> float:
 
 def _draw(axes: Axes, order: int, pieces: list[tuple[Values, Values]], result: LawResult, label: str) -> None:
     factor, style = _scale(result, order), CURVES[order]
+    largest = max(float(np.max(np.abs(motion[order]))) for _, motion in pieces)
     for phi, motion in pieces:
         axes.plot(np.degrees(phi), factor * motion[order], linewidth=1.3, zorder=4, color=style["color"])
     for (_, before), (phi, after) in zip(pieces, [*pieces[1:], pieces[0]], strict=True):
         ends = factor * np.array([before[order, -1], after[order, 0]])
         place = degrees(phi[0]) if phi[0] else degrees(pieces[-1][0][-1])
-        if order and abs(ends[1] - ends[0]) > 1e-9 * _largest(pieces, order) * factor:
+        if order and abs(ends[1] - ends[0]) > 1e-9 * largest * factor:
             for at in (place,) if phi[0] else (0.0, place):
                 axes.plot([at, at], ends, **(JUMP if phi[0] else JUMP_ON_FRAME))
     rows = result.positions
@@ -115,10 +116,6 @@ def _draw(axes: Axes, order: int, pieces: list[tuple[Values, Values]], result: L
     frame(axes, label, whole, True, 25)
     if order == 0:
         axes.set_ylim(-0.25 * factor * result.stroke, HEADROOM * factor * result.stroke)
-
-
-def _largest(pieces: list[tuple[Values, Values]], order: int) -> float:
-    return max(float(np.max(np.abs(motion[order]))) for _, motion in pieces)
 
 
 def _name(axes: Axes, order: int, pieces: list[tuple[Values, Values]], result: LawResult, factor: float) -> None:

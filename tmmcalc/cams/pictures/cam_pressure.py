@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
-from tmmcalc.cams.pressure.angle import Reached, halved, pressure
+from tmmcalc.cams.pressure.angle import Reached, pressure_angle
 from tmmcalc.cams.pressure.solve import Pressure
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.curves import DOTTED, bottom, frame, mark
@@ -52,9 +52,9 @@ def pressure_figure(task: CamTask, result: Pressure) -> Figure:
 def _dense(task: CamTask, result: Pressure) -> tuple[Values, Values, Values]:
     """phi, theta, displacement (m,) with both limits at every edge."""
     program = task.program
-    dense = halved(program.panels)
+    dense = program.panels.halved()
     motion = program.at(dense.x.ravel())
-    theta = pressure(result.follower, dense.x.ravel(), motion).reshape(dense.x.shape)
+    theta = pressure_angle(result.follower, dense.x.ravel(), motion).reshape(dense.x.shape)
     return places(dense), with_limits(dense, theta), with_limits(dense, motion[0].reshape(dense.x.shape))
 
 

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from tmmcalc.cams.pictures.bends import DENSE, draw_bends, draw_distance, name_bends, name_distance, pieces_of
+from tmmcalc.cams.pictures.curvature import DENSE, draw_bends, draw_distance, name_bends, name_distance, pieces_of
 from tmmcalc.cams.pictures.followersketch import draw_follower
 from tmmcalc.cams.pictures.ordered import cam_of
 from tmmcalc.cams.pictures.profilemarks import DOT, draw_marks, marks_of, name_marks, name_phases

@@ -9,15 +9,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from tmmcalc.cams.forces.course import course_of
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.turn import loads_of
+from tmmcalc.cams.forces.turnforces import turn_forces
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.cam_forces import DIGITS, phase_ends
 from tmmcalc.cams.pictures.ordered import cam_of
-from tmmcalc.cams.strength.kernels import HERTZ
+from tmmcalc.cams.strength.case import Case, case_of
+from tmmcalc.cams.strength.formulas import HERTZ
 from tmmcalc.cams.strength.results import CamStrength, Rolling
-from tmmcalc.cams.strength.work import Case, case_of, contact_square, curved
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.curves import Diagram, Line, bottom
 from tmmcalc.report.drawing.labels import Labels, signed
@@ -39,7 +39,7 @@ def figure(order: Order) -> Figure:
 def strength_figure(task: CamTask, result: CamStrength) -> Figure:
     """One sheet over the turn: slip function, contact stress, reduced moment of the shaft, with their limits."""
     loads = loads_of(task)
-    case = case_of(task, result.follower, loads, course_of(task, result.follower, loads, solve_spring(task, loads)))
+    case = case_of(task, result.follower, loads, turn_forces(task, result.follower, loads, solve_spring(task, loads)))
     diagrams = _judged_diagrams(case, result)
     figure, (sheet,) = blank(1)
     sheet.suptitle(
@@ -78,7 +78,7 @@ def _label_judged(axes: Axes, diagram: Diagram, limit: float | None) -> None:
 def _judged_diagrams(case: Case, result: CamStrength) -> list[tuple[Diagram, float | None]]:
     """Slip, contact stress and M_E as far as their data is there, each with its limit."""
     course, needs = case.course, case.needs
-    now, kappa = course.state, curved(case.follower, course.points.motion)
+    now = course.state
     phi, nodes = places(course.on), result.positions.phi
     found: list[tuple[Diagram, float | None]] = []
 
@@ -95,7 +95,7 @@ def _judged_diagrams(case: Case, result: CamStrength) -> list[tuple[Diagram, flo
         drawn = _drawn_slip(limits(now.contact), limits(case.run), result.rolling, course.on.count)
         add("D", "", drawn, np.minimum(result.slip, FAR), 1.0)
     if result.stress is not None and needs.width is not None:
-        square = np.abs(now.contact) * kappa if case.flat else contact_square(now, kappa, case.follower.roller)
+        square = case.stress_square
         factor, top = 1e-6 * HERTZ * sqrt(needs.modulus / needs.width), case.over(square)
         stress = factor * np.sqrt(np.maximum(limits(square), 0.0))
         limit = None if needs.contact is None else 1e-6 * needs.contact

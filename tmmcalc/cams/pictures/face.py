@@ -9,7 +9,6 @@ import numpy as np
 from matplotlib.figure import SubFigure
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.pressure.angle import halved
 from tmmcalc.cams.synthesis.results import Convexity
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.curves import bottom, frame, mark
@@ -23,7 +22,7 @@ TICKS = 25
 def draw_convexity(sheet: SubFigure, task: CamTask, found: Convexity, follower: Follower) -> Callable[[], None]:
     """Lay two diagrams out: radius of the profile and of what it is made; place of the contact on the face."""
     upper, lower = sheet.subplots(2, 1, height_ratios=[1.8, 1.0], sharex=True)
-    dense = halved(task.program.panels)
+    dense = task.program.panels.halved()
     y, y1, y2, _ = (with_limits(dense, row.reshape(dense.x.shape)) for row in task.program.at(dense.x.ravel()))
     phi, rho = np.degrees(places(dense)), 1e3 * (follower.start + y + y2)
     upper.plot(phi, rho, linewidth=1.4, zorder=4, **CURVES[0])

@@ -57,7 +57,9 @@ def draw_scheme(board: Board, task: IndexingTask, result: Indexing, cam: Cam, ph
     drive = drive_of(task, result.ratio)
     assert drive is not None
     turn = np.exp(1j * phase)
-    working, pitch = (_curve(task, result, which) for which in (True, False))
+    working, pitch = (
+        outline("", chain_of(task, result, which), CHORD * result.wheel).polygon for which in (True, False)
+    )
     for points, style, face in ((-working, FAR, "none"), (working, NEAR, BODY)):
         shape = turn * points
         board.axes.fill(shape.real, shape.imag, facecolor=face, edgecolor="none", zorder=0.5)
@@ -71,7 +73,8 @@ def draw_scheme(board: Board, task: IndexingTask, result: Indexing, cam: Cam, ph
     for row, style, face in zip(rows_of(drive, phase), (NEAR, FAR), ("white", "none"), strict=True):
         for place in row.tolist():
             board.axes.plot(place.real, place.imag, "+", color=style["color"], markersize=4, zorder=7)
-            board.axes.fill(*_xy(place + radius * around), facecolor=face, edgecolor="none", zorder=4.5)
+            disc = place + radius * around
+            board.axes.fill(disc.real, disc.imag, facecolor=face, edgecolor="none", zorder=4.5)
             board.line(place + radius * around, zorder=6, weight=0.4, **{**style, "linewidth": 1.2})
     _draw_shafts(board, drive, cam)
 
@@ -85,14 +88,6 @@ def _draw_shafts(board: Board, drive: Drive, cam: Cam) -> None:
         arc = at + radius * np.exp(1j * (0.6 * pi + sense * np.linspace(0.0, 0.7 * pi, 31)))
         board.line(arc[:-1], color=MARK, linewidth=1.2, zorder=8, weight=0.5)
         board.arrowhead(complex(arc[-1]), complex(arc[-1] - arc[-3]), facecolor=MARK)
-
-
-def _curve(task: IndexingTask, result: Indexing, working: bool) -> Plane:
-    return outline("", chain_of(task, result, working), CHORD * result.wheel).polygon
-
-
-def _xy(points: Plane) -> tuple[Any, Any]:
-    return points.real, points.imag
 
 
 def parts_of(result: Indexing, cam: Cam, mu: float) -> list[Part]:

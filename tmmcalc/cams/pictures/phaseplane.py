@@ -15,7 +15,7 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.pictures.zone import LIMIT, OTHER, ZONE, axis_of_cam, dimension
 from tmmcalc.cams.synthesis.results import Synthesis
-from tmmcalc.cams.synthesis.translating import Line, Lines, lines_of, region_of
+from tmmcalc.cams.synthesis.translatingsizes import Line, lines_of, region_of
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.board import Board
 from tmmcalc.report.drawing.labels import signed
@@ -56,7 +56,8 @@ def draw_plane(board: Board, task: CamTask, result: Synthesis) -> None:
             np.clip(np.array(end).real, *axes.get_xlim()) + 1j * np.clip(np.array(end).imag, *axes.get_ylim()), 2.0
         )
     lines = lines_of(task)
-    _draw_zone(board, lines, result)
+    region = region_of(lines, (0.0, FAR * result.follower.start))  # to beyond the border of the drawing
+    board.area((-1e3 * (region.y + 1j * region.x)).tolist(), weight=0.0, **ZONE)
     for kind, style in (("rise", CURVES[0]), ("return", CURVES[2])):
         board.line(_curve(task, kind), linewidth=1.7, zorder=8, **{"weight": 1.5, **style})
     held = () if result.region is None else zip(result.region.phi.tolist(), result.region.side.tolist(), strict=True)
@@ -64,12 +65,6 @@ def draw_plane(board: Board, task: CamTask, result: Synthesis) -> None:
     for line in lines:
         _draw_tangent(board, task, line, (line.phi, line.side) in bounding)
     _draw_axis(board, result)
-
-
-def _draw_zone(board: Board, lines: Lines, result: Synthesis) -> None:
-    """The region above the lines, to beyond the border of the drawing."""
-    region = region_of(lines, (0.0, FAR * result.follower.start))
-    board.area((-1e3 * (region.y + 1j * region.x)).tolist(), weight=0.0, **ZONE)
 
 
 def _draw_tangent(board: Board, task: CamTask, line: Line, bounds: bool) -> None:

@@ -10,8 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.follower import Complex
-from tmmcalc.cams.pictures.pivotzone import swept_of
-from tmmcalc.cams.pictures.zone import BASE, LIMIT, OTHER, PASSING, ZONE, axis_of_cam, dimension
+from tmmcalc.cams.pictures.zone import BASE, LIMIT, OTHER, PASSING, ZONE, axis_of_cam, dimension, swept_of
 from tmmcalc.cams.synthesis.halfplanes import Family, Lines, families
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.task import CamTask
@@ -44,7 +43,7 @@ def content_of(task: CamTask, result: Synthesis) -> Complex:
     """Points [m] that the drawing has to show."""
     placed, follower = Placed(result), result.follower
     swing = np.exp(1j * np.linspace(0, task.program.stroke, 9))
-    tips = [placed.at(_tips(task, result, kind)) for kind in ("rise", "return")]
+    tips = [placed.at(_velocity_ends(task, result, kind)) for kind in ("rise", "return")]
     circle = 0.55 * follower.base * np.exp(1j * np.linspace(0, 2 * np.pi, 13))
     return np.concatenate((*tips, placed.at(swing), circle, np.array([0.0, follower.centres])))
 
@@ -86,7 +85,7 @@ def _draw_lines(board: Board, placed: Placed, task: CamTask, result: Synthesis) 
         lines = family.at(np.array(held[:1]))
         for stroke in _strokes(placed, task, family, lines):
             board.line(stroke, **LIMIT)
-        tip = complex(placed.at(_tips_of(family, lines))[0])
+        tip = complex(placed.at(_ends_on_lines(family, lines))[0])
         dot = {"markersize": 4, "markerfacecolor": "white", "color": LIMIT["color"], "zorder": 12}
         board.axes.plot(tip.real, tip.imag, "o", **dot)
         text = f"$K$ at {signed(np.degrees(held[0]), 4)}°"
@@ -97,7 +96,7 @@ def _draw_lines(board: Board, placed: Placed, task: CamTask, result: Synthesis) 
 
 def _strokes(placed: Placed, task: CamTask, family: Family, lines: Lines) -> list[list[complex]]:
     """Pieces of lines from K to the axis and beyond it."""
-    tips, along = _tips_of(family, lines), 1j * lines.normal
+    tips, along = _ends_on_lines(family, lines), 1j * lines.normal
     down = -1j * np.exp(0.5j * task.program.stroke)
     along = np.where((along * np.conj(down)).real < 0, -along, along)
     axis = placed.follower.centres / placed.follower.rocker / placed.turn
@@ -105,7 +104,7 @@ def _strokes(placed: Placed, task: CamTask, family: Family, lines: Lines) -> lis
     return [[complex(a), complex(b)] for a, b in zip(placed.at(tips), placed.at(tips + along * far), strict=True)]
 
 
-def _tips_of(family: Family, lines: Lines) -> Complex:
+def _ends_on_lines(family: Family, lines: Lines) -> Complex:
     """The points K on the rockers that the lines go through: u w of the head of `halfplanes`."""
     lean = np.pi - family.limit if family.side > 0 else family.limit
     return np.asarray(lines.normal * np.exp(-1j * lean) * (-family.side * lines.bound / np.cos(family.limit)))
@@ -117,7 +116,7 @@ def _draw_positions(board: Board, placed: Placed, task: CamTask, result: Synthes
     swing = np.exp(1j * np.linspace(0, program.stroke, 61))
     board.line(placed.at(swing), color=THIN, linewidth=0.8, zorder=5)
     for kind, style in (("rise", CURVES[0]), ("return", CURVES[2])):
-        board.line(placed.at(_tips(task, result, kind)), zorder=8, linewidth=1.7, weight=1.5, **style)
+        board.line(placed.at(_velocity_ends(task, result, kind)), zorder=8, linewidth=1.7, weight=1.5, **style)
         k = next(k for k, phase in enumerate(program.phases) if phase.kind == kind)
         phi = np.linspace(program.starts[k], program.starts[k + 1], STEPS + 1)
         y, y1 = program.at(phi)[:2]
@@ -159,7 +158,7 @@ def _draw_axis(board: Board, placed: Placed, task: CamTask, result: Synthesis) -
     axis_of_cam(board, 0j)
 
 
-def _tips(task: CamTask, result: Synthesis, kind: str) -> Complex:
+def _velocity_ends(task: CamTask, result: Synthesis, kind: str) -> Complex:
     """The points K of a phase in units of l2."""
     program = task.program
     k = next(k for k, phase in enumerate(program.phases) if phase.kind == kind)

@@ -86,7 +86,9 @@ class Reached:
         return 0.0 if self.limit is None else abs(self.worst.value) - self.limit
 
 
-def terms(follower: Follower, motion: Values, start: Values | float, offset: Values | float) -> tuple[Values, Values]:
+def tangent_terms(
+    follower: Follower, motion: Values, start: Values | float, offset: Values | float
+) -> tuple[Values, Values]:
     """Numerator and denominator of tan(theta) as in the head of the module; a flat face has 0 and 1."""
     y, y1 = motion[0], motion[1]
     if follower.kind == "flat":
@@ -98,7 +100,7 @@ def terms(follower: Follower, motion: Values, start: Values | float, offset: Val
     return lean, follower.centres * np.sin(psi)
 
 
-def pressure(
+def pressure_angle(
     follower: Follower,
     phi: Values,
     motion: Values,
@@ -111,11 +113,11 @@ def pressure(
     ``start`` and ``offset`` take the place of the follower's S0 (or psi0) and e; arrays of them are broadcast
     against the motion. Meaningful where the roller stays off the level of O, which `check_reach` tells.
 
-    >>> pressure(Follower("translating", 0.05), np.zeros(1), np.array([[0.0], [0.05], [0.0], [0.0]]))
+    >>> pressure_angle(Follower("translating", 0.05), np.zeros(1), np.array([[0.0], [0.05], [0.0], [0.0]]))
     array([0.78539816])
     """
     e = follower.offset if offset is None else offset
-    return np.arctan2(*terms(follower, motion, follower.start if start is None else start, e)) + 0 * phi
+    return np.arctan2(*tangent_terms(follower, motion, follower.start if start is None else start, e)) + 0 * phi
 
 
 def check_reach(program: Program, follower: Follower) -> None:
@@ -159,9 +161,9 @@ def reached(task: CamTask, follower: Follower, intervals: bool = True) -> tuple[
     check_reach(program, follower)
 
     def theta(phi: Values) -> Values:
-        return pressure(follower, phi, program.at(phi))
+        return pressure_angle(follower, phi, program.at(phi))
 
-    dense, values, _ = resolved(lambda phi: theta(phi)[None], halved(program.panels))
+    dense, values, _ = resolved(lambda phi: theta(phi)[None], program.panels.halved())
     ends = []
     for kind, limit in (("rise", task.limits.rise), ("return", task.limits.back)):
         part, own = on_phase(program, dense, values, kind)
@@ -169,11 +171,6 @@ def reached(task: CamTask, follower: Follower, intervals: bool = True) -> tuple[
         exceeded = () if limit is None or not intervals else _exceeded(program, follower, part, own[0], limit)
         ends.append(Reached(limit, Extreme(least, least_at), Extreme(largest, largest_at), exceeded))
     return ends[0], ends[1]
-
-
-def halved(dense: Panels) -> Panels:
-    """The panels in halves: a whole period of a harmonic is then good to rounding."""
-    return dense.halved()
 
 
 def on_phase(program: Program, dense: Panels, values: Values, kind: str) -> tuple[Panels, Values]:
@@ -187,7 +184,7 @@ def on_phase(program: Program, dense: Panels, values: Values, kind: str) -> tupl
 def limited_phases(task: CamTask) -> Iterator[tuple[str, float, Panels, Values]]:
     """The phases whose pressure angle is limited: kind, limit [rad], panels, and y and y' on them (2, K, N)."""
     program, limits = task.program, task.limits
-    dense = halved(program.panels)
+    dense = program.panels.halved()
     motion = program.at(dense.x.ravel())[:2].reshape(2, *dense.x.shape)
     for kind, limit in (("rise", limits.rise), ("return", limits.back)):
         if limit is not None:
@@ -209,7 +206,7 @@ def _exceeded(
         beyond = excess > 0
 
         def over(phi: Values, which: Indices, side: int = side) -> Values:
-            return side * pressure(follower, phi, program.at(phi)) - limit
+            return side * pressure_angle(follower, phi, program.at(phi)) - limit
 
         change = np.flatnonzero(beyond[1:] != beyond[:-1])
         places = bracketed(over, at[change], at[change + 1])

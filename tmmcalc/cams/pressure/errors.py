@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure.angle import Reached, pressure
+from tmmcalc.cams.pressure.angle import Reached, pressure_angle
 from tmmcalc.cams.program import TURN, Program
 from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, again, chosen, nearer, relative, root_error, sides, steep
 from tmmcalc.cams.task import CamTask
@@ -23,7 +23,7 @@ def pressure_errors(task: CamTask, follower: Follower, theta: Values, ends: tupl
     which = chosen(len(theta), theta, *steep(rows.phi, task.motion))
     phi, motion = again(program, rows, which)
     size = float(np.max(np.abs(theta)))
-    exact = pressure(wide(follower), phi, motion)
+    exact = pressure_angle(wide(follower), phi, motion)
     return {"angle": relative(theta[which], exact, size)} | reached_errors(program, follower, ends)
 
 
@@ -32,7 +32,7 @@ def reached_errors(program: Program, follower: Follower, ends: tuple[Reached, Re
     extremes = [each for on in ends for each in (on.least, on.largest)]
     at = sides(program, np.array([each.phi for each in extremes]))
     phi, found = wide(at.phi), [each.value for each in extremes]
-    exact = pressure(wide(follower), phi, program.wider.at(phi, at.piece))
+    exact = pressure_angle(wide(follower), phi, program.wider.at(phi, at.piece))
     errors = {"extremes": nearer(found, exact, max(map(abs, found)))}
     bounds = list(_bounds(program, follower, ends))
     return errors | ({"exceeded": max(MARGIN * max(bounds) / TURN, FLOOR)} if bounds else {})
@@ -47,6 +47,6 @@ def _bounds(program: Program, follower: Follower, ends: tuple[Reached, Reached])
             piece = program.piece(np.full(7, phi))
 
             def beyond(x: Values, piece: np.ndarray = piece, limit: float = on.limit) -> Values:
-                return np.abs(pressure(wide(follower), x, program.wider.at(x, piece))) - np.longdouble(limit)
+                return np.abs(pressure_angle(wide(follower), x, program.wider.at(x, piece))) - np.longdouble(limit)
 
             yield root_error(beyond, phi, BESIDE)

@@ -6,7 +6,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure.angle import Reached, pressure, reached, remarks
+from tmmcalc.cams.pressure.angle import Reached, pressure_angle, reached, remarks
 from tmmcalc.cams.pressure.errors import pressure_errors
 from tmmcalc.cams.rounding import Errors
 from tmmcalc.cams.task import CamTask
@@ -41,7 +41,7 @@ def solve_pressure(task: CamTask, follower: Follower) -> Pressure:
     """
     at = task.positions
     rise, back = reached(task, follower)
-    theta = pressure(follower, at.phi, task.motion)
+    theta = pressure_angle(follower, at.phi, task.motion)
     notes = (*remarks("rise", rise), *remarks("return", back))
     verdict = "pressure_angle_exceeded" if rise.exceeded or back.exceeded else "ok"
     error = pressure_errors(task, follower, theta, (rise, back))

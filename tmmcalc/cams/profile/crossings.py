@@ -14,7 +14,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.profile.bends import Bends, Interval
+from tmmcalc.cams.profile.curvature import Bends, Interval
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.results import Crossing
 from tmmcalc.cams.program import TURN

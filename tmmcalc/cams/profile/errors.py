@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.profile.offsets import Frame, Rim, frame, working_curvature
-from tmmcalc.cams.profile.results import Crossing, Place, Profile, Reach, Wall
+from tmmcalc.cams.profile.results import Crossing, Profile, Reach, Wall
 from tmmcalc.cams.program import TURN
 from tmmcalc.cams.rounding import APART, FLOOR, MARGIN, Errors, chosen, nearer, relative, root_error, sides, steep
 from tmmcalc.cams.task import CamTask
@@ -65,14 +65,11 @@ def _limits(exact: _WideRim, found: Profile) -> Iterator[float]:
         if place is not None:
             there = exact.both(place.phi)
             yield nearer([place.value], there.speed if found.flat else there.bend)
-    yield _nearest(exact, found.nearest)
+    there = exact.both(found.nearest.phi)
+    yield nearer([found.nearest.value], np.abs(there.offset(exact.follower.roller)))
     for reach, side in ((found.inner_reach, 1), (found.outer_reach, -1)):
         if reach is not None:
             yield _reach(exact, reach, side)
-
-
-def _nearest(exact: _WideRim, place: Place) -> float:
-    return nearer([place.value], np.abs(exact.both(place.phi).offset(exact.follower.roller)))
 
 
 def _reach(exact: _WideRim, reach: Reach, side: int) -> float:

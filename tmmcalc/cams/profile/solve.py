@@ -8,14 +8,14 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pivot import pivot_room
-from tmmcalc.cams.profile.bends import LEVEL, Bends, bends
 from tmmcalc.cams.profile.crossings import crossings
+from tmmcalc.cams.profile.curvature import LEVEL, Bends, bends
 from tmmcalc.cams.profile.errors import profile_errors
 from tmmcalc.cams.profile.offsets import Frame, Rim, frame, working_curvature
 from tmmcalc.cams.profile.reach import reach
 from tmmcalc.cams.profile.results import Face, Place, Profile, Reach, Wall, WallName
 from tmmcalc.cams.profile.verdicts import refuse, remarks
-from tmmcalc.cams.steadying import steady
+from tmmcalc.cams.program import levelled
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import UsageError
 
@@ -116,7 +116,7 @@ def _nearest(bend: Bends, roller: float) -> Place:
     rim, on = bend.rim, bend.panels
     phi = on.x.ravel()
     away = np.abs(rim.at(phi, rim.pieces(phi)).offset(roller)).reshape(on.x.shape)
-    at, found = on.turning(steady(away))
+    at, found = on.turning(levelled(away))
     least = float(np.min(found))
     level = np.flatnonzero(found <= least * (1 + LEVEL))
     return Place(least, float(np.min(at[level])), 0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import degrees, tau
 
-from tmmcalc.cams.pivot import told
+from tmmcalc.cams.pivot import pivot_fault
 from tmmcalc.cams.profile.results import Crossing, Place, Profile, Reach, Wall
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import NoSolutionError
@@ -29,17 +29,18 @@ def refuse(found: Profile, task: CamTask) -> None:
     for wall in (found.working, found.outer):
         if wall is None or wall.sound:
             continue
+        reach = found.inner_reach if wall.name == "inner" else found.outer_reach
         raise NoSolutionError(
             f"the {NAMES[wall.name]} {fault(wall)}",
             where="cam profile",
             value=found.sharpest.value if found.flat else found.follower.roller,
-            limit=_limit(found, wall),
+            limit=0.0 if reach is None else reach.distance,
             remedy=_remedy(found, wall, task),
         )
     room = found.pivot
     if room is not None and room.swept:
         raise NoSolutionError(
-            told(room),
+            pivot_fault(room),
             where="cam profile",
             value=room.radius,
             limit=room.limit,
@@ -76,11 +77,6 @@ def _rest(count: int) -> str:
     return "" if count == 1 else f" and at {count - 1} lesser place{'s' if count > 2 else ''}"
 
 
-def _limit(found: Profile, wall: Wall) -> float:
-    limit = found.inner_reach if wall.name == "inner" else found.outer_reach
-    return 0.0 if limit is None else limit.distance
-
-
 def _remedy(found: Profile, wall: Wall, task: CamTask) -> str:
     if found.flat:
         need = found.follower.start - found.sharpest.value
@@ -102,9 +98,9 @@ def remarks(found: Profile, task: CamTask) -> Iterator[str]:
         if not wall.sound and not wall.name.endswith("tool"):
             yield f"warning: the {NAMES[wall.name]} {fault(wall)}"
     if found.pivot is not None and found.pivot.swept:
-        yield f"warning: {told(found.pivot)}"
+        yield f"warning: {pivot_fault(found.pivot)}"
     if found.pivot is not None and found.pivot.passed:
-        yield f"note: {told(found.pivot)}"
+        yield f"note: {pivot_fault(found.pivot)}"
     yield from _flat_remarks(found, task) if found.flat else _roller_remarks(found, task)
     yield from _concave_remarks(found, task)
     yield from _tool_remarks(found)

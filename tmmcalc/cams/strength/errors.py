@@ -9,16 +9,16 @@ import numpy as np
 
 from tmmcalc.cams.forces.errors import at_sides, moved_points, shift, wide_points
 from tmmcalc.cams.forces.results import SpringFound
+from tmmcalc.cams.forces.springerrors import exact_carried, exact_spring
 from tmmcalc.cams.forces.state import Carried, State, state
 from tmmcalc.cams.forces.turn import Points
-from tmmcalc.cams.forces.widespring import exact_carried, exact_spring
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.rounding import Errors, chosen, nearer, relative, steep
-from tmmcalc.cams.strength.kernels import flat_radius
+from tmmcalc.cams.strength.case import Case
+from tmmcalc.cams.strength.formulas import flat_radius
 from tmmcalc.cams.strength.results import Margin, Rolling, ShaftFound
 from tmmcalc.cams.strength.roller import factors, pin_of
-from tmmcalc.cams.strength.rows import Rows, rows_of
-from tmmcalc.cams.strength.work import Case
+from tmmcalc.cams.strength.rows import RequirementRows, rows_of
 from tmmcalc.cams.wide import wide
 from tmmcalc.core.records import record
 
@@ -33,7 +33,7 @@ class Positioned:
     points: Points
     piece: Indices
     state: State
-    rows: Rows
+    rows: RequirementRows
 
 
 def strength_errors(

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.kernels import Mask
+from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import Errors
+from tmmcalc.cams.strength.formulas import unused
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
@@ -31,6 +32,34 @@ class Margin:
     phi: float | None = quantity("phi[rad]", "angle of the cam where the value stands", default=None)
     why: str = quantity("why", "why it is not judged, or what else there is to say", default="")
     advice: bool = quantity("advice", "a recommendation: it decides nothing", default=False)
+
+
+def stressed(
+    name: str, constraint: int, formula: str, symbol: str, value: float, limit: float | None, phi: float, key: str
+) -> Margin:
+    """The largest stress [Pa] with its margin, or without one where ``key`` gives no limit."""
+    if limit is None:
+        why = f"give {key} in [cam.requirements]"
+        return Margin(name, constraint, OPEN, formula, symbol, "Pa", value, phi=phi, why=why)
+    return judged(name, constraint, formula, symbol, "Pa", value, limit, float(unused(value, limit)), phi)
+
+
+def judged(
+    name: str,
+    constraint: int | None,
+    formula: str,
+    symbol: str,
+    unit: str,
+    value: float,
+    limit: float,
+    margin: float,
+    phi: float | None,
+    fault: str = "exceeded",
+    why: str = "",
+) -> Margin:
+    """A margin with its verdict."""
+    verdict = OK if margin >= 0 else fault
+    return Margin(name, constraint, verdict, formula, symbol, unit, value, limit, margin, phi, why)
 
 
 @record

@@ -1,4 +1,4 @@
-"""Margins of the roller: it does not slip, its pin is strong enough, the contact stress."""
+"""Margins of the roller: where it slips and the largest slip function, the strength of its pin, the contact stress."""
 
 from __future__ import annotations
 
@@ -7,8 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Number
-from tmmcalc.cams.strength.kernels import (
+from tmmcalc.cams.forces.formulas import Number
+from tmmcalc.cams.forces.state import state
+from tmmcalc.cams.forces.turn import at_rows, crossings, divided, spans
+from tmmcalc.cams.forces.turnforces import NOTHING
+from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.program import Positions, levelled
+from tmmcalc.cams.strength.case import Case, roller_acceleration
+from tmmcalc.cams.strength.formulas import (
     HERTZ,
     cylinder,
     pin_pressure,
@@ -16,12 +22,11 @@ from tmmcalc.cams.strength.kernels import (
     resisting,
     unused,
 )
-from tmmcalc.cams.strength.results import OPEN, Margin, RollerUnit, Rolling
-from tmmcalc.cams.strength.shape import judged, stressed
-from tmmcalc.cams.strength.slipping import largest_slip, slipping
-from tmmcalc.cams.strength.work import Case, contact_square, curved
+from tmmcalc.cams.strength.results import OPEN, Margin, RollerUnit, Rolling, judged, stressed
 from tmmcalc.cams.task import Requirements
 
+STEPS = 40
+LEVEL = 1e-12  # of the largest force: what counts as none; of D: a step that is the last
 SLIP = "|C1 + C2 A/|R|| <= 1 (5.72)"
 CONTACT = "0.418 sqrt(E_n R/b (1/(rho - r2) + 1/r2)) (5.90)"
 TOO_THICK = "the pin does not fit into the roller"
@@ -118,9 +123,7 @@ def contact_margin(case: Case) -> Margin:
         why = "the profile has a cusp" if not case.flat else "the profile is not convex"
     if why or needs.width is None:
         return Margin("contact stress", 9, OPEN, formula, "sigma_H", "Pa", why=why)
-    now, kappa = case.course.state, curved(case.follower, case.course.points.motion)
-    square = np.abs(now.contact) * kappa if case.flat else contact_square(now, kappa, case.follower.roller)
-    found = case.over(square)
+    found = case.over(case.stress_square)
     value = HERTZ * float(np.sqrt(needs.modulus / needs.width * found.largest))
     return stressed("contact stress", 9, formula, "sigma_H", value, needs.contact, found.largest_phi, "contact")
 
@@ -129,3 +132,48 @@ def _no_roller(case: Case) -> str:
     if case.flat:
         return "a flat face has no roller"
     return "" if case.follower.roller else "a knife edge has no roller"
+
+
+def slipping(case: Case, c1: float, c2: float) -> tuple[tuple[float, float], ...]:
+    """Intervals of phi where D > 1, which has a sense where R is 0 as well."""
+    course, size = case.course, np.abs(case.course.state.contact)
+    excess = [course.shaped(side * (c1 * size + c2 * case.run) - size) for side in (1, -1)]
+    on = divided(course.on, np.concatenate([crossings(course.on, each) for each in excess]))
+    middle = (on.edges[:-1] + on.edges[1:]) / 2
+    over = np.maximum(*(course.on.at(each, middle) for each in excess))
+    return spans(on.edges, over > LEVEL * np.max(size))
+
+
+def largest_slip(case: Case, c1: float, c2: float) -> tuple[float, float]:
+    """The largest D where the roller is pressed, and its place."""
+    course, size = case.course, np.abs(case.course.state.contact)
+    least = NOTHING * np.max(size)
+    found, place = _worst(size, case.run, course.points.phi, least, c1, c2)
+    for _ in range(STEPS):
+        beyond = [side * (c1 * size + c2 * case.run) - found * size for side in (1, -1)]
+        tops = np.array([course.on.extremes(levelled(course.shaped(each)))[1][1] for each in beyond])
+        better, at = _worst(*_both_sides(case, tops), least, c1, c2)
+        if better <= found:
+            break
+        last, found, place = found, better, at
+        if found <= last * (1 + LEVEL):
+            break
+    return found, place
+
+
+def _worst(size: Values, run: Values, phi: Values, least: float, c1: float, c2: float) -> tuple[float, float]:
+    """The largest D and its place among points (n,)."""
+    pressed = size > least
+    values = np.where(pressed, np.abs(c1 + c2 * run / np.where(pressed, size, 1.0)), 0.0)
+    k = int(np.argmax(values))
+    return float(values[k]), float(phi[k])
+
+
+def _both_sides(case: Case, phi: Values) -> tuple[Values, Values, Values]:
+    """|R|, A and phi (2 n,) before and after places (n,), by the formulas themselves."""
+    edges = case.task.program.edges
+    sides = [np.clip(np.searchsorted(edges, phi, way) - 1, 0, len(edges) - 2) for way in ("left", "right")]
+    rows = Positions(np.tile(phi, 2), np.concatenate(sides), ())
+    at = at_rows(case.task, case.loads, rows)
+    contact = state(case.course.carried, at).contact
+    return np.abs(contact), roller_acceleration(case.task, case.loads, case.follower, at, contact), rows.phi

@@ -6,19 +6,19 @@ from dataclasses import fields
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Mask
+from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.forces.state import State
 from tmmcalc.cams.forces.turn import Points
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.strength.carriers import bending_of, pressure_of
-from tmmcalc.cams.strength.kernels import contact_stress, flat_stress, reduced_moment, slip
+from tmmcalc.cams.strength.case import Case, contact_curvature, roller_acceleration
+from tmmcalc.cams.strength.formulas import contact_stress, flat_stress, reduced_moment, slip
 from tmmcalc.cams.strength.results import Rolling
-from tmmcalc.cams.strength.work import Case, curved, spun
+from tmmcalc.cams.strength.shaftstem import bending_of, pressure_of
 from tmmcalc.core.records import record
 
 
 @record
-class Rows:
+class RequirementRows:
     """At m points, each (m,); what has no data is None."""
 
     curvature: Values  # kappa [1/m] of the pitch curve, or of the profile under a flat face
@@ -36,17 +36,18 @@ class Rows:
         return {name: values for name, values in every.items() if values is not None}
 
 
-def rows_of(case: Case, rolling: Rolling | None, at: Points, now: State) -> Rows:
+def rows_of(case: Case, rolling: Rolling | None, at: Points, now: State) -> RequirementRows:
     """The rows at points with the forces there."""
-    kappa = curved(case.follower, at.motion)
-    run = spun(case.task, case.loads, case.follower, at, now.contact)
+    kappa = contact_curvature(case.follower, at.motion)
+    run = roller_acceleration(case.task, case.loads, case.follower, at, now.contact)
+    span = case.needs.span
     touching = np.abs(now.contact) > 0 if case.grooved else now.contact > 0
-    return Rows(
+    return RequirementRows(
         curvature=kappa,
         run=None if case.flat else run,
         slip=_slip(case, rolling, now, run),
         stress=_stress(case, now, kappa, touching),
-        reduced=_reduced(case, now),
+        reduced=None if span is None else reduced_moment(now.contact, now.torque, span, case.needs.torsion),
         bending=bending_of(case, now, at.motion),
         pressure=pressure_of(case, now),
         touching=touching,
@@ -73,8 +74,3 @@ def _stress(case: Case, now: State, kappa: Values, touching: Mask) -> Values | N
     else:
         found, _ = contact_stress(now.contact, kappa, case.follower.roller, width, modulus)
     return np.where(touching, found, 0.0)
-
-
-def _reduced(case: Case, now: State) -> Values | None:
-    span = case.needs.span
-    return None if span is None else reduced_moment(now.contact, now.torque, span, case.needs.torsion)

@@ -6,19 +6,19 @@ from collections.abc import Iterator
 from math import degrees
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.course import course_of
 from tmmcalc.cams.forces.results import CamForces
 from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.state import state
 from tmmcalc.cams.forces.turn import at_rows, loads_of
-from tmmcalc.cams.strength.carriers import shaft_margins, shaft_of, stem_margins
+from tmmcalc.cams.forces.turnforces import turn_forces
+from tmmcalc.cams.strength.case import Case, case_of
 from tmmcalc.cams.strength.errors import Positioned, strength_errors
-from tmmcalc.cams.strength.kernels import shaft_by_strength, whole
+from tmmcalc.cams.strength.formulas import shaft_by_strength, whole
+from tmmcalc.cams.strength.profilemargins import shape_margins
 from tmmcalc.cams.strength.results import OK, CamStrength, Margin, Rolling, ShaftFound
 from tmmcalc.cams.strength.roller import contact_margin, roller_unit, rolling_of, slip_margin, unit_margins
 from tmmcalc.cams.strength.rows import rows_of
-from tmmcalc.cams.strength.shape import shape_margins
-from tmmcalc.cams.strength.work import Case, case_of
+from tmmcalc.cams.strength.shaftstem import shaft_margins, shaft_of, stem_margins
 from tmmcalc.cams.task import CamTask
 
 FAULTS = {  # the gravest first
@@ -36,7 +36,7 @@ def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None =
     """
     loads = loads_of(task, "cam_strength")
     spring = forces.spring if forces else solve_spring(task, loads)
-    case = case_of(task, follower, loads, course_of(task, follower, loads, spring))
+    case = case_of(task, follower, loads, turn_forces(task, follower, loads, spring))
     unit, shaft = roller_unit(case), shaft_of(case)
     rolling = rolling_of(case, unit)
     margins = (
@@ -51,7 +51,7 @@ def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None =
     points = at_rows(task, loads, rows)
     now = state(case.course.carried, points)
     found = rows_of(case, rolling, points, now)
-    bend = case.bend
+    bend, decisive = case.bend, {verdict for verdict, _ in _decisive(margins)}
     sharpest = 1 / bend.largest if bend.largest > 0 else None
     return CamStrength(
         follower=follower,
@@ -73,7 +73,7 @@ def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None =
         rolling=rolling,
         shaft=shaft,
         margins=margins,
-        verdict=_verdict(margins),
+        verdict=next((fault for fault in FAULTS if fault in decisive), OK),  # the gravest
         notes=tuple(_notes(case, margins, rolling, shaft)),
         error=strength_errors(case, rolling, Positioned(points, rows.piece, now, found), margins, shaft, spring),
     )
@@ -84,12 +84,6 @@ def _decisive(margins: tuple[Margin, ...]) -> Iterator[tuple[str, Margin]]:
     for each in margins:
         if not each.advice and each.verdict not in (OK, "not judged"):
             yield each.verdict, each
-
-
-def _verdict(margins: tuple[Margin, ...]) -> str:
-    """The gravest of what is wrong."""
-    found = {verdict for verdict, _ in _decisive(margins)}
-    return next((verdict for verdict in FAULTS if verdict in found), OK)
 
 
 def _notes(case: Case, margins: tuple[Margin, ...], rolling: Rolling | None, shaft: ShaftFound | None) -> Iterator[str]:

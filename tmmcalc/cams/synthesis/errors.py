@@ -20,7 +20,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower, contact_path, curvature
 from tmmcalc.cams.pivot import PivotRoom
-from tmmcalc.cams.pressure.angle import Extreme, Reached, pressure
+from tmmcalc.cams.pressure.angle import Extreme, Reached, pressure_angle
 from tmmcalc.cams.pressure.errors import reached_errors
 from tmmcalc.cams.program import Positions, Program
 from tmmcalc.cams.rounding import FLOOR, MARGIN, Errors, nearer, sides
@@ -86,7 +86,7 @@ def _angle(program: Program, extreme: Extreme, limit: float) -> Condition:
     phi = wide(rows.phi)
     motion = program.wider.at(phi, rows.piece)
     side = 1 if extreme.value > 0 else -1
-    return lambda f: float(np.max(side * pressure(f, phi, motion)) - np.longdouble(limit))
+    return lambda f: float(np.max(side * pressure_angle(f, phi, motion)) - np.longdouble(limit))
 
 
 def _clearance(program: Program, f: Follower, room: PivotRoom) -> float:

@@ -15,8 +15,8 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower, contact_path, curvature
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure.angle import Extreme, halved
-from tmmcalc.cams.steadying import steady
+from tmmcalc.cams.pressure.angle import Extreme
+from tmmcalc.cams.program import levelled
 from tmmcalc.cams.synthesis.results import RollerChoice, RollerRule
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import NoSolutionError
@@ -34,8 +34,8 @@ def bends(task: CamTask, follower: Follower) -> tuple[Extreme, Extreme]:
     def kappa(phi: Values) -> Values:
         return curvature(contact_path(follower, phi, program.at(phi)))[None]
 
-    dense, values, _ = resolved(kappa, halved(program.panels))
-    low, high = dense.extremes(steady(values[0]))
+    dense, values, _ = resolved(kappa, program.panels.halved())
+    low, high = dense.extremes(levelled(values[0]))
     return Extreme(*low), Extreme(*high)
 
 

@@ -7,12 +7,12 @@ from math import pi
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.synthesis import flat
+from tmmcalc.cams.synthesis import flatface
+from tmmcalc.cams.synthesis.completion import GIVEN, WHOLE, size_of, up
 from tmmcalc.cams.synthesis.errors import flat_errors
-from tmmcalc.cams.synthesis.finish import GIVEN, WHOLE, size_of, up
+from tmmcalc.cams.synthesis.oscillating import rocker
 from tmmcalc.cams.synthesis.results import Design, Synthesis
-from tmmcalc.cams.synthesis.rocker import rocker
-from tmmcalc.cams.synthesis.stem import stem
+from tmmcalc.cams.synthesis.translating import stem
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import NoSolutionError, UsageError
 
@@ -30,7 +30,7 @@ def solve_synthesis(task: CamTask) -> Synthesis:
 
 
 def _flat(task: CamTask) -> Synthesis:
-    start, governs, convexity = flat.find(task)
+    start, governs, convexity = flatface.flat_sizes(task)
     if start <= 0:
         raise NoSolutionError(
             f"S0 = {1e3 * start:g} mm: the profile is convex for every S0 and nothing else asks for a size",
@@ -41,7 +41,7 @@ def _flat(task: CamTask) -> Synthesis:
         )
     how = {"convexity": "r_m - F_min (5.97)", "shaft": "radius of the shaft", GIVEN: GIVEN}[governs]
     follower = Follower("flat", start, sense=task.asked.sense)
-    notes = tuple(flat.remarks(convexity, start, task.limits.shaft))
+    notes = tuple(flatface.remarks(convexity, start, task.limits.shaft))
     rounded = None
     if governs != GIVEN and start >= WHOLE:
         whole = up(start)

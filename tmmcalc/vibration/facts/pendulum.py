@@ -9,7 +9,7 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import headed, keyed, keys
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
-from tmmcalc.vibration.facts.rows import some, whole
+from tmmcalc.vibration.facts.rows import all_rows, spaced_rows
 from tmmcalc.vibration.pendulum.columns import campbell_columns, pendulum_columns
 from tmmcalc.vibration.pendulum.results import PendulumResult, WhirlModes
 from tmmcalc.vibration.pendulum.swing import SwingCourse
@@ -26,13 +26,14 @@ def document(result: PendulumResult, title: str, *, patterns: Sequence[str] = ()
     """The summary with the modes as a table, diagram and motion; with ``everything`` all series in SI."""
     facts = tuple(_facts(result))
     if everything:
-        return Document(title, facts, result.notes, whole(pendulum_columns(result), patterns))
+        return Document(title, facts, result.notes, all_rows(pendulum_columns(result), patterns))
     parts = []
     if result.campbell is not None:
-        view = some(campbell_columns(result.campbell), patterns)
+        view = spaced_rows(campbell_columns(result.campbell), patterns)
         parts.append(Document("Campbell diagram", table=view, wide=not patterns, more=MORE))
     if result.swing is not None:
-        parts.append(Document("motion of the lower end", table=_swing_view(result.swing, patterns), more=MORE))
+        path = headed(result.swing, "t", "v", "w", "carrier_x", "carrier_y")
+        parts.append(Document("motion of the lower end", table=spaced_rows(path, patterns), more=MORE))
     return Document(title, facts, result.notes, _modes(result), parts=tuple(parts), more=MORE)
 
 
@@ -47,10 +48,6 @@ def _modes(result: PendulumResult) -> View:
     ]
     headers = ["whirl", "mode", *keys(WhirlModes, "hertz", "frequency", "speed"), "nodes"]
     return View(headers, [list(column) for column in zip(*rows, strict=True)])
-
-
-def _swing_view(swing: SwingCourse, patterns: Sequence[str]) -> View:
-    return some(headed(swing, "t", "v", "w", "carrier_x", "carrier_y"), patterns)
 
 
 def _speeds(values: Values) -> str:

@@ -14,12 +14,12 @@ from tmmcalc.report.sizes import plain
 SHOWN = 24  # equal steps of a series that is shown
 
 
-def whole(columns: Mapping[str, np.ndarray], patterns: Sequence[str]) -> View:
+def all_rows(columns: Mapping[str, np.ndarray], patterns: Sequence[str]) -> View:
     """All rows in SI."""
     return plain(picked(columns, patterns, "series"))
 
 
-def some(columns: Mapping[str, np.ndarray], patterns: Sequence[str]) -> View:
+def spaced_rows(columns: Mapping[str, np.ndarray], patterns: Sequence[str]) -> View:
     """Rows at about equal steps of one series, in the units of a drawing."""
     chosen = dict(_drawn(header, column) for header, column in picked(columns, patterns, "series").items())
     count = len(next(iter(chosen.values())))

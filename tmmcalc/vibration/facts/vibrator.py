@@ -9,12 +9,12 @@ from typing import Any
 from tmmcalc.core.quantity import headed, keyed, quantity_of
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
-from tmmcalc.vibration.facts.rows import some, whole
+from tmmcalc.vibration.facts.rows import all_rows, spaced_rows
 from tmmcalc.vibration.vibrator.columns import vibrator_columns
 from tmmcalc.vibration.vibrator.forced import Steady
 from tmmcalc.vibration.vibrator.paths import PointPath
 from tmmcalc.vibration.vibrator.results import COORDINATE, HEADERS, Curve, MotorStart, Start, VibratorResult
-from tmmcalc.vibration.vibrator.runup import Course
+from tmmcalc.vibration.vibrator.runup import DeviceMotion
 from tmmcalc.vibration.vibrator.task import COORDINATES, UNITS
 
 MORE = "--format csv prints modes, curve, a turn of the steady motion and the starts in SI"
@@ -28,7 +28,7 @@ def summary(result: VibratorResult, title: str) -> Document:
 def document(result: VibratorResult, title: str, *, patterns: Sequence[str] = (), everything: bool = False) -> Document:
     """The summary with the modes as a table and the courses in time; with ``everything`` all series in SI."""
     if everything:
-        table = whole(vibrator_columns(result), patterns)
+        table = all_rows(vibrator_columns(result), patterns)
         return Document(title, tuple(_facts(result)), result.notes, table)
     return Document(
         title,
@@ -57,7 +57,7 @@ def _parts(result: VibratorResult, patterns: Sequence[str]) -> Iterator[Document
         shown = headed(course, "t", "omega") | dict(zip(HEADERS, course.q, strict=True))
         if isinstance(start, MotorStart):
             shown |= headed(start, "motor")
-        yield Document(f"course of the {name}", table=some(shown, patterns), wide=not patterns, more=MORE)
+        yield Document(f"course of the {name}", table=spaced_rows(shown, patterns), wide=not patterns, more=MORE)
 
 
 def _facts(result: VibratorResult) -> Iterator[Fact]:
@@ -145,7 +145,7 @@ def _path(path: PointPath) -> Fact:
 
 
 def _start(name: str, start: Start | MotorStart) -> Fact:
-    course: Course = start.course
+    course: DeviceMotion = start.course
     moved = [
         f"{each} {_size(size, unit)}"
         for each, unit, size in zip(COORDINATES, UNITS, start.largest.tolist(), strict=True)

@@ -20,7 +20,7 @@ from tmmcalc.core.quantity import headed, keys
 from tmmcalc.vibration.series import stacked
 from tmmcalc.vibration.vibrator.paths import STEPS
 from tmmcalc.vibration.vibrator.results import DISPLACEMENT, HEADERS, MotorStart, Start, VibratorResult
-from tmmcalc.vibration.vibrator.runup import Course
+from tmmcalc.vibration.vibrator.runup import DeviceMotion
 
 
 def vibrator_columns(result: VibratorResult) -> dict[str, np.ndarray]:
@@ -52,7 +52,7 @@ def _turn(result: VibratorResult) -> dict[str, np.ndarray]:
     q = steady.cosine[:, None] * np.cos(psi) + steady.sine[:, None] * np.sin(psi)
     moved = np.array([each.path.T for each in result.paths]).reshape(-1, 3, len(psi))
     turned = (psi / steady.speed, psi, np.full_like(psi, steady.speed))
-    found = dict(zip(keys(Course, "t", "psi", "omega"), turned, strict=True))
+    found = dict(zip(keys(DeviceMotion, "t", "psi", "omega"), turned, strict=True))
     return found | _coordinates(q) | _points(result.points, moved)
 
 

@@ -10,7 +10,7 @@ from tmmcalc.core.records import record
 from tmmcalc.vibration.vibrator.forced import Peak, Steady
 from tmmcalc.vibration.vibrator.paths import PointPath
 from tmmcalc.vibration.vibrator.regimes import Barrier, Regime
-from tmmcalc.vibration.vibrator.runup import Course
+from tmmcalc.vibration.vibrator.runup import DeviceMotion
 from tmmcalc.vibration.vibrator.springs import Stiffness
 from tmmcalc.vibration.vibrator.task import COORDINATES, UNITS
 
@@ -29,7 +29,7 @@ class Curve:
 class Start:
     """The start with a prescribed angle of the rotor."""
 
-    course: Course
+    course: DeviceMotion
     points: Values  # (k, 3, n) displacements of the points of the part [m]
     largest: Values  # (7,) largest sizes of the coordinates [m] and [rad]
 
@@ -38,7 +38,7 @@ class Start:
 class MotorStart:
     """The start of the rotor by its motor."""
 
-    course: Course
+    course: DeviceMotion
     motor: Values = quantity("M_motor[N*m]", "moment of the motor")  # (n,)
     points: Values  # (k, 3, n) [m]
     largest: Values  # (7,)

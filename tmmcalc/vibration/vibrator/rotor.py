@@ -19,7 +19,7 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.records import record
 from tmmcalc.vibration.vibrator.energies import COUNT, Excitation
 from tmmcalc.vibration.vibrator.modes import Modes
-from tmmcalc.vibration.vibrator.runup import Course, steps_of
+from tmmcalc.vibration.vibrator.runup import DeviceMotion, steps_of
 from tmmcalc.vibration.vibrator.task import Drive
 
 RELATIVE = 1e-9  # tolerance of a step
@@ -32,7 +32,7 @@ LEAST = 1e-9  # of the rotor's inertia that the coupling has to leave
 class Driven:
     """The start of the rotor by its motor."""
 
-    course: Course
+    course: DeviceMotion
     motor: Values  # (n,) moment of the motor [N*m]
     evaluations: int  # of the equations
 
@@ -136,7 +136,7 @@ def _slopes(modes: Modes, excitation: Excitation, asked: Drive, weight: float) -
     return slopes
 
 
-def _course(modes: Modes, excitation: Excitation, t: Values, y: Values, weight: float, initial: float) -> Course:
+def _course(modes: Modes, excitation: Excitation, t: Values, y: Values, weight: float, initial: float) -> DeviceMotion:
     """The motion at the rows with its energies."""
     displaced, velocity = y[:COUNT], y[COUNT : 2 * COUNT]
     psi, omega, work, lost = y[2 * COUNT :]
@@ -147,10 +147,10 @@ def _course(modes: Modes, excitation: Excitation, t: Values, y: Values, weight: 
     largest = float(np.max(np.abs(energy)))
     error = float(np.max(np.abs(open_))) / largest if largest else 0.0
     q = modes.shapes @ (displaced / modes.frequency[:, None])
-    return Course(t, psi, omega, q, energy, work, lost, error)
+    return DeviceMotion(t, psi, omega, q, energy, work, lost, error)
 
 
-def mean_speed(course: Course, part: float = 0.1) -> tuple[float, float]:
+def mean_speed(course: DeviceMotion, part: float = 0.1) -> tuple[float, float]:
     """Mean speed [rad/s] over the last part of the time, and by how much it exceeds that of the part before it."""
     end = float(course.t[-1])
     at = np.interp([end * (1 - 2 * part), end * (1 - part), end], course.t, course.psi)

@@ -32,7 +32,7 @@ MOST = 300_000  # steps
 
 
 @record
-class Course:
+class DeviceMotion:
     """Motion in time at n rows."""
 
     t: Values = quantity("t[s]", "time")  # (n,) as the others but q
@@ -70,7 +70,7 @@ class _Step(NamedTuple):
     inside: Values  # W(c, j) (POINTS, 14, POINTS, 7)
 
 
-def run_up(modes: Modes, excitation: Excitation, speed: float, asked: RunUp) -> Course:
+def run_up(modes: Modes, excitation: Excitation, speed: float, asked: RunUp) -> DeviceMotion:
     """The motion from rest while the rotor speeds up evenly to ``speed`` [rad/s] and then keeps it.
 
     Raises `UsageError` where the time is too long to follow.
@@ -92,7 +92,7 @@ def run_up(modes: Modes, excitation: Excitation, speed: float, asked: RunUp) -> 
     largest = float(np.max(energy))
     eta = whole[:, :COUNT] / modes.frequency
     error = float(np.max(np.abs(open_))) / largest if largest else 0.0
-    return Course(t, psi, omega, modes.shapes @ eta.T, energy, both[:, 0], both[:, 1], error)
+    return DeviceMotion(t, psi, omega, modes.shapes @ eta.T, energy, both[:, 0], both[:, 1], error)
 
 
 def steps_of(modes: Modes, fastest: float, duration: float, where: str) -> float:

@@ -9,12 +9,12 @@ import numpy as np
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.vibration.vibrator.energies import Excitation, excitation_of, mass_matrix, stiffness_matrix
+from tmmcalc.vibration.vibrator.errors import Device, amplitude_errors, power_error, relative
 from tmmcalc.vibration.vibrator.forced import Steady, amplitudes, peaks, steady
 from tmmcalc.vibration.vibrator.modes import Modes, damping_matrix, modes_of, shown_shapes
 from tmmcalc.vibration.vibrator.paths import displacements, point_paths
 from tmmcalc.vibration.vibrator.regimes import Barrier
 from tmmcalc.vibration.vibrator.results import Curve, MotorStart, Start, VibratorResult
-from tmmcalc.vibration.vibrator.rounding import Device, amplitude_errors, power_error, relative
 from tmmcalc.vibration.vibrator.runup import run_up
 from tmmcalc.vibration.vibrator.springs import stiffness_of
 from tmmcalc.vibration.vibrator.task import COORDINATES, UNITS, VibratorTask

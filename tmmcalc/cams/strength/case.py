@@ -8,13 +8,13 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.course import Course
-from tmmcalc.cams.forces.state import State, state
+from tmmcalc.cams.forces.state import state
 from tmmcalc.cams.forces.turn import Points, at_angles
+from tmmcalc.cams.forces.turnforces import TurnForces
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure.angle import terms
-from tmmcalc.cams.steadying import steady
-from tmmcalc.cams.strength.kernels import flat_radius, rolling
+from tmmcalc.cams.pressure.angle import tangent_terms
+from tmmcalc.cams.program import levelled
+from tmmcalc.cams.strength.formulas import contact_square, flat_radius, rolling
 from tmmcalc.cams.task import CamTask, Loads, Requirements
 from tmmcalc.core.numerics.panels import Panels, resolved
 from tmmcalc.core.records import record
@@ -23,7 +23,7 @@ TOLERANCE = 1e-11  # of the panels
 
 
 @record
-class Extremes:
+class TurnExtremes:
     """Least and largest of a quantity over the turn."""
 
     least: float
@@ -42,7 +42,7 @@ class Extremes:
         return self.largest_phi if self.largest >= -self.least else self.least_phi
 
 
-def curved(follower: Follower, motion: Values) -> Values:
+def contact_curvature(follower: Follower, motion: Values) -> Values:
     """kappa [1/m] of the pitch curve; under a flat face 1/rho of the profile, 0 where it has no radius."""
     if follower.kind != "flat":
         return rolling(follower, motion)[0]
@@ -51,7 +51,7 @@ def curved(follower: Follower, motion: Values) -> Values:
     return np.where(none, 0.0, 1 / np.where(none, 1.0, radius))
 
 
-def spun(task: CamTask, loads: Loads, follower: Follower, at: Points, contact: Values) -> Values:
+def roller_acceleration(task: CamTask, loads: Loads, follower: Follower, at: Points, contact: Values) -> Values:
     """A [m] (m,) of the roller, by which its speed grows; 0 under a flat face.
 
     On the inner wall it turns at omega (v/r2 - 1), on the outer one at omega (v/r2 + 1), v that of the pitch curve.
@@ -63,28 +63,22 @@ def spun(task: CamTask, loads: Loads, follower: Follower, at: Points, contact: V
     if task.turning is None:
         return run
     omega, eps = task.turning.at(at.phi)
-    speed = np.hypot(*terms(follower, at.motion, follower.start, follower.offset))
+    speed = np.hypot(*tangent_terms(follower, at.motion, follower.start, follower.offset))
     found: Values = (omega**2 * run + eps * (speed - np.sign(contact) * follower.roller)) / loads.speed**2
     return found
 
 
-def extremes(on: Panels, values: Values) -> Extremes:
+def extremes_of(on: Panels, values: Values) -> TurnExtremes:
     """Extremes of values (K, N) with both one-sided limits."""
-    (least, least_at), (largest, largest_at) = on.extremes(steady(values))
-    return Extremes(least + 0.0, least_at, largest + 0.0, largest_at)
+    (least, least_at), (largest, largest_at) = on.extremes(levelled(values))
+    return TurnExtremes(least + 0.0, least_at, largest + 0.0, largest_at)
 
 
-def bent(follower: Follower, course: Course) -> Extremes:
+def curvature_extremes(follower: Follower, course: TurnForces) -> TurnExtremes:
     """kappa of the pitch curve over the turn; under a flat face its radius rho."""
     motion = course.points.motion
-    values = flat_radius(motion, follower.start) if follower.kind == "flat" else curved(follower, motion)
-    return extremes(course.on, course.shaped(values))
-
-
-def contact_square(now: State, kappa: Values, roller: float) -> Values:
-    """|R|/(r2 (1 -+ kappa r2)) of the wall that presses: what sigma_H^2 grows with."""
-    pressed: Values = np.abs(now.contact) / (roller * (1 - np.sign(now.contact) * kappa * roller))
-    return pressed
+    values = flat_radius(motion, follower.start) if follower.kind == "flat" else contact_curvature(follower, motion)
+    return extremes_of(course.on, course.shaped(values))
 
 
 @record
@@ -94,10 +88,10 @@ class Case:
     task: CamTask
     loads: Loads
     follower: Follower
-    course: Course
-    bend: Extremes  # kappa [1/m] of the pitch curve; of a flat face rho [m]
+    course: TurnForces
+    bend: TurnExtremes  # kappa [1/m] of the pitch curve; of a flat face rho [m]
     run: Values  # (K N,) A [m] of the roller
-    pressing: Extremes  # R [N]
+    pressing: TurnExtremes  # R [N]
     touches: bool  # a force presses the follower on the cam all over the turn, or walls hold it
 
     @property
@@ -128,31 +122,38 @@ class Case:
         """Nothing presses the roller somewhere in the turn."""
         return self.pressing.least <= 0 <= self.pressing.largest or not np.all(self.course.state.contact)
 
-    def over(self, values: Values) -> Extremes:
+    @property
+    def stress_square(self) -> Values:
+        """(K N,) what sigma_H^2 grows with over the turn: R (1/(rho - r2) + 1/r2), under a face R/rho (5.90)."""
+        contact = self.course.state.contact
+        kappa = contact_curvature(self.follower, self.course.points.motion)
+        return np.abs(contact) * kappa if self.flat else contact_square(contact, kappa, self.follower.roller)[0]
+
+    def over(self, values: Values) -> TurnExtremes:
         """Extremes of values (K N,) over the turn."""
-        return extremes(self.course.on, self.course.shaped(values))
+        return extremes_of(self.course.on, self.course.shaped(values))
 
 
-def case_of(task: CamTask, follower: Follower, loads: Loads, first: Course) -> Case:
+def case_of(task: CamTask, follower: Follower, loads: Loads, first: TurnForces) -> Case:
     """Forces and curvature over the turn on panels that resolve the stress of the contact as well."""
     course = _refined(task, loads, first)
     now = course.state
-    pressing = extremes(course.on, course.shaped(now.contact))
+    pressing = extremes_of(course.on, course.shaped(now.contact))
     touches = task.asked.closure == "groove" or pressing.least > 0
-    run = spun(task, loads, follower, course.points, now.contact)
-    return Case(task, loads, follower, course, bent(follower, course), run, pressing, touches)
+    run = roller_acceleration(task, loads, follower, course.points, now.contact)
+    return Case(task, loads, follower, course, curvature_extremes(follower, course), run, pressing, touches)
 
 
-def _refined(task: CamTask, loads: Loads, course: Course) -> Course:
+def _refined(task: CamTask, loads: Loads, course: TurnForces) -> TurnForces:
     of, roller = course.carried, course.carried.follower.roller
-    flat = of.follower.kind == "flat" and bent(of.follower, course).least > 0
+    flat = of.follower.kind == "flat" and curvature_extremes(of.follower, course).least > 0
 
     def rows(phi: Values) -> Values:
         at = at_angles(task, loads, phi)
         now = state(of, at)
-        kappa = curved(of.follower, at.motion)
+        kappa = contact_curvature(of.follower, at.motion)
         gap = 1 / kappa if flat else 1 - np.sign(now.contact) * kappa * roller
-        run = spun(task, loads, of.follower, at, now.contact)
+        run = roller_acceleration(task, loads, of.follower, at, now.contact)
         return np.stack((now.contact / np.where(gap > 0, gap, 1.0), run))
 
     scale = np.max(np.abs(rows(course.on.x.ravel())), axis=1) + 1e-300
@@ -160,4 +161,4 @@ def _refined(task: CamTask, loads: Loads, course: Course) -> Course:
     if on.count == course.on.count:
         return course
     points = at_angles(task, loads, on.x.ravel())
-    return Course(of, on, points, state(of, points))
+    return TurnForces(of, on, points, state(of, points))

@@ -17,8 +17,8 @@ import numpy as np
 
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.synthesis.aims import Aim
 from tmmcalc.cams.synthesis.curves import Curve
+from tmmcalc.cams.synthesis.objectives import Aim
 from tmmcalc.cams.task import Asked
 from tmmcalc.core.numerics.panels import panels, resolved
 from tmmcalc.core.records import record

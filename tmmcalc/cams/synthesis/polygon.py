@@ -32,14 +32,14 @@ def polygon(normal: Complex, bound: Values) -> tuple[Complex, Indices]:
     slack = EDGE * float(np.max(np.abs(bound)))
     lines: list[int] = []
     for k in order.tolist():
-        while len(lines) > 1 and _beyond(normal, bound, lines[-2], lines[-1], k, slack):
+        while len(lines) > 1 and _outside(normal, bound, lines[-2], lines[-1], k, slack):
             lines.pop()
-        while len(lines) > 1 and _beyond(normal, bound, lines[0], lines[1], k, slack):
+        while len(lines) > 1 and _outside(normal, bound, lines[0], lines[1], k, slack):
             lines.pop(0)
         lines.append(k)
-    while len(lines) > 2 and _beyond(normal, bound, lines[-2], lines[-1], lines[0], slack):
+    while len(lines) > 2 and _outside(normal, bound, lines[-2], lines[-1], lines[0], slack):
         lines.pop()
-    while len(lines) > 2 and _beyond(normal, bound, lines[0], lines[1], lines[-1], slack):
+    while len(lines) > 2 and _outside(normal, bound, lines[0], lines[1], lines[-1], slack):
         lines.pop(0)
     ring = np.array(lines, dtype=np.intp)
     corners = crossings(normal, bound, np.roll(ring, 1), ring)
@@ -48,7 +48,7 @@ def polygon(normal: Complex, bound: Values) -> tuple[Complex, Indices]:
     return corners, ring
 
 
-def _beyond(normal: Complex, bound: Values, i: int, j: int, k: int, slack: float) -> bool:
+def _outside(normal: Complex, bound: Values, i: int, j: int, k: int, slack: float) -> bool:
     """Whether the corner of lines i and j lies outside line k."""
     a, b = complex(normal[i]), complex(normal[j])
     turn = (a.conjugate() * b).imag

@@ -17,13 +17,13 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Mask, protrusion
+from tmmcalc.cams.forces.formulas import Mask, protrusion
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.extremes import blocks, pitch
 from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.peaks import largest
 from tmmcalc.cams.optimum.scene import Scene, by_panel
-from tmmcalc.cams.strength.kernels import HERTZ, ROUNDING, WHOLE, concave_margin, convex_margin
+from tmmcalc.cams.strength.formulas import HERTZ, ROUNDING, WHOLE, concave_margin, convex_margin
 from tmmcalc.core.records import record
 
 TALL = 1e9  # a guide as long as you please [m]

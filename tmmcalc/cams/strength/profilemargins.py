@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tmmcalc.cams.strength.kernels import concave_margin, convex_margin, unused
-from tmmcalc.cams.strength.results import OK, OPEN, Margin
-from tmmcalc.cams.strength.work import Case
+from tmmcalc.cams.strength.case import Case
+from tmmcalc.cams.strength.formulas import concave_margin, convex_margin, unused
+from tmmcalc.cams.strength.results import OK, OPEN, Margin, judged
 
 RULE_BASE, RULE_SHARP = 0.4, 0.7  # of R0 and of the least radius of curvature
 
@@ -83,31 +83,3 @@ def _rule(case: Case) -> Margin:
     margin = float(unused(roller, limit))
     verdict = OK if margin >= 0 else "exceeded"
     return Margin("rule of the roller", None, verdict, formula, "r2", "m", roller, limit, margin, None, "", True)
-
-
-def stressed(
-    name: str, constraint: int, formula: str, symbol: str, value: float, limit: float | None, phi: float, key: str
-) -> Margin:
-    """The largest stress [Pa] with its margin, or without one where ``key`` gives no limit."""
-    if limit is None:
-        why = f"give {key} in [cam.requirements]"
-        return Margin(name, constraint, OPEN, formula, symbol, "Pa", value, phi=phi, why=why)
-    return judged(name, constraint, formula, symbol, "Pa", value, limit, float(unused(value, limit)), phi)
-
-
-def judged(
-    name: str,
-    constraint: int | None,
-    formula: str,
-    symbol: str,
-    unit: str,
-    value: float,
-    limit: float,
-    margin: float,
-    phi: float | None,
-    fault: str = "exceeded",
-    why: str = "",
-) -> Margin:
-    """A margin with its verdict."""
-    verdict = OK if margin >= 0 else fault
-    return Margin(name, constraint, verdict, formula, symbol, unit, value, limit, margin, phi, why)

@@ -15,14 +15,14 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.pivot import PivotRoom, highest, pivot_room, told
-from tmmcalc.cams.synthesis import oscillating, roller
-from tmmcalc.cams.synthesis.aims import Distance, Ratio
-from tmmcalc.cams.synthesis.border import Passage, border
+from tmmcalc.cams.pivot import PivotRoom, highest, pivot_fault, pivot_room
+from tmmcalc.cams.synthesis import oscillatingsizes, roller
 from tmmcalc.cams.synthesis.curves import TOUCH, best_on
-from tmmcalc.cams.synthesis.growth import grown
+from tmmcalc.cams.synthesis.enlargement import enlarged
 from tmmcalc.cams.synthesis.halfplanes import families, outside
-from tmmcalc.cams.synthesis.oscillating import Triangle
+from tmmcalc.cams.synthesis.objectives import Distance, Ratio
+from tmmcalc.cams.synthesis.oscillatingsizes import Triangle
+from tmmcalc.cams.synthesis.pivotborder import Passage, border
 from tmmcalc.cams.task import Asked, CamTask
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.roots import bracketed
@@ -96,7 +96,7 @@ def _placed(task: CamTask, r2: float, make: Make) -> Found:
     asked = task.asked
     passage = _passage(task, asked, r2)
     if len(_lengths(asked)) + (asked.start is not None) > 1:
-        triangle = oscillating.on_curve(asked, families(task), passage.over)
+        triangle = oscillatingsizes.on_curve(asked, families(task), passage.over)
         return make(triangle), f"{triangle.how}, the cam {PASSES}"
     if asked.rocker is None and asked.centres is None:
         asked = replace(asked, rocker=_longest(task, r2))
@@ -123,9 +123,9 @@ def _on_border(task: CamTask, asked: Asked, passage: Passage, make: Make) -> Fou
         point = complex(curve.at(np.array([begin + (curve.high - begin) * t / (1 + t)]))[0])
         if t and outside(every, point)[0] > TOUCH * (1 + abs(point)):
             raise NoSolutionError("the border leaves the region of the pressure angle", where="cam_synthesis")
-        return make(oscillating.scaled(asked, point, PASSES))
+        return make(oscillatingsizes.scaled(asked, point, PASSES))
 
-    found, governs = grown(task, place, FIRST)
+    found, governs = enlarged(task, place, FIRST)
     rule = "least base circle" if task.asked.base is None else "longest rocker"
     return found, f"{governs}, where the cam {PASSES}" if governs else f"{rule} with which the cam {PASSES}"
 
@@ -133,7 +133,7 @@ def _on_border(task: CamTask, asked: Asked, passage: Passage, make: Make) -> Fou
 def _longest(task: CamTask, r2: float) -> float:
     """The rocker [m] whose least base circle with the pivot passed is the one given."""
     base, every, aim = task.asked.base or 0.0, families(task), Distance(1.0)
-    least = oscillating.find(task)
+    least = oscillatingsizes.least_triangle(task)
 
     def beyond(rocker: float) -> float:
         passage = _passage(task, replace(task.asked, base=None, rocker=rocker), r2)
@@ -177,7 +177,7 @@ def _forbidden(task: CamTask, bare: Follower, room: PivotRoom) -> NoSolutionErro
     if room.pivot:
         ways.append("a smaller pivot_radius")
     return NoSolutionError(
-        f"{told(room)}; no other place of the cam's axis{with_given} keeps the pressure angle and passes it",
+        f"{pivot_fault(room)}; no other place of the cam's axis{with_given} keeps the pressure angle and passes it",
         where="cam_synthesis",
         value=room.radius,
         limit=room.limit,

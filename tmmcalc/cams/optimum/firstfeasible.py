@@ -10,10 +10,10 @@ from math import pi, sqrt
 
 import numpy as np
 
-from tmmcalc.cams.optimum.guide import SINGLE, TALL, Range, ranges
+from tmmcalc.cams.optimum.guidelength import SINGLE, TALL, Range, ranges
 from tmmcalc.cams.optimum.margins import margins
 from tmmcalc.cams.optimum.scene import Scene
-from tmmcalc.cams.strength.kernels import HERTZ, pin_radius, shaft_by_stiffness, shaft_by_strength
+from tmmcalc.cams.strength.formulas import HERTZ, pin_radius, shaft_by_stiffness, shaft_by_strength
 from tmmcalc.core.records import record
 
 NODES = 32  # of S0, and of r2 at each of them
@@ -23,7 +23,7 @@ AMPLE = 2.0  # what is tried over what should do
 
 
 @record
-class Beyond:
+class FirstFeasible:
     """Sizes that keep all constraints [m]."""
 
     start: float
@@ -31,7 +31,7 @@ class Beyond:
     height: float
 
 
-def beyond(scene: Scene, low: float) -> Beyond | None:
+def first_feasible(scene: Scene, low: float) -> FirstFeasible | None:
     """The lowest of the mechanisms tried with S0 above ``low``; None if none keeps all constraints."""
     roller = _roller(scene)
     high = AMPLE * _start(scene, roller)
@@ -53,7 +53,7 @@ def beyond(scene: Scene, low: float) -> Beyond | None:
     if not good.size:
         return None
     k = good[int(np.argmin(top[good]))]
-    return Beyond(float(start[k]), float(side[k]), float(top[k]))
+    return FirstFeasible(float(start[k]), float(side[k]), float(top[k]))
 
 
 def _roller(scene: Scene) -> float:

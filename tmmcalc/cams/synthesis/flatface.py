@@ -6,15 +6,15 @@ stands at -S' from the follower's axis, so the face reaches max S' on one side a
 
 from __future__ import annotations
 
-from tmmcalc.cams.pressure.angle import Extreme, halved
+from tmmcalc.cams.pressure.angle import Extreme
 from tmmcalc.cams.synthesis.results import Convexity
 from tmmcalc.cams.task import CamTask
 
 
-def find(task: CamTask) -> tuple[float, str, Convexity]:
+def flat_sizes(task: CamTask) -> tuple[float, str, Convexity]:
     """S0 [m], what decides it, and what convexity asks; a given S0 is kept."""
     program, asked, limits = task.program, task.asked, task.limits
-    dense = halved(program.panels)
+    dense = program.panels.halved()
     y, y1, y2, _ = program.at(dense.x.ravel()).reshape(4, *dense.x.shape)
     least = Extreme(*dense.extremes(y + y2)[0])
     back, rise = (value for value, _ in dense.extremes(y1))

@@ -13,12 +13,12 @@ from dataclasses import replace
 import numpy as np
 
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.optimum.beyond import Beyond, beyond
-from tmmcalc.cams.optimum.guide import SINGLE, TALL, Range, ranges
+from tmmcalc.cams.optimum.firstfeasible import FirstFeasible, first_feasible
+from tmmcalc.cams.optimum.guidelength import SINGLE, TALL, Range, ranges
 from tmmcalc.cams.optimum.margins import SLACK, margins
 from tmmcalc.cams.optimum.scene import WHERE, Scene
-from tmmcalc.cams.optimum.slipping import may_roll
-from tmmcalc.cams.strength.kernels import rolling
+from tmmcalc.cams.optimum.slipbounds import may_roll
+from tmmcalc.cams.strength.formulas import rolling
 from tmmcalc.cams.task import Optimum
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
@@ -41,7 +41,8 @@ class Candidates:
     most: Values
     examined: int  # step points that were looked at
     passed: dict[int, int]  # how many of them each constraint alone leaves, for some height
-    beyond: Beyond | None = None  # sizes that keep all constraints, where there are too many step points up to them
+    # sizes that keep all constraints, where there are too many step points up to them
+    far: FirstFeasible | None = None
 
     def joined(self, other: Candidates) -> Candidates:
         """Both stretches."""
@@ -88,12 +89,12 @@ def search(scene: Scene, asked: Optimum) -> tuple[Found | None, Candidates]:
     found, known = _onwards(scene, asked, known, high, far)
     if found is not None or asked.heights is not None:
         return found, known
-    first = beyond(scene, far)
+    first = first_feasible(scene, far)
     if first is None:
         return None, known
     last = first.height - scene.stroke - scene.guide.gap
     if _rollers(scene, asked.step, far, last)[2].sum() > MANY:
-        return None, replace(known, beyond=first)
+        return None, replace(known, far=first)
     return _onwards(scene, asked, known, far, last)
 
 

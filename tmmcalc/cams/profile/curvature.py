@@ -9,8 +9,7 @@ import numpy as np
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.results import Place
-from tmmcalc.cams.program import TURN
-from tmmcalc.cams.steadying import steady
+from tmmcalc.cams.program import TURN, levelled
 from tmmcalc.core.numerics.panels import Panels, resolved
 from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.records import record
@@ -31,7 +30,7 @@ class Bends:
     @cached_property
     def turning(self) -> tuple[Values, Values]:
         """Places and values of all local extremes."""
-        return self.panels.turning(steady(self.values))
+        return self.panels.turning(levelled(self.values))
 
     def extreme(self, sign: int) -> Place:
         """The largest (-1: least) value; of equal ones the first."""

@@ -11,8 +11,8 @@ from tmmcalc.cams.forces.results import ForceExtreme, Reserve, SpringFound
 from tmmcalc.cams.forces.state import Carried, State, carried, state
 from tmmcalc.cams.forces.turn import Points, at_angles, crossings, divided, smooth_panels, spans
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure.angle import check_reach, terms
-from tmmcalc.cams.steadying import steady
+from tmmcalc.cams.pressure.angle import check_reach, tangent_terms
+from tmmcalc.cams.program import levelled
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.errors import SingularityError
 from tmmcalc.core.numerics.panels import Panels, resolved
@@ -24,7 +24,7 @@ CLEAR = 0.3  # of cos(theta) - mu at all points: it is then nowhere at zero betw
 
 
 @record
-class Course:
+class TurnForces:
     """The forces over the turn on panels within which they are smooth, so that extremes and integrals are exact."""
 
     carried: Carried
@@ -38,11 +38,11 @@ class Course:
 
     def extreme(self, name: str, unit: str, values: Values) -> ForceExtreme:
         """Extremes of values (K N,) over the turn."""
-        (least, least_at), (largest, largest_at) = self.on.extremes(steady(self.shaped(values)))
+        (least, least_at), (largest, largest_at) = self.on.extremes(levelled(self.shaped(values)))
         return ForceExtreme(name, unit, least + 0.0, least_at, largest + 0.0, largest_at)
 
 
-def course_of(task: CamTask, follower: Follower, loads: Loads, spring: SpringFound) -> Course:
+def turn_forces(task: CamTask, follower: Follower, loads: Loads, spring: SpringFound) -> TurnForces:
     """The forces over the turn; raises as `solve_forces` does."""
     check_reach(task.program, follower)
     of = carried(task, follower, loads, spring.stiffness, spring.preload)
@@ -53,7 +53,7 @@ def course_of(task: CamTask, follower: Follower, loads: Loads, spring: SpringFou
     still = np.abs(now.load) <= NOTHING * size  # a dwell without load has no sign to change
     roots = [crossings(first, np.where(still, 0.0, now.load).reshape(first.x.shape))]
     if of.friction and follower.kind == "translating":
-        across, _ = terms(follower, at.motion, follower.start, follower.offset)
+        across, _ = tangent_terms(follower, at.motion, follower.start, follower.offset)
         roots.append(crossings(first, across.reshape(first.x.shape)))
     parts_on = divided(first, np.concatenate(roots))
     _check_jamming(task, loads, of, parts_on)
@@ -65,7 +65,7 @@ def course_of(task: CamTask, follower: Follower, loads: Loads, spring: SpringFou
     scale = np.array([size, size, size * task.program.stroke * pi, size]) + 1e-300
     on, _, _ = resolved(rows, parts_on, TOLERANCE, scale)
     points = at_angles(task, loads, on.x.ravel())
-    return Course(of, on, points, state(of, points))
+    return TurnForces(of, on, points, state(of, points))
 
 
 def _useful(now: State, at: Points) -> Values:
@@ -85,7 +85,7 @@ def _check_jamming(task: CamTask, loads: Loads, of: Carried, on: Panels) -> None
     values = useful(on.x.ravel()).reshape(on.count, on.order)
     if np.min(values) > CLEAR:
         return
-    (least, place), _ = on.extremes(steady(values))
+    (least, place), _ = on.extremes(levelled(values))
     if least > 0:
         return
     parts = divided(on, crossings(on, values))
@@ -119,11 +119,11 @@ def _critical(of: Carried, now: State) -> float | None:
     return atan(1 / (of.friction * (1 + 2 * float(now.protrusion[0]) / guide.length))) if guide else None
 
 
-def reserve_of(course: Course) -> Reserve:
+def reserve_of(course: TurnForces) -> Reserve:
     """The place where friction takes the largest part of the useful component."""
     now, at, of = course.state, course.points, course.carried
     values = _useful(now, at) / now.cosine if of.rubs else now.cosine
-    (part, place), _ = course.on.extremes(steady(course.shaped(values)))
+    (part, place), _ = course.on.extremes(levelled(course.shaped(values)))
 
     def there(values: Values) -> Values:
         return course.on.at(course.shaped(values), np.array([place]))

@@ -24,7 +24,7 @@ from tmmcalc.core.numerics.roots import bracketed
 DOUBLINGS = 40
 
 
-def grown(task: CamTask, place: Callable[[float], Follower], first: float = 1.0) -> tuple[Follower, str]:
+def enlarged(task: CamTask, place: Callable[[float], Follower], first: float = 1.0) -> tuple[Follower, str]:
     """The first follower of the family ``place(x)``, x >= 0, that leaves room, and what asked for it.
 
     ``first`` is the first x above zero that is tried. Raises `NoSolutionError` if none does.

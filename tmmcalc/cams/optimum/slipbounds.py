@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Mask
+from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.extremes import blocks, spun
 from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.peaks import largest
-from tmmcalc.cams.optimum.scene import Scene, carried
-from tmmcalc.cams.strength.kernels import cylinder, pin_radius, resisting, slip
+from tmmcalc.cams.optimum.scene import Scene, guided_at
+from tmmcalc.cams.strength.formulas import cylinder, pin_radius, resisting, slip
 
 
 def may_roll(scene: Scene, start: Values, roller: Values, low: Values, high: Values) -> Mask:
@@ -32,11 +32,11 @@ def _may_roll(scene: Scene, start: Values, roller: Values, low: Values, high: Va
     pinned = need.pin is not None or need.pin_pressure is not None
     if arm is None or friction is None or (inertia is None and (need.width is None or not pinned)):
         return np.ones(len(start), bool)
-    ends = [carried(scene, start, roller, top) for top in (low, high)]
+    ends = [guided_at(scene, start, roller, top) for top in (low, high)]
     least = np.minimum(ends[0].contact, ends[1].contact)
     most = np.maximum(ends[0].contact, ends[1].contact)
     works = np.all(ends[0].works & ends[1].works, axis=1) & np.all(least > 0, axis=1)
-    pins = _pins(scene, np.max(least, axis=1), np.maximum(*(_largest(scene, end.contact) for end in ends)))
+    pins = _pins(scene, np.max(least, axis=1), np.maximum(*(largest(scene.by_panel(end.contact)) for end in ends)))
     run = spun(scene, start, roller)
     resisted = [resisting(arm, need.pin_friction or 0.0, r0, friction, wide) for r0 in pins]
     masses = [cylinder(need.width or 0.0, need.roller_density, wide, r0) if inertia is None else inertia for r0 in pins]
@@ -57,7 +57,3 @@ def _pins(scene: Scene, least: Values, most: Values) -> list[Values]:
     if need.pin is not None or need.pin_pressure is None:
         return [np.full((len(least), 1), need.pin or 0.0)] * 2
     return [pin_radius(np.maximum(size, 0.0), need.pin_pressure, need.pin_ratio)[:, None] for size in (least, most)]
-
-
-def _largest(scene: Scene, values: Values) -> Values:
-    return largest(scene.by_panel(values))

@@ -15,14 +15,15 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.forces.formulas import cam_torque
 from tmmcalc.cams.laws.catalogue import law_of
-from tmmcalc.cams.optimum import flat
-from tmmcalc.cams.optimum.least import QUICK, REGION, least_heights
+from tmmcalc.cams.optimum import flatface
+from tmmcalc.cams.optimum.leastheight import QUICK, REGION, least_heights
 from tmmcalc.cams.optimum.margins import NUMBERS, judge
+from tmmcalc.cams.optimum.peaks import largest
 from tmmcalc.cams.optimum.results import ACTIVE, Choice, Option
-from tmmcalc.cams.optimum.scene import WHERE, Phases, Scene, scene_of
-from tmmcalc.cams.optimum.steps import search
-from tmmcalc.cams.optimum.torque import torques
+from tmmcalc.cams.optimum.scene import WHERE, Phases, Scene, guided_at, scene_of
+from tmmcalc.cams.optimum.wholesteps import search
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.task import CamTask, Optimum
 from tmmcalc.core.errors import NoSolutionError, UsageError
@@ -67,7 +68,7 @@ def with_ratio(task: CamTask, ratio: float) -> CamTask:
 
 def changes(task: CamTask, asked: Optimum) -> list[list[Change]]:
     """The changes of every kind that is asked for, without those that leave all as it is."""
-    kept = _kept(task)
+    kept = _asked_values(task)
     found = [
         [Change(f"law {name}", partial(with_law, name=name)) for name in asked.laws if name != kept["law"]],
         [Change(f"safety {k:g}", partial(with_safety, safety=k)) for k in asked.safeties if k != kept["safety"]],
@@ -146,10 +147,10 @@ def _variant(words: tuple[str, ...], task: CamTask, follower: Follower, asked: O
     try:
         scene = scene_of(task, follower, phases)
         if follower.kind == "flat":
-            top, starts, _ = flat.steps(scene, asked.step, asked.height_step)
-            designs = [flat.choice_of(scene, each, top) for each in starts.tolist()]
+            top, starts, _ = flatface.steps(scene, asked.step, asked.height_step)
+            designs = [flatface.choice_of(scene, each, top) for each in starts.tolist()]
             best = max(designs, key=lambda each: each.worst.margin)
-            least = flat.choice_of(scene, *flat.lowest(scene))
+            least = flatface.choice_of(scene, *flatface.lowest(scene))
             return _option(words, task, scene, (best.start, 0.0, top), least.height, least.active)
         found, _ = search(scene, asked)
     except NoSolutionError as fault:
@@ -173,16 +174,16 @@ def _option(
     """What there is to say of a mechanism of S0, r2 and H2 in whole steps."""
     start, roller, height = sizes
     if scene.follower.kind == "flat":
-        choice = flat.choice_of(scene, start, height)
+        choice = flatface.choice_of(scene, start, height)
         stress = next((each.value or 0.0 for each in choice.checks if each.number == 9), 0.0)
-        contact = flat.largest_force(scene, choice)
+        contact = flatface.largest_force(scene, choice)
     else:
         values = judge(scene, *(np.array([size]) for size in sizes))
         stress, contact = float(values.stress[0]), float(values.contact[0])
     torque, driving = torques(scene, start, roller, height)
     return Option(
         changes=words,
-        **_kept(task),
+        **_asked_values(task),
         height=height,
         start=start,
         roller=roller,
@@ -201,7 +202,7 @@ def _option(
 def _refused(words: tuple[str, ...], task: CamTask, scene: Scene | None, why: str) -> Option:
     return Option(
         changes=words,
-        **_kept(task),
+        **_asked_values(task),
         height=0.0,
         start=0.0,
         roller=0.0,
@@ -217,7 +218,7 @@ def _refused(words: tuple[str, ...], task: CamTask, scene: Scene | None, why: st
     )
 
 
-def _kept(task: CamTask) -> dict[str, Any]:
+def _asked_values(task: CamTask) -> dict[str, Any]:
     """Law, safety, allowed stress and roller of a task, by the names of the fields."""
     need, spring = task.requirements, None if task.loads is None else task.loads.spring
     return {
@@ -226,3 +227,12 @@ def _kept(task: CamTask) -> dict[str, Any]:
         "allowed": need.contact,
         "ratio": None if task.asked.kind == "flat" else need.roller_ratio,
     }
+
+
+def torques(scene: Scene, start: float, roller: float, top: float) -> tuple[float, float]:
+    """Largest |T| of P_c S' (5.75), and the largest driving torque, friction of the guide included [N*m]."""
+    on = guided_at(scene, *np.array([[start], [roller], [top]]))
+    driving = cam_torque(on.contact, on.cosine, scene.motion)[0]
+    rows = np.stack((scene.torque, -scene.torque, driving))
+    plus, minus, given = largest(scene.by_panel(rows)).tolist()
+    return max(plus, minus), given

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pressure.angle import terms
+from tmmcalc.cams.pressure.angle import tangent_terms
 
 Number = Values | float
 Mask = NDArray[np.bool_]
@@ -53,7 +53,7 @@ def inclination(
 ) -> tuple[Values, Values]:
     """Sine and cosine of the pressure angle (5.42, 5.48); sizes that are given take the place of the follower's."""
     place = follower.start if start is None else start
-    across, along = terms(follower, motion, place, follower.offset if offset is None else offset)
+    across, along = tangent_terms(follower, motion, place, follower.offset if offset is None else offset)
     size = np.hypot(across, along)
     return across / size, along / size
 
@@ -121,7 +121,7 @@ def cam_torque(contact: Values, cosine: Number, motion: Values, arm: float = 1.0
     return torque
 
 
-class Guided(NamedTuple):
+class GuidedForces(NamedTuple):
     """All that a stem in its guide carries; each broadcasts as (..., M)."""
 
     sine: Values
@@ -135,7 +135,7 @@ class Guided(NamedTuple):
     works: Mask  # the guide has length and the follower does not jam
 
 
-def guided(
+def guided_forces(
     follower: Follower,
     motion: Values,
     load: Values,
@@ -147,7 +147,7 @@ def guided(
     start: Number,
     roller: Number,
     top: Number,
-) -> Guided:
+) -> GuidedForces:
     """Reactions of RT or PT for sizes S0, r2 and H2 (..., 1) at the points of ``motion`` (4, M); ``load`` is P_c (M,).
 
     The least length of the guide follows from the sizes; of a flat face the roller has to be 0.
@@ -157,4 +157,4 @@ def guided(
     ratio, room = friction_ratio(follower, motion, sine, q, length, friction)
     contact, works = contact_force(load, cosine, ratio, sense)
     lower, upper = guide_forces(follower, motion, contact, sine, q, length)
-    return Guided(sine, cosine, q, length, ratio, contact, lower, upper, works & room)
+    return GuidedForces(sine, cosine, q, length, ratio, contact, lower, upper, works & room)

@@ -13,16 +13,16 @@ from math import pi
 
 import numpy as np
 
-from tmmcalc.cams.forces.kernels import Guided
+from tmmcalc.cams.forces.formulas import GuidedForces
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.checks import closure
-from tmmcalc.cams.optimum.guide import NEVER, TALL, Held, Range, masked, solved
+from tmmcalc.cams.optimum.guidelength import NEVER, TALL, Held, Range, masked, solved
 from tmmcalc.cams.optimum.margins import NAMES, SLACK
 from tmmcalc.cams.optimum.peaks import crest, largest, peak
-from tmmcalc.cams.optimum.relax import bought
+from tmmcalc.cams.optimum.relaxation import bought
 from tmmcalc.cams.optimum.results import Check, Choice, FlatChart, Relaxation
-from tmmcalc.cams.optimum.scene import WHERE, Scene, carried
-from tmmcalc.cams.strength.kernels import (
+from tmmcalc.cams.optimum.scene import WHERE, Scene, guided_at
+from tmmcalc.cams.strength.formulas import (
     BAD,
     HERTZ,
     ROUNDING,
@@ -202,8 +202,8 @@ def largest_force(scene: Scene, choice: Choice) -> float:
     return _peak(scene, _carried(scene, choice.start, choice.height).contact)
 
 
-def _carried(scene: Scene, start: float, height: float) -> Guided:
-    return carried(scene, *np.array([[start], [0.0], [height]]))
+def _carried(scene: Scene, start: float, height: float) -> GuidedForces:
+    return guided_at(scene, *np.array([[start], [0.0], [height]]))
 
 
 def _peak(scene: Scene, values: Values) -> float:

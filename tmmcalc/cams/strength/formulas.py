@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.kernels import Mask, Number
+from tmmcalc.cams.forces.formulas import Mask, Number
 from tmmcalc.cams.laws.law import Values
 
 BAD = -1e9  # margin where there is no value
@@ -61,17 +61,23 @@ def flat_radius(motion: Values, start: Number) -> Values:
     return radius
 
 
-def contact_stress(
-    contact: Values, curvature: Values, roller: Number, width: float, modulus: float
-) -> tuple[Values, Any]:
-    """sigma_H [Pa] of a roller on the inner wall (R > 0) or the outer one; where that has no cusp (5.86 to 5.90).
+def contact_square(contact: Values, curvature: Values, roller: Number, modulus: float = 1.0) -> tuple[Values, Any]:
+    """E_n R (1/(rho - r2) + 1/r2) of the wall that presses, and where that has no cusp (5.90): smooth through R = 0.
 
     Written with kappa it is regular where the profile turns from convex to concave.
     """
     bulge = np.where(contact < 0, -1.0, 1.0) * curvature * roller
     works = bulge < 1
     gap = np.where(works, 1 - bulge, 1.0)
-    return HERTZ * np.sqrt(modulus / width * np.abs(contact) / (np.maximum(roller, THIN) * gap)), works
+    return modulus * np.abs(contact) / (np.maximum(roller, THIN) * gap), works
+
+
+def contact_stress(
+    contact: Values, curvature: Values, roller: Number, width: float, modulus: float
+) -> tuple[Values, Any]:
+    """sigma_H [Pa] of a roller on the inner wall (R > 0) or the outer one; where that has no cusp (5.86 to 5.90)."""
+    square, works = contact_square(contact, curvature, roller, modulus / width)
+    return HERTZ * np.sqrt(square), works
 
 
 def flat_stress(contact: Values, radius: Values, width: float, modulus: float) -> tuple[Values, Any]:

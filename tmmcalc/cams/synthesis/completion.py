@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import ceil
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.pivot import PivotRoom, pivot_room, told
+from tmmcalc.cams.pivot import PivotRoom, pivot_fault, pivot_room
 from tmmcalc.cams.pressure.angle import Reached, reached, remarks
 from tmmcalc.cams.synthesis import roller
 from tmmcalc.cams.synthesis.errors import size_errors
@@ -23,7 +23,7 @@ WHOLE = 5e-3  # [m] sizes below it are not rounded to millimetres
 NEAR = 1e-9
 
 
-def finished(
+def completed(
     task: CamTask,
     bare: Follower,
     sizes: tuple[Size, ...],
@@ -69,9 +69,9 @@ def finished(
 
 def _pivot_remarks(room: PivotRoom | None, governs: str) -> Iterator[str]:
     if room is not None and room.swept:
-        yield f"warning: {told(room)}"
+        yield f"warning: {pivot_fault(room)}"
     elif room is not None and room.passed:
-        yield f"note: {told(room)}"
+        yield f"note: {pivot_fault(room)}"
     elif room is not None and governs == PIVOT_ROOM and not room.pivot:
         yield "note: the cam passes the centre of the rocker's pivot; pivot_radius in [cam.loads] gives the pivot room"
 

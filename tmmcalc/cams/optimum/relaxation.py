@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from math import floor, log10
 
-from tmmcalc.cams.optimum.least import QUICK, least_heights
+from tmmcalc.cams.optimum.leastheight import QUICK, least_heights
 from tmmcalc.cams.optimum.results import Choice, Relaxation
 from tmmcalc.cams.optimum.scene import Scene
 

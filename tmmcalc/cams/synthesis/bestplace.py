@@ -10,9 +10,9 @@ from itertools import combinations
 
 import numpy as np
 
-from tmmcalc.cams.synthesis.aims import Aim
 from tmmcalc.cams.synthesis.halfplanes import APART, Family, Lines, lines_at, outside
-from tmmcalc.cams.synthesis.region import crossings
+from tmmcalc.cams.synthesis.objectives import Aim
+from tmmcalc.cams.synthesis.polygon import crossings
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.core.records import record
 

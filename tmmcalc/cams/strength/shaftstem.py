@@ -9,7 +9,8 @@ import numpy as np
 
 from tmmcalc.cams.forces.state import State
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.strength.kernels import (
+from tmmcalc.cams.strength.case import Case, TurnExtremes
+from tmmcalc.cams.strength.formulas import (
     guide_pressure,
     shaft_by_stiffness,
     shaft_by_strength,
@@ -19,9 +20,7 @@ from tmmcalc.cams.strength.kernels import (
     unused,
     whole,
 )
-from tmmcalc.cams.strength.results import OPEN, Margin, ShaftFound
-from tmmcalc.cams.strength.shape import judged, stressed
-from tmmcalc.cams.strength.work import Case, Extremes
+from tmmcalc.cams.strength.results import OPEN, Margin, ShaftFound, judged, stressed
 
 STRENGTH = "r1 >= cbrt(4 M_E/(pi [sigma_F])) (5.77)"
 STIFFNESS = "r1 >= (R l_s^3/(12 pi E [Delta]))^(1/4) (5.78)"
@@ -43,12 +42,12 @@ def shaft_of(case: Case) -> ShaftFound | None:
     return ShaftFound(moment, phi, rubbed, strength, stiffness, float(whole(max(strength or 0.0, stiffness or 0.0))))
 
 
-def _moment(case: Case, *, rubbed: bool = False) -> Extremes:
+def _moment(case: Case, *, rubbed: bool = False) -> TurnExtremes:
     """M_E over the turn: extremes of its square, which is smooth."""
     now, needs = case.course.state, case.needs
     torque = now.driving if rubbed else now.torque
     found = case.over((now.contact * ((needs.span or 0.0) / 4)) ** 2 + needs.torsion * torque * torque)
-    return Extremes(sqrt(max(found.least, 0.0)), found.least_phi, sqrt(found.largest), found.largest_phi)
+    return TurnExtremes(sqrt(max(found.least, 0.0)), found.least_phi, sqrt(found.largest), found.largest_phi)
 
 
 def shaft_margins(case: Case, shaft: ShaftFound | None) -> Iterator[Margin]:
