@@ -159,7 +159,7 @@ PLACED = {}  # programs with what `_placed` tells of them, by the identity of th
 
 
 def _placed(program, piece):
-    """Of a piece: its phase, its number in the law, where the phase begins, the lowest y, scales of s and derivatives."""
+    """Of a piece: its phase, its number in the law, where the phase begins, the lowest y, scales of s, s' and so on."""
     key = id(program), piece, mp.prec
     if key not in PLACED:
         number, inner = program.places[0][piece], int(program.places[1][piece])
