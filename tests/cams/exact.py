@@ -51,10 +51,13 @@ def law_at(law, k, piece):
 
 
 def _of_powers(c, k):
-    found = [mpf(0)] * 4
-    for each in reversed(c):
-        s, v, a, j = found
-        found = [s * k + each, v * k + s, a * k + 2 * v, j * k + 3 * a]
+    found = []
+    for _ in range(4):
+        value = mpf(0)
+        for each in reversed(c):
+            value = value * k + each
+        found.append(value)
+        c = [n * each for n, each in enumerate(c)][1:]
     return found
 
 
@@ -142,19 +145,30 @@ def random_program(random, stroke, own=True):
 
 def motion_at(program, phi, piece):
     """y, y', y'', y''' at an angle on a piece of a program."""
-    number, inner = program.places[0][piece], int(program.places[1][piece])
-    phase = program.phases[number]
+    phase, inner, start, lowest, scales = _placed(program, piece)
     if phase.law is None:
-        return [mpf(phase.start), mpf(0), mpf(0), mpf(0)]
-    start, angle = sum((mpf(each.angle) for each in program.phases[:number]), mpf(0)), mpf(phase.angle)
+        return [lowest, mpf(0), mpf(0), mpf(0)]
     at = phi if isinstance(phi, mpf) else mpf(float(phi))
-    k, height = (at - start) / angle, mpf(phase.end) - mpf(phase.start)
-    if height < 0:
-        s = [each * (-1) ** n for n, each in enumerate(law_at(phase.law, 1 - k, inner))]
-    else:
-        s = law_at(phase.law, k, inner)
-    found = [abs(height) * each / angle**n for n, each in enumerate(s)]
-    return [found[0] + min(mpf(phase.start), mpf(phase.end)), *found[1:]]
+    k = (at - start) / mpf(phase.angle)
+    s = law_at(phase.law, 1 - k if phase.end < phase.start else k, inner)
+    found = [scale * each for scale, each in zip(scales, s, strict=True)]
+    return [found[0] + lowest, *found[1:]]
+
+
+PLACED = {}  # programs with what `_placed` tells of them, by the identity of the program, the piece and the precision
+
+
+def _placed(program, piece):
+    """Of a piece: its phase, its number in the law, where the phase begins, the lowest y, scales of s, s' and so on."""
+    key = id(program), piece, mp.prec
+    if key not in PLACED:
+        number, inner = program.places[0][piece], int(program.places[1][piece])
+        phase = program.phases[number]
+        start = sum((mpf(each.angle) for each in program.phases[:number]), mpf(0))
+        lowest, height = min(mpf(phase.start), mpf(phase.end)), abs(mpf(phase.end) - mpf(phase.start))
+        way = mpf(-1 if phase.end < phase.start else 1) / mpf(phase.angle)
+        PLACED[key] = program, (phase, inner, start, lowest, [height * way**n for n in range(4)])
+    return PLACED[key][1]
 
 
 def pitch_at(follower, phi, motion):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -273,6 +274,10 @@ def check_class(variants: int) -> None:
         assert "motion" in Path(f"out/{at:02d}.txt").read_text()
     assert make("sheet").count("tmmcalc sweep") == 1
     assert "Nothing to be done" in make("sheet")
+    check_answers(variants)
+
+
+def check_answers(variants: int) -> None:
     rows = table("answers.csv")
     assert [row["variant"] for row in rows] == [f"{at:02d}" for at in range(1, variants + 1)]
     assert {row["status"] for row in rows} == {"ok"}
@@ -290,10 +295,19 @@ def test_the_class_of_the_examples(folder: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(shutil.which("make") is None, reason="needs make")
-def test_the_whole_class_of_the_examples(folder: Path) -> None:
+def test_the_whole_class_of_the_examples(cli: Cli) -> None:
+    """The commands of the makefile for all variants, here in one process."""
     a_class(30)
-    check_class(30)
+    for at in range(1, 31):
+        variant = ("--set", f"@class.csv:{at:02d}", "-o", f"out/{at:02d}", "--depfile", f"{at:02d}.d", "--quiet")
+        code, out, _ = cli("run", "assignment.toml", *variant)
+        assert code == 0
+        assert "motion" in out
+    columns = re.search("ANSWERS *:= (.*)", Path("Makefile").read_text())
+    assert columns
+    asked = ("--points", "class.csv", "--columns", columns[1], "-o", "answers.csv", "--quiet")
+    assert cli("sweep", "assignment.toml", *asked).code == 0
+    check_answers(30)
 
 
 def test_the_task_of_the_examples_is_the_ready_shaper() -> None:

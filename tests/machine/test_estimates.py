@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bounding import RATE, assert_bounds
+from bounding import RATE, assert_bounds, part
 
 from machine.drawn import TURN, Drawn
 from machine.exact import WIDE, Exact
@@ -23,6 +23,7 @@ from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.steady import driven
 
 THETA = np.linspace(0, 6.28, 97)
+MANY = pytest.param(part(200, 4), marks=pytest.mark.slow)
 Pairs = dict[str, list[tuple[float, float]]]
 
 
@@ -67,17 +68,17 @@ def check(found: Pairs, count: int) -> None:
         assert_bounds(told, key, scenes=count)
 
 
-@pytest.mark.parametrize("count", [20, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [20, MANY])
 def test_motors_of_any_slip(count: int) -> None:
     check(pairs(21, count), count)
 
 
-@pytest.mark.parametrize("count", [60, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [60, pytest.param(part(200, 2), marks=pytest.mark.slow)])
 def test_motors_that_lag(count: int) -> None:
     check(pairs(23, count, slips=(-3, -1), lagging=0.5), count)
 
 
-@pytest.mark.parametrize("count", [6, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [6, MANY])
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-5])
 def test_a_tolerance_is_kept_and_its_estimate_useful(tolerance: float, count: int) -> None:
     found = pairs(33, count, tolerance, slips=(-4, -1), lagging=0.3)
@@ -151,7 +152,7 @@ def peak(values: Any) -> Any:
     return max(c, sum(v * t**j for j, v in enumerate(terms)))
 
 
-@pytest.mark.parametrize("count", [12, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [12, MANY])
 def test_forces_of_position(count: int) -> None:
     rng, found = np.random.default_rng(25), defaultdict[str, list[tuple[float, float]]](list)
     while len(found["speed"]) < count:
@@ -191,7 +192,7 @@ def kept_at_mean(machine: Drawn, regime: Regime) -> Exact:
     return exact
 
 
-@pytest.mark.parametrize("count", [4, pytest.param(200, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [4, MANY])
 def test_resistance_under_a_constant_moment(count: int) -> None:
     rng, found = np.random.default_rng(26), defaultdict[str, list[tuple[float, float]]](list)
     while len(found["speed"]) < count:
