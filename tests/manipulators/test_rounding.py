@@ -232,7 +232,7 @@ def _order(name: str) -> str:
 
 def test_estimates() -> None:
     """Paths of all arms."""
-    _held(random_path, KINDS, 12, _order)
+    _held(random_path, KINDS, 30, _order)
 
 
 @pytest.mark.slow

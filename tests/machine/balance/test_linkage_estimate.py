@@ -243,7 +243,7 @@ def check(seeds: range, scenes: int) -> None:
 
 
 def test_estimates_of_some_linkages() -> None:
-    check(range(184, 186), 1)
+    check(range(184, 188), 3)
 
 
 @pytest.mark.slow
