@@ -31,8 +31,7 @@ from tmmcalc.manipulators.stages.manipulator import NO_OBSTACLES
 from tmmcalc.pipeline.store import CSV_ROWS
 from tmmcalc.pipeline.why import explain, packages
 from tmmcalc.project import Spec, load_spec, templates
-from tmmcalc.project.root import ENTRIES
-from tmmcalc.rooms import STAGES
+from tmmcalc.rooms import STAGES, TABLES
 from tmmcalc.spec.late import LateTable
 from tmmcalc.vibration.stages.vibrator import NO_CURVE, NO_DRIVE, NO_EXCITATION, NO_START
 
@@ -183,7 +182,7 @@ def tables(spec: Spec) -> set[str]:
     given = spec.model_fields_set
     models = {name: late(field.annotation, *field.metadata) for name, field in Spec.model_fields.items()}
     checks = {
-        name: {f"{entry.home[8:]}.tables.checks.{each}" for each in entry.checks} for name, entry in ENTRIES.items()
+        name: {f"{entry.home[8:]}.tables.checks.{each}" for each in entry.checks} for name, entry in TABLES.items()
     }
     of_loads = {f"linkage.tables.checks.{name}" for name in ("loads", "windows", "curves")}
     shared = of_loads if spec.cam or spec.torque else set()
