@@ -18,9 +18,9 @@ from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.diagram import from_harmonics
 from tmmcalc.machine.flywheel.comparison import compared
 from tmmcalc.machine.flywheel.methods import positional_flywheels
-from tmmcalc.machine.flywheel.required import correction_history, fluctuation, required_inertia
+from tmmcalc.machine.flywheel.required import fluctuation, required_inertia
 from tmmcalc.machine.flywheel.results import Trial
-from tmmcalc.machine.flywheel.search import least_inertia, tried
+from tmmcalc.machine.flywheel.search import corrections, least_inertia, tried
 from tmmcalc.machine.motors.characteristics import (
     ConstantMoment,
     Kloss,
@@ -195,7 +195,8 @@ class TestUpsetter:
             required_inertia(upsetter_cycle(), parabola_motor(), delta, 10.0)
 
     def test_corrections_approach_from_above(self) -> None:
-        history = correction_history(upsetter_cycle(), parabola_motor(), 0.08, 10.6, limit=8, tolerance=0.0)
+        model = fluctuation(upsetter_cycle(), parabola_motor())
+        history = corrections(model, 0.08, 10.6, limit=8, tolerance=0.0)
         found = required_inertia(upsetter_cycle(), parabola_motor(), 0.08, 10.6)
         inertias = [trial.inertia for trial in history]
         assert inertias == sorted(inertias)

@@ -39,7 +39,7 @@ def summary(result: Flywheel, title: str) -> Document:
         _needed_fact(result),
         *_existing_facts(result),
         *([] if result.rim is None else _rim_facts(result)),
-        *([] if result.addition <= 0 else _elsewhere_facts(result.wheels[1:])),
+        *(_elsewhere_fact(wheel) for wheel in result.wheels[1:] if result.addition > 0),
     )
     facts += (*untold(facts, result, but=("existing",)), _legend_fact(result))
     return Document(title, facts, tuple(str(verdict) for verdict in result.verdicts), _methods_view(result))
@@ -150,12 +150,8 @@ def _rim_facts(result: Flywheel) -> list[Fact]:
     ]
 
 
-def _elsewhere_facts(wheels: Sequence[Wheel]) -> list[Fact]:
-    """The same flywheel on other shafts, with a rim of the usual proportions."""
-    return [_elsewhere_fact(wheel) for wheel in wheels]
-
-
 def _elsewhere_fact(wheel: Wheel) -> Fact:
+    """The same flywheel on another shaft, with a rim of the usual proportions."""
     rim, name = wheel.rim, f"{wheel.shaft} shaft"
     values = keyed(wheel, "inertia", shaft=wheel.shaft)
     faster = "" if wheel.ratio == 1 else f", turning {number(wheel.ratio)} times as fast as the input"

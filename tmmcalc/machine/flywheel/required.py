@@ -16,7 +16,7 @@ from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import energy_curve
 from tmmcalc.machine.flywheel.methods import METHODS, check, tangents
 from tmmcalc.machine.flywheel.results import RequiredInertia, Trial
-from tmmcalc.machine.flywheel.search import Model, between, corrections, least_inertia, sufficient, tried
+from tmmcalc.machine.flywheel.search import Model, between, least_inertia, sufficient, tried
 from tmmcalc.machine.motors.characteristics import Characteristic
 from tmmcalc.machine.onemass import OneMass, vanishing
 from tmmcalc.machine.regime import Regime
@@ -117,21 +117,6 @@ def searched(
         for factor in beyond:
             tried(model, factor * root.inertia, trials)
     return first, root
-
-
-def correction_history(
-    cycle: Cycle,
-    characteristic: Characteristic,
-    delta: float,
-    constant_inertia: float,
-    time_constant: float = 0.0,
-    *,
-    tolerance: float = 1e-3,
-    limit: int = 12,
-) -> tuple[Trial, ...]:
-    """The textbook's correction J := J delta/[delta] (3.60) on the same model, as in `search.corrections`."""
-    model = fluctuation(cycle, characteristic, time_constant)
-    return corrections(model, delta, constant_inertia, tolerance=tolerance, limit=limit)
 
 
 def _ample(

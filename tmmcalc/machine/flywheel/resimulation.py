@@ -24,11 +24,6 @@ class Motion(NamedTuple):
     """Steady motions for m constant inertias, arrays (m,); meaningful where ``exists``."""
 
     spread: Values  # omega_max - omega_min [rad/s], with digits of its own
-    fastest: Values  # omega_max [rad/s]
-    slowest: Values  # omega_min [rad/s]
-    theta_fastest: Values  # [rad]
-    theta_slowest: Values  # [rad]
-    energy: Values  # T0, kinetic energy at theta = 0 [J]
     exists: NDArray[np.bool_]  # False: the inertia cannot carry the machine through the cycle at this mean speed
 
 
@@ -46,9 +41,7 @@ def motions(curve: EnergyCurve, constant: Values, speed: float) -> Motion:
         spread = np.where(exists, spread, 0.0)
         if np.all(np.abs(spread - before) <= SETTLED * speed):
             break
-    fast = speed + spread / 2
-    energy = np.where(exists, fast**2 / 2 * (at.inertia[:m] + constant) - at.work[:m], 0.0)
-    return Motion(spread, fast, speed - spread / 2, at.theta[:m], at.theta[m:], energy, exists)
+    return Motion(spread, exists)
 
 
 def _spread(at: Touching, constant: Values, speed: float) -> tuple[Values, NDArray[np.bool_]]:

@@ -119,10 +119,11 @@ def _history(cycle: Cycle, driver: Driver | None, delta: float, at_hand: Constan
     """The textbook's correction, where there is a constant inertia to correct and the machine runs with it."""
     if driver is None or at_hand.total <= 0:
         return ()
-    from tmmcalc.machine.flywheel.required import correction_history
+    from tmmcalc.machine.flywheel.required import fluctuation
+    from tmmcalc.machine.flywheel.search import corrections
 
     try:
-        return tuple(correction_history(cycle, driver.characteristic, delta, at_hand.total, driver.time_constant))
+        return corrections(fluctuation(cycle, driver.characteristic, driver.time_constant), delta, at_hand.total)
     except NoSolutionError:
         return ()
 

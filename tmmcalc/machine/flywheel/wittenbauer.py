@@ -66,7 +66,8 @@ def energy_mass(
     curve = energy_curve(cycle, w, moment)
     exact = tangents(curve, delta, w, METHODS[:1])
     on = cycle.panels
-    k_max, k_min, b_max, b_min = (float(v[0]) for v in exact[1:5])
+    k_max, k_min = float(exact.slope_max[0]), float(exact.slope_min[0])
+    b_max, b_min = float(exact.intercept_max[0]), float(exact.intercept_min[0])
     inertia = float(exact.inertia[0])
     touching = float(exact.fastest.theta[0]), float(exact.slowest.theta[0])
     every = np.append(np.column_stack((on.edges[:-1], on.x)).ravel(), on.edges[-1])

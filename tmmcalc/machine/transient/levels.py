@@ -58,7 +58,7 @@ def noted(scenario: Scenario, layout: Layout, limits: Limits, motor: bool) -> li
     """Speeds that are only noted: the targets, and with the ``motor`` on its limits."""
     targets = [at for at in scenario.targets if at != scenario.end_speed]
     found = [level("target", layout.crank, at, _towards(scenario.speed, at), halts=False) for at in targets]
-    for kind, at in zip(("overload", "pull-out"), limits[:2], strict=True):
+    for kind, at in (("overload", limits.overload), ("pull-out", limits.pull_out)):
         if at is not None and motor:
             found.append(level(kind, layout.speed, at, -1.0, halts=False))
     return found
