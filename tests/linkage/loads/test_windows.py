@@ -20,7 +20,7 @@ from linkage.scenes import (
     with_output,
 )
 from tmmcalc import NoSolutionError, solve_kinematics
-from tmmcalc.linkage.forces.forces import solve_forces
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.loading import Constant, Load, Loading, Polynomial, Tabulated, Window
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.machine.reduction.reduce import solve_reduction

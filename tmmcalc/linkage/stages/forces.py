@@ -30,7 +30,7 @@ def inputs(spec: LinkageTables) -> tuple[Mechanism, Loading]:
 
 def solve(given: tuple[Mechanism, Loading], upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Forces:
     """Solve all positions."""
-    from tmmcalc.linkage.forces.forces import solve_forces  # a stored result is loaded without it
+    from tmmcalc.linkage.forces.solve import solve_forces  # a stored result is loaded without it
 
     return solve_forces(*given, upstream["kinematics"])
 

@@ -33,7 +33,7 @@ def inputs(spec: MachineTables) -> Given:
 
 def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]) -> Power:
     """Work and power of the cycle, and how the motor stands to them."""
-    from tmmcalc.linkage.rounding import MARGIN
+    from tmmcalc.linkage.errors import MARGIN
     from tmmcalc.machine.power import WorkPart, chosen_motor, duty_of, solve_power
     from tmmcalc.machine.reduction.signs import turnover
     from tmmcalc.machine.stages.shaft import geared, sense
