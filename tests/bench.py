@@ -27,7 +27,7 @@ from timing import bar_text, median_time
 
 import tmmcalc
 from tmmcalc.linkage.chain import Chain, compile_chain
-from tmmcalc.linkage.forces.forces import solve_forces
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.listing import list_assemblies
 from tmmcalc.linkage.results import Trace
 from tmmcalc.linkage.structure import solve_structure

@@ -15,8 +15,8 @@ from tmmcalc.rooms import STAGES
 TESTS = Path(__file__).parents[1]
 ROOT = TESTS.parent
 HELD = {
-    "synthesis": "linkage/synthesis/test_rounding.py",
-    "kinematics": "linkage/test_rounding.py linkage/loops/test_estimate.py",
+    "synthesis": "linkage/synthesis/test_errors.py",
+    "kinematics": "linkage/test_errors.py linkage/loops/test_estimate.py",
     "forces": "linkage/forces/test_estimate.py",
     "reduction": "machine/reduction/test_estimate.py",
     "train": "gears/test_rounding.py",

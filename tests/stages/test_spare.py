@@ -116,10 +116,10 @@ WIDER = {  # where one of these is said, or the scene is of another kind, the se
 }
 ONCE = (  # however many stages read them
     "linkage/kinematics.py:solve_kinematics",
-    "linkage/rounding.py:estimate",
-    "linkage/forces/forces.py:solve_forces",
+    "linkage/errors.py:estimate",
+    "linkage/forces/solve.py:solve_forces",
     "machine/reduction/reduce.py:solve_reduction",
-    "linkage/forces/forces.py:_amplified",
+    "linkage/forces/solve.py:_amplified",
     "machine/power.py:solve_power",
     "machine/motion.py:solve_motion",
 )
@@ -277,7 +277,7 @@ def test_what_is_beyond_the_need_is_seen() -> None:
         "tmmcalc.linkage.facts.forces",
         "scipy.linalg",
     )
-    calls = {"linkage/forces/friction.py:solve": 1, "linkage/rounding.py:estimate": 2}
+    calls = {"linkage/forces/friction.py:solve": 1, "linkage/errors.py:estimate": 2}
     beyond = [
         *({**seen, "modules": [*seen["modules"], name]} for name in modules),
         {**seen, "files": [*seen["files"], "train.toml"]},

@@ -54,7 +54,7 @@ def solve_forces(scene: Spec | Mechanism, loading: Loading | None = None) -> For
 
     Raises what `solve_kinematics` does, and `NoSolutionError` for self-locking.
     """
-    from tmmcalc.linkage.forces.forces import solve_forces as _forces
+    from tmmcalc.linkage.forces.solve import solve_forces as _forces
 
     mechanism, given = _loaded(scene, loading)
     return _forces(mechanism, given, _kinematics(mechanism))

@@ -28,13 +28,13 @@ from tmmcalc.linkage.differentiation import (
     difference_error,
     differentiate,
 )
+from tmmcalc.linkage.errors import estimate
 from tmmcalc.linkage.grid import analysed_range, positions
 from tmmcalc.linkage.model import Mechanism, Output
 from tmmcalc.linkage.outputs import default_outputs, summarise
 from tmmcalc.linkage.placing import placed
 from tmmcalc.linkage.quality import assess, check_regular, grade
 from tmmcalc.linkage.results import Domain, Grade, GroupQuality, Kinematics, Method, Trace
-from tmmcalc.linkage.rounding import estimate
 from tmmcalc.linkage.structure import Structure, solve_structure
 from tmmcalc.linkage.survey import Survey, survey
 from tmmcalc.linkage.trace import continuous, trace

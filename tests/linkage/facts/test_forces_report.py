@@ -19,10 +19,10 @@ from tmmcalc.linkage.facts.iteration import iteration_document
 from tmmcalc.linkage.facts.kinematics import summary as kinematics_summary
 from tmmcalc.linkage.facts.structure import summary as structure_document
 from tmmcalc.linkage.forces.columns import columns
-from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.iteration import textbook_iteration
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.loading import Body, GearDrive, Load, Loading, Pair, Window
 from tmmcalc.linkage.loadlaws.constant import Constant

@@ -15,8 +15,8 @@ from loaded import READY, anything, press, ready, statics
 from sparing import sparing
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.loading import Load, Loading
 from tmmcalc.linkage.loadlaws.constant import Constant

@@ -15,10 +15,10 @@ from linkage.scenes import bar, crank_slider, four_bar, full_turn, pin, slide, w
 from tmmcalc import SingularityError, solve_kinematics
 from tmmcalc.linkage.forces.drive import Driven, crank, mesh_force
 from tmmcalc.linkage.forces.dyad import DyadEquilibrium, Three
-from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.iteration import textbook_iteration
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.forces.wrench import Pivot, Plan, Seat, Slideway, Wrench
 from tmmcalc.linkage.loading import Body, Coupling, GearDrive, Load, Loading
 from tmmcalc.linkage.loadlaws.constant import Constant

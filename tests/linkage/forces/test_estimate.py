@@ -12,8 +12,8 @@ from linkage.forces.loadings import random_loading
 from tmmcalc import TmmError, solve_kinematics
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.plane import Plane, Real
-from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.loads.scene import compile_scene
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(not WIDER, reason="no wider float here")]

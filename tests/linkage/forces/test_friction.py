@@ -19,11 +19,11 @@ from linkage.forces.worked import CASES, press, press_loading
 from linkage.scenes import bar, crank_slider, four_bar, full_turn, part, pin, slide, slotted, with_input, yoke
 from tmmcalc import NoSolutionError, solve_kinematics
 from tmmcalc.linkage.forces.drive import crank, mesh_force
-from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.friction import Rubbing, Solution, one_pair, size_of, solve
 from tmmcalc.linkage.forces.iteration import Iteration, textbook_iteration
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.forces.wrench import Pivot, Slideway, Wrench
 from tmmcalc.linkage.loading import Body, GearDrive, Load, Loading, Pair
 from tmmcalc.linkage.loadlaws.constant import Constant

@@ -19,8 +19,8 @@ from linkage.forces.loadings import random_loading, reversed_input
 from linkage.forces.newton_euler import placements
 from linkage.scenes import CONFIGS, full_turn
 from linkage.test_properties import regular
-from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage

@@ -22,9 +22,9 @@ from linkage.forces.worked import press, press_loading
 from linkage.scenes import CONFIGS, driven_rod, full_turn, shaper, with_grid, with_input
 from linkage.test_properties import regular
 from tmmcalc import solve_kinematics
-from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.loading import Body, GearDrive, Load, Loading, Pair, Spring, Window
 from tmmcalc.linkage.loadlaws.constant import Constant

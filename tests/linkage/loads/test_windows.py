@@ -20,7 +20,7 @@ from linkage.scenes import (
     with_output,
 )
 from tmmcalc import NoSolutionError, solve_kinematics
-from tmmcalc.linkage.forces.forces import solve_forces
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.loading import Load, Loading, Window
 from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.loadlaws.polynomial import Polynomial

@@ -13,7 +13,7 @@ from linkage.forces.loadings import random_loading
 from linkage.forces.newton_euler import placements
 from linkage.loops.groups import CLASS_III, CLASS_IV, CLASS_VI, drawn, scene
 from linkage.loops.test_tracking import inside
-from tmmcalc.linkage.forces.forces import solve_forces
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.structure import solve_structure
 
 pytestmark = pytest.mark.slow

@@ -237,7 +237,7 @@ def test_it_reads_well_in_80_columns(pressed: Reduction) -> None:
 
 
 def test_no_fact_is_lost_beside_other_stages(pressed: Reduction) -> None:
-    from tmmcalc.linkage.forces.forces import solve_forces
+    from tmmcalc.linkage.forces.solve import solve_forces
 
     mechanism, loading, kinematics = press()
     before = [

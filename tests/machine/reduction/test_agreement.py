@@ -28,7 +28,7 @@ from transforms import moved, scaled
 import tmmcalc
 from tmmcalc import NoSolutionError, solve_kinematics
 from tmmcalc.core.numerics.simpson import simpson
-from tmmcalc.linkage.forces.forces import solve_forces
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.loading import Body, GearDrive, Load, Loading, Pair, Spring, Window
 from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.loadlaws.polynomial import Polynomial

@@ -21,9 +21,9 @@ from tmmcalc.core.studies.measure import Clock, Way, relative, series
 from tmmcalc.core.studies.sampled import COUNTS, of_positions, on_edges, summit
 from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import FLOOR, Reference, Study
-from tmmcalc.linkage.forces.forces import solve_forces
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
 from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.loads.scene import compile_scene
 
 if TYPE_CHECKING:

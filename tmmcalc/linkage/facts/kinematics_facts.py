@@ -118,13 +118,13 @@ def _output_facts(result: Kinematics, summary: OutputSummary) -> list[Fact]:
     facts = []
     if summary.stroke is not None:
         text = f"{angle(math.degrees(summary.stroke))} deg" if summary.angular else f"{number(summary.stroke)} m"
-        asked = "stroke[deg]" if summary.angular else "stroke"
-        facts.append(Fact(f"stroke of {called}", text, keyed(summary, asked, **places)))
+        values = keyed(summary, "stroke[deg]" if summary.angular else "stroke", **places)
+        facts.append(Fact(f"stroke of {called}", text, values))
     if summary.dead_centres:
         at = [centre.x for centre in summary.dead_centres]
         told = quantity_of(OutputSummary, "dead_centres", output=summary.name, per=_key(result).unit)
-        values = [math.degrees(x) if result.turns else x for x in at]
-        facts.append(Fact(f"dead centres of {called}", _place(result, *at), {told.key: values}))
+        shown = [math.degrees(x) if result.turns else x for x in at]
+        facts.append(Fact(f"dead centres of {called}", _place(result, *at), {told.key: shown}))
     facts += _stroke_facts(summary)
     for name, pair in (("velocity", summary.velocity), ("acceleration", summary.acceleration)):
         facts.append(_extreme_fact(result, f"{name} of {called}", quantity_of(OutputSummary, name, **places), pair))

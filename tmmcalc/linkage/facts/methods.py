@@ -49,18 +49,16 @@ def study_document(mechanism: Mechanism, result: Kinematics, title: str, decimal
     """Error of central differences of the first output against their step, exact and rounded positions."""
     decimals = 6 if decimals is None else decimals
     rows = step_study(mechanism, result, decimals)
-    best = min(rows, key=lambda row: row.rounded.second)
-    asked, unit = ("step[deg]", "rad") if result.turns else ("step", "m")
-    step = keyed(best, asked, unit=unit)
-    ((_, value),) = step.items()
-    shown = f"{number(value, 4)} {'deg' if result.turns else 'm'} with positions rounded to {decimals} decimals"
+    best = min(range(len(rows)), key=lambda k: rows[k].rounded.second)
+    steps = table(rows, StepError, "step[deg]" if result.turns else "step", unit="rad" if result.turns else "m")
+    ((key, sizes),) = steps.items()
+    shown = f"{number(sizes[best], 4)} {'deg' if result.turns else 'm'} with positions rounded to {decimals} decimals"
     facts = (
         Fact("output", result.outputs[0], {"output": result.outputs[0]}),
         Fact("errors", "largest over the positions, of the transfer functions in units of l_1"),
-        Fact("best step for S''", shown, {f"best_{key}": value for key in step}),
+        Fact("best step for S''", shown, {f"best_{key}": sizes[best]}),
     )
     errors = table([row.rounded for row in rows], DifferenceError, precision=f"{decimals} decimals")
     errors |= table([row.double for row in rows], DifferenceError, precision="double")
-    columns_ = table(rows, StepError, asked, unit=unit) | errors
-    view = View(list(columns_), list(columns_.values()), scientific=list(errors))
+    view = View([*steps, *errors], [*steps.values(), *errors.values()], scientific=list(errors))
     return Document(title, facts, (), view)

@@ -13,8 +13,8 @@ from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, compile_chain
-from tmmcalc.linkage.forces.forces import rows_of
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
+from tmmcalc.linkage.forces.solve import rows_of
 from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.loads.scene import Scene, compile_scene, scene_of
 from tmmcalc.linkage.loads.travel import EDGE

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 INERTIA = "massless links: no loads of inertia"
 GEAR = "no gear on the crank: no force of a mesh"
 
-solve = "tmmcalc.linkage.forces.forces:solve_forces"
+solve = "tmmcalc.linkage.forces.solve:solve_forces"
 kind = Forces
 columns = "tmmcalc.linkage.forces.columns:columns"
 

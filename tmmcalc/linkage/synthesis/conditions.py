@@ -9,11 +9,11 @@ import numpy as np
 
 from tmmcalc.core.numerics.extended import PI
 from tmmcalc.core.plane import Real
+from tmmcalc.linkage.synthesis.errors import Conditions
 from tmmcalc.linkage.synthesis.results import Design
 from tmmcalc.linkage.synthesis.rocker import LENGTHS
 from tmmcalc.linkage.synthesis.rockerfamily import family, slopes
 from tmmcalc.linkage.synthesis.rotating import crank_angle
-from tmmcalc.linkage.synthesis.rounding import Conditions
 from tmmcalc.linkage.synthesis.task import CrankRockerTask, RotatingTask, SliderCrankTask, SlottedTask, SynthesisTask
 from tmmcalc.linkage.synthesis.triangle import overlap_of, stroke_of
 

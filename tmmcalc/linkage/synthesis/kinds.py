@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from tmmcalc.linkage.synthesis.errors import sizes_error
 from tmmcalc.linkage.synthesis.results import Synthesis
-from tmmcalc.linkage.synthesis.rounding import sizes_error
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 
 _HOME = "tmmcalc.linkage.synthesis"

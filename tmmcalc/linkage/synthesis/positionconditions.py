@@ -16,9 +16,9 @@ import numpy as np
 
 from tmmcalc.core.numerics.extended import PI
 from tmmcalc.core.plane import Real
+from tmmcalc.linkage.synthesis.errors import Conditions
 from tmmcalc.linkage.synthesis.function import is_exact
 from tmmcalc.linkage.synthesis.results import Design
-from tmmcalc.linkage.synthesis.rounding import Conditions
 from tmmcalc.linkage.synthesis.task import FunctionTask, PoseTask, SynthesisTask
 
 

@@ -16,17 +16,17 @@ from tmmcalc.core.timelaw import TimeLaw, by_duration, by_travel, by_travel_and_
 from tmmcalc.core.timerows import TimedExtreme, extremes, time_rows
 from tmmcalc.linkage.assembly import check_range
 from tmmcalc.linkage.chain import Chain, chain_of
+from tmmcalc.linkage.errors import estimate
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism, Output
 from tmmcalc.linkage.outputs import coordinate_of, default_outputs
 from tmmcalc.linkage.quality import assess, check_regular, grade
 from tmmcalc.linkage.results import Grade, Kinematics, Trace
-from tmmcalc.linkage.rounding import estimate
 from tmmcalc.linkage.survey import Survey, survey
 from tmmcalc.linkage.trace import continuous, layout, trace
 from tmmcalc.linkage.unsteady.ends import WHERE, Ends, find_ends
+from tmmcalc.linkage.unsteady.errors import with_law
 from tmmcalc.linkage.unsteady.results import Unsteady
-from tmmcalc.linkage.unsteady.rounding import with_law
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
 
 

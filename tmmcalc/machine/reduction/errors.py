@@ -20,8 +20,8 @@ from tmmcalc.core.numerics.gauss import ORDER, rule
 from tmmcalc.core.numerics.mesh import SLIVER
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.plane import Real
+from tmmcalc.linkage.errors import MARGIN, choice, regularity_of
 from tmmcalc.linkage.results import ErrorEstimate
-from tmmcalc.linkage.rounding import MARGIN, choice, regularity_of
 from tmmcalc.machine.reduction.causes import Causes, Sample
 from tmmcalc.machine.reduction.inertia import slope_size
 from tmmcalc.machine.reduction.results import ReductionError

@@ -13,14 +13,14 @@ from tmmcalc.core.numerics.alike import alike, numbers, rebuilt
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.forces.forces import ROUNDING, forces_of
+from tmmcalc.linkage.errors import between, choice, estimate, least_regularity
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.maxima import force_functions
 from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.solve import ROUNDING, forces_of
 from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.kinematics import crank_length
 from tmmcalc.linkage.results import ErrorEstimate, Kinematics, Trace
-from tmmcalc.linkage.rounding import between, choice, estimate, least_regularity
 from tmmcalc.linkage.stacked.dense import dense_of, evaluated
 from tmmcalc.linkage.stacked.reactions import reactions_of
 from tmmcalc.linkage.stacked.scene import Block

@@ -37,7 +37,7 @@ def solve(
     wish: MotorChoice | None, gears: Gears, key: str, *, reduction: Reduction, criteria: Selection | None = None
 ) -> Power:
     """Work and power of the cycle, and how the motor stands to them."""
-    from tmmcalc.linkage.rounding import MARGIN
+    from tmmcalc.linkage.errors import MARGIN
     from tmmcalc.machine.power import WorkPart, chosen_motor, duty_of, solve_power
     from tmmcalc.machine.reduction.signs import turnover
     from tmmcalc.machine.stages.shaft import geared, sense

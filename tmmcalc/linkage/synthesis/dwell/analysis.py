@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.plane import Plane, Real
-from tmmcalc.linkage.forces.forces import solve_forces
+from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Kinematics

@@ -13,10 +13,10 @@ from bounding import assert_bounds, part
 from mpmath import mp, mpf
 
 from tmmcalc.core.errors import TmmError
+from tmmcalc.linkage.synthesis.errors import sizes_error
 from tmmcalc.linkage.synthesis.kinds import solve_synthesis
 from tmmcalc.linkage.synthesis.posesearch import EXACT
 from tmmcalc.linkage.synthesis.results import Design
-from tmmcalc.linkage.synthesis.rounding import sizes_error
 from tmmcalc.linkage.synthesis.task import (
     CrankRockerTask,
     FunctionTask,

@@ -12,7 +12,7 @@ from random_mechanisms import build
 from linkage.scenes import crank_slider, four_bar, full_turn, shaper, slotted, with_grid
 from tmmcalc import Kinematics, Method, TmmError, solve_kinematics
 from tmmcalc.core.numerics.extended import WIDER
-from tmmcalc.linkage import rounding
+from tmmcalc.linkage import errors
 from tmmcalc.linkage.chain import compile_chain
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Trace
@@ -91,7 +91,7 @@ def test_differences_are_compared_with_the_exact_derivatives() -> None:
 
 
 def test_without_a_wider_float_the_amplification_speaks(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(rounding, "WIDER", False)
+    monkeypatch.setattr(errors, "WIDER", False)
     mechanism = full_turn(crank_slider(0.1, 0.15, 0.05 * (1 - 1e-4)), 0.1, 500)
     result = solve_kinematics(mechanism)
     assert result.error.reference == "amplification of the rounding unit"
@@ -110,7 +110,7 @@ def test_the_estimate_of_a_bad_method_is_bad() -> None:
         t.dr[:] *= 1 + by
         return t
 
-    found = rounding.estimate(chain, result.x, partial(wrong, by=1e-6))
+    found = errors.estimate(chain, result.x, partial(wrong, by=1e-6))
     assert found.velocity == pytest.approx(4e-6, rel=1e-3)
     assert found.position < 1e-14
 
