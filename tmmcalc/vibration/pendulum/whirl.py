@@ -5,8 +5,8 @@ With y = (z, w z) that is the symmetric pencil B y = (1/w) A y of a positive def
     A = | K  0 |    B = | -Omega G  M |
         | 0  M |        |     M     0 |
 
-The critical speeds w = Omega (forward) and w = -Omega (backward) are those of K - Omega^2 (M -+ G). A `Plane` is the rotor
-in one of its planes, in the functions of one basis: by it is judged how fine the basis is, and from it comes all else.
+The critical speeds w = Omega (forward) and w = -Omega (backward) are those of K - Omega^2 (M -+ G). A `Plane`
+is the rotor in one of its planes, in the functions of one basis: it tells how fine the basis is, and all else.
 """
 
 from __future__ import annotations
