@@ -48,6 +48,16 @@ class Follower:
         square = self.centres**2 + self.rocker**2 - 2 * self.centres * self.rocker * np.cos(self.start)
         return float(np.sqrt(max(square, 0.0)))
 
+    @derived("rotation", "sense in which the cam turns")
+    def rotation(self) -> str:
+        """In words."""
+        return "clockwise" if self.sense > 0 else "counter-clockwise"
+
+    @derived("rocker_turn", "sense of the rocker on its rise: with the cam or against it")
+    def rocker_turn(self) -> str:
+        """In words."""
+        return "with" if self.assembly > 0 else "against"
+
     def placed(self, points: Complex) -> Complex:
         """Canonical points in the user's axes: x mirrored for a translating follower, y for a rocker (sigma = -1)."""
         if self.sense > 0:

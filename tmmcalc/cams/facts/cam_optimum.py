@@ -59,7 +59,7 @@ def _lowest_facts(result: CamOptimum) -> Iterator[Fact]:
         yield Fact("as asked", f"no solution: {result.refused}", keyed(result, "refused"))
         yield Fact("option shown", ", ".join(result.shown), keyed(result, "shown"))
     text = f"{_sizes(chosen)}\nleast margin {number(100 * worst.margin, 4)} %: {worst.number} {worst.name}"
-    yield Fact("lowest in whole steps", text, keyed(chosen, *SIZES, kind="steps") | {"least_margin": worst.margin})
+    yield Fact("lowest in whole steps", text, keyed(chosen, *SIZES, "least_margin", kind="steps"))
     active = _named(least.active) or "none"
     yield Fact(
         "lowest of any sizes",
@@ -100,8 +100,7 @@ def _searched_facts(result: CamOptimum) -> Iterator[Fact]:
         f"height\nno height below {quantity(result.chosen.height, 'm')} in steps of "
         f"{quantity(result.height_step, 'm')} has a feasible one"
     )
-    passed = {str(key): count for key, count in result.passed}
-    yield Fact("search", text, keyed(result, "examined", "excluded") | {"left_by": passed})
+    yield Fact("search", text, keyed(result, "examined", "excluded", "left_by"))
 
 
 def _point(start: float, roller: float, margin: float) -> str:

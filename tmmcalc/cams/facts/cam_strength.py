@@ -54,13 +54,13 @@ def turn_document(
 
 def _verdict_fact(result: CamStrength) -> Fact:
     least = result.governing
-    values = keyed(result, "verdict") | {"judged": len(result.judged)}
+    values = keyed(result, "verdict", "judged_count")
     text = "all that is judged is kept" if result.verdict == "ok" else VERDICTS[result.verdict]
     if not result.judged:
         text = "nothing is judged"
     if least is not None and least.margin is not None:
         text += f"; least margin {_passed(least) or f'{number(100 * least.margin, 4)} %'}: {least.name}"
-        values |= {"least_margin": least.margin, "least_margin_of": least.name}
+        values |= keyed(result, "least_margin", "least_margin_of")
     return Fact("verdict", text, values)
 
 

@@ -72,13 +72,12 @@ def _facts(result: Synthesis) -> Iterator[Fact]:
 
 
 def _kind_fact(result: Synthesis) -> Fact:
-    turns = "clockwise" if result.follower.sense > 0 else "counter-clockwise"
-    text = f"{KINDS[result.kind]}, the cam turns {turns}"
-    values = keyed(result, "kind") | {"rotation": turns}
+    follower = result.follower
+    text = f"{KINDS[result.kind]}, the cam turns {follower.rotation}"
+    values = keyed(result, "kind") | keyed(follower, "rotation")
     if result.kind == "oscillating":
-        turn = "with" if result.follower.assembly > 0 else "against"
-        text += f", the rocker rises {turn} it"
-        values["rocker_turn"] = turn
+        text += f", the rocker rises {follower.rocker_turn} it"
+        values |= keyed(follower, "rocker_turn")
     return Fact("follower", text, values)
 
 

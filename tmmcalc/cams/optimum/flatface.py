@@ -24,9 +24,9 @@ from tmmcalc.cams.optimum.results import Check, Choice, FlatChart, Relaxation
 from tmmcalc.cams.optimum.scene import WHERE, Scene, guided_at
 from tmmcalc.cams.strength.formulas import (
     BAD,
-    HERTZ,
     ROUNDING,
     WHOLE,
+    allowed_square,
     flat_radius,
     flat_stress,
     guide_pressure,
@@ -89,7 +89,7 @@ def lengths(scene: Scene) -> Callable[[Values], Range]:
         if need.contact is None or need.width is None:
             return found
         radius = np.maximum(flat_radius(scene.motion, start[:, None]), 0.0)
-        return found.meet(held((need.contact / HERTZ) ** 2 * need.width / need.modulus * radius))
+        return found.meet(held(allowed_square(need.contact, need.width, need.modulus) * radius))
 
     return at
 

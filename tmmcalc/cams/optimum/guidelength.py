@@ -23,7 +23,7 @@ from tmmcalc.cams.optimum.extremes import blocks, pitch
 from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.peaks import largest
 from tmmcalc.cams.optimum.scene import Scene, by_panel
-from tmmcalc.cams.strength.formulas import HERTZ, ROUNDING, WHOLE, concave_margin, convex_margin
+from tmmcalc.cams.strength.formulas import ROUNDING, WHOLE, allowed_square, concave_margin, convex_margin
 from tmmcalc.core.records import record
 
 TALL = 1e9  # a guide as long as you please [m]
@@ -102,7 +102,7 @@ def _ranges(scene: Scene, start: Values, roller: Values) -> dict[int, Range]:
         found[8] = every.meet(solved(lever + pressed, useful - pressed * per))
     if need.contact is not None and need.width is not None:
         gap = r2 * (1 - bend * r2)
-        found[9] = held((need.contact / HERTZ) ** 2 * need.width / need.modulus * gap)
+        found[9] = held(allowed_square(need.contact, need.width, need.modulus) * gap)
     return found
 
 

@@ -43,6 +43,11 @@ class Choice:
         """By table 5.5."""
         return tuple(each.number for each in self._sized if abs(each.margin) < ACTIVE)
 
+    @derived("least_margin", "least margin of the constraints")
+    def least_margin(self) -> float:
+        """Of those that depend on the sizes."""
+        return self.worst.margin
+
     @property
     def worst(self) -> Check:
         """The constraint of least margin."""
@@ -159,6 +164,11 @@ class CamOptimum:
     # where what is asked has no solution, all but ``options`` is of the lowest of them
     refused: str = quantity("refused", "why what is asked has no solution", default="")
     shown: tuple[str, ...] = quantity("option_shown", "the changes of the option that is shown", default=())
+
+    @derived("left_by", "how many step points each constraint alone leaves")
+    def left_by(self) -> dict[str, int]:
+        """By the number of the constraint."""
+        return {str(number): count for number, count in self.passed}
 
     @derived("theta_rise[rad]", "largest |theta| on the rise")
     def theta_rise(self) -> float | None:

@@ -35,24 +35,19 @@ def rolling(
     """
     y, y1, y2 = motion[0], motion[1], motion[2]
     place = y + (follower.start if start is None else start)
-    if follower.kind == "oscillating":
-        return _rocker_rolling(follower, y1, y2, place)
+    if follower.kind == "oscillating":  # derivatives along the line of centres and across it
+        d, l0, l2 = follower.assembly, follower.centres, follower.rocker
+        w = 1 - d * y1
+        cosine, sine = l2 * np.cos(place), l2 * np.sin(place)
+        x1, along = -d * w * sine, l0 - w * cosine
+        x2, across = w * w * cosine + y2 * sine - l0, d * (y2 * cosine - w * w * sine)
+        square = x1 * x1 + along * along
+        speed = np.sqrt(square)
+        return (x1 * across - along * x2) / (square * speed), (x1 * x2 + along * across) / speed
     slide = y1 + (follower.offset if offset is None else offset)
     square = place * place + slide * slide
     speed = np.sqrt(square)
     return (square + slide * y1 - place * y2) / (square * speed), (place * y1 + slide * y2) / speed
-
-
-def _rocker_rolling(follower: Follower, y1: Values, y2: Values, psi: Values) -> tuple[Values, Values]:
-    """The same of RK: derivatives of the pitch curve along the line of centres and across it."""
-    d, l0, l2 = follower.assembly, follower.centres, follower.rocker
-    w = 1 - d * y1
-    cosine, sine = l2 * np.cos(psi), l2 * np.sin(psi)
-    x1, along = -d * w * sine, l0 - w * cosine
-    x2, across = w * w * cosine + y2 * sine - l0, d * (y2 * cosine - w * w * sine)
-    square = x1 * x1 + along * along
-    speed = np.sqrt(square)
-    return (x1 * across - along * x2) / (square * speed), (x1 * x2 + along * across) / speed
 
 
 def flat_radius(motion: Values, start: Number) -> Values:
@@ -78,6 +73,11 @@ def contact_stress(
     """sigma_H [Pa] of a roller on the inner wall (R > 0) or the outer one; where that has no cusp (5.86 to 5.90)."""
     square, works = contact_square(contact, curvature, roller, modulus / width)
     return HERTZ * np.sqrt(square), works
+
+
+def allowed_square(stress: float, width: float, modulus: float) -> float:
+    """R (1/(rho - r2) + 1/r2) [N/m] at which sigma_H [Pa] is reached (5.90)."""
+    return (stress / HERTZ) ** 2 * width / modulus
 
 
 def flat_stress(contact: Values, radius: Values, width: float, modulus: float) -> tuple[Values, Any]:

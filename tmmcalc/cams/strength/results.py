@@ -142,6 +142,21 @@ class CamStrength:
         """The margins that decide."""
         return tuple(each for each in self.margins if each.verdict != OPEN and not each.advice)
 
+    @derived("judged", "number of the margins that decide")
+    def judged_count(self) -> int:
+        """Advice is none of them."""
+        return len(self.judged)
+
+    @derived("least_margin", "the least margin")
+    def least_margin(self) -> float | None:
+        """None: nothing is judged."""
+        return None if self.governing is None else self.governing.margin
+
+    @derived("least_margin_of", "the requirement of the least margin")
+    def least_margin_of(self) -> str | None:
+        """None: nothing is judged."""
+        return None if self.governing is None else self.governing.name
+
     @property
     def governing(self) -> Margin | None:
         """The least margin."""

@@ -13,8 +13,8 @@ import numpy as np
 from tmmcalc.core.errors import AccuracyError
 from tmmcalc.core.numerics.extended import MARGIN
 from tmmcalc.vibration.pendulum.basis import Basis, graded
-from tmmcalc.vibration.pendulum.plane import Plane, plane_of
 from tmmcalc.vibration.pendulum.task import PendulumTask
+from tmmcalc.vibration.pendulum.whirl import Plane, plane_of
 
 LAYERED = 0.05  # part of the length: thinner layers get elements of their own
 WEAK, STRONG = 1e-3, 1e-7  # thinnest that are followed: of an end without a moment, and of one that has it

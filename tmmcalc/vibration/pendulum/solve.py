@@ -14,13 +14,12 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.vibration.pendulum.basis import sample
 from tmmcalc.vibration.pendulum.energies import Matrices, matrices
 from tmmcalc.vibration.pendulum.errors import Energies, critical_error, steady_end, whirl_error
-from tmmcalc.vibration.pendulum.plane import Plane
 from tmmcalc.vibration.pendulum.resolution import resolved
 from tmmcalc.vibration.pendulum.results import Campbell, PendulumResult, WhirlModes
 from tmmcalc.vibration.pendulum.swing import SwingCourse, swing
 from tmmcalc.vibration.pendulum.task import PendulumTask
 from tmmcalc.vibration.pendulum.torsion import torsion_frequencies
-from tmmcalc.vibration.pendulum.whirl import lowest, unbalance_curve, unbalance_whirl, whirl
+from tmmcalc.vibration.pendulum.whirl import Plane, lowest, unbalance_curve, unbalance_whirl, whirl
 
 PLACES = 101  # along the rod
 PLANES = ("plane xz", "plane yz")
