@@ -9,7 +9,7 @@ from faults import HOSTILE, Faults, check_lines, check_only_fault
 from project.scenes import CONFIGS, ENGINE, ROTOR
 
 from tmmcalc.machine.balance.arrangements import FIRING, THROWS
-from tmmcalc.machine.balance.task import SCHEMES
+from tmmcalc.machine.balance.solve import SCHEMES
 from tmmcalc.machine.flywheel.materials import MATERIALS
 from tmmcalc.machine.tables.balance import BalanceTable
 from tmmcalc.machine.tables.flywheel import FlywheelTable

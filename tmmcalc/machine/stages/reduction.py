@@ -51,7 +51,7 @@ def solve(given: Given, upstream: Mapping[str, Any], settings: Mapping[str, Any]
         from tmmcalc.machine.stages.diagram import reduced_diagram
 
         return reduced_diagram(given.name, cycle_of(given))
-    from tmmcalc.machine.reduction.reduce import solve_reduction  # a stored result is loaded without it
+    from tmmcalc.machine.reduction.solve import solve_reduction  # a stored result is loaded without it
 
     mechanism, loading, rods = given
     return solve_reduction(mechanism, loading, upstream["kinematics"], rods)
