@@ -36,7 +36,7 @@ from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.linkage.trace import trace
 from tmmcalc.machine.driver import driver_of
 from tmmcalc.machine.flywheel.required import required_inertia
-from tmmcalc.machine.reduction.reduce import solve_reduction
+from tmmcalc.machine.reduction.solve import solve_reduction
 from tmmcalc.machine.steady import driven
 from tmmcalc.machine.tables.tasks.machine import to_gears, to_motor
 from tmmcalc.machine.transient.model import Drive, Mass

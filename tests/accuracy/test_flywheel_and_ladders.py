@@ -9,7 +9,7 @@ from tmmcalc.accuracy.ladder_document import ladder_document
 from tmmcalc.accuracy.solve import solve_accuracy
 from tmmcalc.machine.accuracy.ladder import ASKED, STIFFNESSES, ladders
 from tmmcalc.machine.stages import transient
-from tmmcalc.machine.transient.task import beginning
+from tmmcalc.machine.transient.solve import beginning
 from tmmcalc.pipeline.runner import run
 
 from .scenes import CONFIGS, ONCE, errors_in, errors_of, series_of, studies_of

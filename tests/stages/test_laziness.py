@@ -20,7 +20,7 @@ NO_FRICTION = tuple(f"mechanism.joints[name={joint}].friction=0" for joint in ("
 
 
 ROOMS = {room.name for room in house.ROOMS}
-PLANE = ("task", "shaking", "schemes", "circle", "moments", "redistribution", "contacts", "columns")
+PLANE = ("solve", "shaking", "schemes", "circle", "moments", "redistribution", "contacts", "columns")
 
 
 @cache
@@ -109,7 +109,7 @@ def test_motion_without_a_flywheel_imports_none_and_no_recurrence() -> None:
 def test_balance_of_a_linkage_imports_no_engine_and_no_rotor() -> None:
     names = imported("press.toml", "balance")
     parts = ("enginetask", "rotortask", "engines", "rotors", "firing", "cylinders", "grades")
-    assert within(names, "tmmcalc.machine.balance.task")
+    assert within(names, "tmmcalc.machine.balance.solve")
     assert not within(names, *(f"tmmcalc.machine.balance.{part}" for part in parts))
 
 
@@ -143,7 +143,7 @@ NOT_COMPUTED = [  # what is left out, the functions that compute it, spec, overr
     ("friction", ["linkage.forces.friction:solve"], "press", NO_FRICTION, "forces"),
     ("friction", ["linkage.forces.friction:solve"], "press", NO_FRICTION, "reduction"),
     ("reduced inertia", ["machine.reduction.causes:reduced_inertia"], "extreme/massless", (), "reduction"),
-    ("rods in two masses", ["machine.reduction.reduce:lumped"], "extreme/massless", (), "reduction"),
+    ("rods in two masses", ["machine.reduction.solve:lumped"], "extreme/massless", (), "reduction"),
     ("loads of inertia", ["linkage.forces.kinetostatics:inertia"], "extreme/massless", (), "forces"),
     ("the motor's regime", ["machine.steady:driven"], "press", (), "motion"),
     ("a resistance", ["machine.resisted:resisted"], "press", (), "motion"),
@@ -152,7 +152,7 @@ NOT_COMPUTED = [  # what is left out, the functions that compute it, spec, overr
     ("the motor's choice", ["machine.power:chosen_motor", "machine.power:duty_of"], "press", (), "power"),
     ("an engine", ["machine.balance.enginetask:solve_engine"], "press", (), "balance"),
     ("a rotor", ["machine.balance.rotortask:solve_rotor"], "press", (), "balance"),
-    ("a linkage", ["machine.balance.task:solve_balance"], "rotor", (), "balance"),
+    ("a linkage", ["machine.balance.solve:solve_balance"], "rotor", (), "balance"),
 ]  # fmt: skip
 
 

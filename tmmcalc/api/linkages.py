@@ -67,7 +67,7 @@ def solve_reduction(scene: Spec | Mechanism, loading: Loading | None = None) -> 
     """
     if not isinstance(scene, Mechanism):
         return solved(scene, "reduction")
-    from tmmcalc.machine.reduction.reduce import solve_reduction as _reduction
+    from tmmcalc.machine.reduction.solve import solve_reduction as _reduction
 
     mechanism, given = _loaded(scene, loading)
     return _reduction(mechanism, given, _kinematics(mechanism))

@@ -9,7 +9,7 @@ import numpy as np
 
 from tmmcalc.batch.stacked_machine import Machine, given_of, machines_without, regime_of_one
 from tmmcalc.core.numerics.alike import Rows
-from tmmcalc.machine.flywheel.comparison import beside
+from tmmcalc.machine.flywheel.comparison import comparison_with
 from tmmcalc.machine.flywheel.required import ample, result_of, searched
 from tmmcalc.machine.flywheel.results import Comparison, Trial
 from tmmcalc.machine.flywheel.search import Model, corrections
@@ -97,6 +97,6 @@ def _methods(
 
     def search(model: Model) -> tuple[Comparison, tuple[Trial, ...]]:
         history = corrections(model, delta, at_hand) if at_hand > 0 else ()
-        return beside(cycle, at_hand, delta, required, model), history
+        return comparison_with(cycle, at_hand, delta, required, model), history
 
     return search

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Panels, Values
-from tmmcalc.core.quantity import quantity
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.regimeerrors import (
@@ -46,12 +46,19 @@ class Regime:
     mean_moment: float = quantity("M_d_mean[N*m]", "mean driving moment over the angle: work of a cycle per radian")
     rms_moment: float = quantity("M_d_rms[N*m]", "root mean square of the driving moment over the time")
     mean_power: float = quantity("P_mean[W]", "mean driving power")
-    multipliers: tuple[complex, ...]  # factors by which deviations change in a cycle, the slowest to die first
+    multipliers: tuple[complex, ...] = quantity(  # the slowest to die first
+        "multipliers", "factors by which deviations change in a cycle"
+    )
     stable: bool | None  # None: indifferent, for nothing depends on the speed
     constant_inertia: float  # J_c [kg*m^2]
     residual: float  # work of all moments over the cycle, against the work of their magnitudes [-]
     errors: RegimeErrors
-    counters: dict[str, int]  # Newton steps, meshes
+    counters: dict[str, int] = quantity("counters", "Newton steps, meshes")
+
+    @derived("stability", "stable, unstable or indifferent")
+    def stability(self) -> str:
+        """Indifferent: nothing depends on the speed."""
+        return {True: "stable", False: "unstable", None: "indifferent"}[self.stable]
 
     @property
     def error(self) -> float:

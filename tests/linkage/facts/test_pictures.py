@@ -25,7 +25,7 @@ from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.polygons import polygons
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.vectors import VectorPolygons
-from tmmcalc.machine.reduction.reduce import solve_reduction
+from tmmcalc.machine.reduction.solve import solve_reduction
 
 ROOT = Path(__file__).parents[3]
 CASES = {case["id"]: case for case in json.loads((ROOT / "tests/cases/kinematics.json").read_text())}

@@ -36,7 +36,7 @@ from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
-from tmmcalc.machine.reduction.reduce import solve_reduction
+from tmmcalc.machine.reduction.solve import solve_reduction
 
 EXAMPLES = examples(15, derandomize=True, database=None)
 

@@ -26,7 +26,7 @@ from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.loadlaws.polynomial import Polynomial
 from tmmcalc.linkage.loadlaws.tabulated import Tabulated
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.machine.reduction.reduce import solve_reduction
+from tmmcalc.machine.reduction.solve import solve_reduction
 
 TURN = 2 * np.pi
 DEGREE = np.pi / 180

@@ -25,7 +25,7 @@ from tmmcalc.machine.balance.rotors import Rotor, Unbalance
 from tmmcalc.machine.balance.rotortask import solve_rotor
 from tmmcalc.machine.balance.schemes import RotatingWeight
 from tmmcalc.machine.balance.shaking import inertia_loads
-from tmmcalc.machine.balance.task import BalanceTask, Balancing, solve_balance
+from tmmcalc.machine.balance.solve import BalanceTask, Balancing, solve_balance
 from tmmcalc.machine.facts.balance import document as balance_document
 from tmmcalc.machine.facts.balance import summary as balance_summary
 from tmmcalc.machine.model import EngineTask, RotorTask

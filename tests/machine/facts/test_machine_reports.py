@@ -34,7 +34,7 @@ from tmmcalc.machine.motion import Motion, solve_motion
 from tmmcalc.machine.motors.characteristics import Parabolic
 from tmmcalc.machine.motors.model import Motor
 from tmmcalc.machine.power import Power, WorkPart, chosen_motor, duty_of, solve_power
-from tmmcalc.machine.reduction.reduce import solve_reduction
+from tmmcalc.machine.reduction.solve import solve_reduction
 from tmmcalc.machine.verdicts import Verdict
 from tmmcalc.pipeline.outcome import Event
 from tmmcalc.pipeline.summary import run_document

@@ -22,8 +22,8 @@ from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Grade
 from tmmcalc.machine.facts.reduction import document as reduction_document
 from tmmcalc.machine.facts.reduction import summary as reduction_summary
-from tmmcalc.machine.reduction.reduce import solve_reduction
 from tmmcalc.machine.reduction.results import Reduction
+from tmmcalc.machine.reduction.solve import solve_reduction
 from tmmcalc.report.document import Document
 from tmmcalc.report.plaintext import lines
 

@@ -25,7 +25,7 @@ from tmmcalc.machine.model import DriveShaft, TransientTask
 from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Shaft
 from tmmcalc.machine.transient.scenario import Brake, Scenario
-from tmmcalc.machine.transient.task import Machine, solve_transients
+from tmmcalc.machine.transient.solve import Machine, solve_transients
 from tmmcalc.machine.transient.timed import TimedMotions
 from tmmcalc.machine.verdicts import Verdict
 from tmmcalc.pipeline.summary import run_document

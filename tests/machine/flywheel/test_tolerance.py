@@ -14,7 +14,7 @@ from tmmcalc.machine.stages import transient
 from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.simulate import simulate
-from tmmcalc.machine.transient.task import drive_of
+from tmmcalc.machine.transient.solve import drive_of
 from tmmcalc.pipeline.runner import run
 
 CONFIGS = Path(__file__).parents[3] / "configs"

@@ -25,8 +25,8 @@ from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.machine.reduction.causes import Causes, causes_of
-from tmmcalc.machine.reduction.reduce import solve_reduction
 from tmmcalc.machine.reduction.results import Reduction
+from tmmcalc.machine.reduction.solve import solve_reduction
 
 TURN = 2 * math.pi
 ROUNDS = 30  # of halving panels of the truth

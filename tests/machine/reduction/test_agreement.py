@@ -39,8 +39,8 @@ from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.machine.reduction.causes import causes_of
 from tmmcalc.machine.reduction.inertia import reduced_inertia, rods_of
-from tmmcalc.machine.reduction.reduce import solve_reduction
 from tmmcalc.machine.reduction.results import Reduction
+from tmmcalc.machine.reduction.solve import solve_reduction
 
 EXAMPLES = examples(20, derandomize=True, database=None)
 TURN = 2 * np.pi

@@ -13,7 +13,7 @@ from tmmcalc.linkage.loading import Body, Load, Loading, Pair
 from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.loadlaws.quadratic import Quadratic
 from tmmcalc.linkage.loadlaws.viscous import Viscous
-from tmmcalc.machine.reduction.reduce import solve_back, solve_reduction
+from tmmcalc.machine.reduction.solve import solve_back, solve_reduction
 
 TURN = 2 * np.pi
 SLIDER = Loading(

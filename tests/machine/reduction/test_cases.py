@@ -16,8 +16,8 @@ from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.loadlaws.tabulated import Tabulated
 from tmmcalc.linkage.model import Assembly, Input, Link, Mechanism, Output
 from tmmcalc.machine.reduction.inertia import lumped, reduced_inertia
-from tmmcalc.machine.reduction.reduce import solve_reduction
 from tmmcalc.machine.reduction.results import Contribution, Reduction
+from tmmcalc.machine.reduction.solve import solve_reduction
 
 
 def like(case: str, key: str, found: Any) -> None:

@@ -16,8 +16,8 @@ from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.machine.facts.reduction import document as reduction_document
 from tmmcalc.machine.reduction.columns import cells, columns
 from tmmcalc.machine.reduction.efficiency import efficiency
-from tmmcalc.machine.reduction.reduce import solve_reduction
 from tmmcalc.machine.reduction.results import Reduction
+from tmmcalc.machine.reduction.solve import solve_reduction
 from tmmcalc.rooms import STAGES
 
 R, L, F, Q = 0.1, 0.25, 0.2, 500.0

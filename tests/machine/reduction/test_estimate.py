@@ -29,8 +29,8 @@ from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.machine.reduction.causes import Causes
 from tmmcalc.machine.reduction.inertia import slope_size
 from tmmcalc.machine.reduction.panels import SLIGHT
-from tmmcalc.machine.reduction.reduce import solve_reduction
 from tmmcalc.machine.reduction.results import Reduction
+from tmmcalc.machine.reduction.solve import solve_reduction
 
 pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here: the estimate has no reference")
 

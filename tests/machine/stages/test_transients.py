@@ -23,7 +23,7 @@ from tmmcalc.machine.stages import transient
 from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Shaft
 from tmmcalc.machine.transient.scenario import LoadStep, Scenario
-from tmmcalc.machine.transient.task import Machine, solve_transients
+from tmmcalc.machine.transient.solve import Machine, solve_transients
 from tmmcalc.machine.transient.timed import TimedMotion
 from tmmcalc.project import parse_spec
 

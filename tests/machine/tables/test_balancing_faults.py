@@ -10,7 +10,7 @@ from project.scenes import CONFIGS, ENGINE, ROTOR
 from sparing import sparing
 
 from tmmcalc.machine.balance.arrangements import FIRING, THROWS
-from tmmcalc.machine.balance.task import SCHEMES
+from tmmcalc.machine.balance.solve import SCHEMES
 from tmmcalc.machine.flywheel.materials import MATERIALS
 from tmmcalc.machine.tables.balance import BalanceTable
 from tmmcalc.machine.tables.flywheel import FlywheelTable

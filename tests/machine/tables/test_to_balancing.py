@@ -13,7 +13,7 @@ from tmmcalc.machine.balance.firing import firing
 from tmmcalc.machine.balance.redistribution import Place
 from tmmcalc.machine.balance.rotors import state
 from tmmcalc.machine.balance.schemes import RotatingWeight
-from tmmcalc.machine.balance.task import BalanceTask
+from tmmcalc.machine.balance.solve import BalanceTask
 from tmmcalc.machine.model import EngineTask
 from tmmcalc.machine.tables.tasks.balance import to_balance, to_engine, to_rotor
 from tmmcalc.pipeline.hashing import content_hash

@@ -18,7 +18,7 @@ from tmmcalc.machine.transient.methods import Method
 from tmmcalc.machine.transient.model import Drive, Mass
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.simulate import simulate
-from tmmcalc.machine.transient.task import beginning
+from tmmcalc.machine.transient.solve import beginning
 from tmmcalc.pipeline.runner import run
 
 CONFIGS = Path(__file__).parents[3] / "configs"

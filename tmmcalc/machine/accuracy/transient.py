@@ -24,7 +24,7 @@ from tmmcalc.machine.transient.model import Drive
 from tmmcalc.machine.transient.results import Transient
 from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.transient.simulate import simulate
-from tmmcalc.machine.transient.task import beginning
+from tmmcalc.machine.transient.solve import beginning
 from tmmcalc.machine.transient.timed import TimedMotion
 
 TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10)

@@ -11,7 +11,7 @@ from tmmcalc.core.quantity import Quantity
 from tmmcalc.linkage.columns import phi_column
 from tmmcalc.machine.balance.schemes import Balance
 from tmmcalc.machine.balance.shaking import Shaking
-from tmmcalc.machine.balance.task import Balancing
+from tmmcalc.machine.balance.solve import Balancing
 
 FORCE = Quantity("R[N]", "size of the shaking force", source="(3.71)")
 FORCE_X = Quantity("R_x[N]", "shaking force along the fixed x axis")

@@ -17,7 +17,7 @@ from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.machine.balance.columns import FORCE, LEFT, MOMENT, MOMENT_LEFT, ON_LINKS, columns
 from tmmcalc.machine.balance.redistribution import Redistribution
 from tmmcalc.machine.balance.schemes import RotatingWeight
-from tmmcalc.machine.balance.task import Balancing, Scheme
+from tmmcalc.machine.balance.solve import Balancing, Scheme
 from tmmcalc.machine.balance.weights import Weight
 from tmmcalc.machine.facts.shakingmoment import less, moment, moment_left, moved, phi_at, raised
 from tmmcalc.machine.facts.weights import direction, ratios, size_text, size_values

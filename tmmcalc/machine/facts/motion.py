@@ -32,6 +32,9 @@ SHOWN = 6  # speeds of the iteration that are named
 STEADY = 1e-9  # of a moment: it changes by less and is constant
 
 SPEED, IDLE_SPEED, DRIVING = (quantities(Motion)[name] for name in ("omega", "omega_idle", "driving"))
+MULTIPLIERS = quantities(Regime)["multipliers"]
+METHOD = Quantity("method", "method that found the regime")
+WHY = Quantity("method_reason", "why by that method")
 IDLE_DELTA = Quantity("delta_idle", "coefficient of speed fluctuation without technological loads")
 IDLE_POWER = Quantity("P_idle_mean[W]", "mean driving power without technological loads")
 OF_DRIVE = ("mean_moment", "rms_moment", "mean_power")  # of a regime: told where something drives
@@ -171,7 +174,6 @@ def _stability_fact(regime: Regime) -> Fact:
     pairs = [[mu.real, mu.imag] for mu in regime.multipliers]
     slowest = regime.multipliers[0]
     size = abs(slowest)
-    word = {True: "stable", False: "unstable", None: "indifferent"}[regime.stable]
     if regime.stable is None:
         text = "indifferent: nothing depends on the speed, a governor has to hold it"
     elif not regime.stable:
@@ -180,7 +182,7 @@ def _stability_fact(regime: Regime) -> Fact:
         left = number(100 * size, 3) if size > LOST else "0"
         swings = ", swinging" if slowest.imag else ""
         text = f"stable: {left} % of a deviation is left after a cycle{swings}"
-    return Fact("stability", text, {"stability": word, "multipliers": pairs})
+    return Fact("stability", text, {**keyed(regime, "stability"), MULTIPLIERS.key: pairs})
 
 
 def _idle_facts(shaft: Shaft, idle: Regime | None) -> list[Fact]:
@@ -245,7 +247,7 @@ def _method_facts(result: Motion) -> list[Fact]:
         return []
     why = "implicit over the whole cycle at once, so that stiffness costs nothing"
     text = f"collocation: {why}\n{result.regime.panels.count} panels, {counters['newton']} Newton steps"
-    values = {"method": "collocation", "method_reason": why, "counters": counters}
+    values = {**METHOD.value("collocation"), **WHY.value(why), **keyed(result.regime, "counters")}
     return [Fact("found by", text, values), scales_fact(result.scales, "stiffness of a cycle")]
 
 

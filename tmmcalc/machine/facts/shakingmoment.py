@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from tmmcalc.core.numerics.fourier import TURN, Magnitude
 from tmmcalc.core.quantity import Quantity
 from tmmcalc.machine.balance.schemes import Balance
-from tmmcalc.machine.balance.task import Balancing
+from tmmcalc.machine.balance.solve import Balancing
 from tmmcalc.machine.facts.weights import SAME, ratios, size_text, size_values
 from tmmcalc.report.numbers import NOISE, angle, number
 

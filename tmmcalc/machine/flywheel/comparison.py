@@ -43,10 +43,10 @@ def compared(
         except NoSolutionError:
             return None
 
-    return beside(cycle, constant_inertia, delta, true, reached, speed)
+    return comparison_with(cycle, constant_inertia, delta, true, reached, speed)
 
 
-def beside(
+def comparison_with(
     cycle: Cycle,
     constant_inertia: float,
     delta: float,

@@ -16,7 +16,7 @@ from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import energy_curve
 from tmmcalc.machine.flywheel.methods import METHODS, check, tangents
 from tmmcalc.machine.flywheel.results import RequiredInertia, Trial
-from tmmcalc.machine.flywheel.search import Model, between, least_inertia, sufficient, tried
+from tmmcalc.machine.flywheel.search import Model, inertia_between, least_inertia, sufficient, tried
 from tmmcalc.machine.motors.characteristics import Characteristic
 from tmmcalc.machine.onemass import OneMass, vanishing
 from tmmcalc.machine.regime import Regime
@@ -163,7 +163,7 @@ def _earliest(model: Model, delta: float, first: Trial, root: Trial, count: int,
     for i in range(1, count + 1):
         probe = tried(model, start * (root.inertia / start) ** (i / (count + 1)), trials)
         if sufficient(probe, delta):
-            return between(model, delta, low, probe, trials)
+            return inertia_between(model, delta, low, probe, trials)
         low = probe
     return root
 

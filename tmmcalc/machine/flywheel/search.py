@@ -56,10 +56,10 @@ def least_inertia(model: Model, delta: float, low: Trial, start: Trial, trials: 
             )
         ahead = _ahead(last, trial, delta)
         last, trial = trial, tried(model, min(ahead, 4 * x) if ahead and ahead > x else 2 * x, trials)
-    return between(model, delta, low, trial, trials)
+    return inertia_between(model, delta, low, trial, trials)
 
 
-def between(model: Model, delta: float, low: Trial, high: Trial, trials: list[Trial]) -> Trial:
+def inertia_between(model: Model, delta: float, low: Trial, high: Trial, trials: list[Trial]) -> Trial:
     """The root of model(J) = ``delta`` between ``low`` (too small) and ``high`` (large enough)."""
     last, trial = low, high
     for run in range(RUNS):

@@ -16,7 +16,7 @@ from matplotlib.figure import Figure, SubFigure
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.fourier import TURN, Magnitude, Series
 from tmmcalc.core.plane import Plane, Real
-from tmmcalc.machine.balance.task import Balancing, Scheme
+from tmmcalc.machine.balance.solve import Balancing, Scheme
 from tmmcalc.machine.facts.shakingmoment import moved, phi_at
 from tmmcalc.machine.pictures.shaking import Path, Polar, Ring, Sizes, Spot, shaking_sheet
 from tmmcalc.report.drawing.curves import Diagram, Line

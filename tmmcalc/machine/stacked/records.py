@@ -30,8 +30,8 @@ from tmmcalc.linkage.trace import trace
 from tmmcalc.machine.reduction.causes import causes_in
 from tmmcalc.machine.reduction.errors import unmeasured
 from tmmcalc.machine.reduction.inertia import lumped, reduced_inertia, rods_of
-from tmmcalc.machine.reduction.reduce import reduction_of
 from tmmcalc.machine.reduction.results import Reduction, Rods
+from tmmcalc.machine.reduction.solve import reduction_of
 from tmmcalc.machine.stacked.reduction import AS_ALONE, Cycles, cycles_of, sampled
 
 _STACKS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "s", "ds", "dds")

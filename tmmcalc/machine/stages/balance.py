@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.results import Kinematics
     from tmmcalc.machine.balance.enginetask import Engine
     from tmmcalc.machine.balance.rotortask import BalancedRotor
-    from tmmcalc.machine.balance.task import BalanceTask, Balancing
+    from tmmcalc.machine.balance.solve import BalanceTask, Balancing
     from tmmcalc.machine.model import EngineTask, RotorTask
     from tmmcalc.machine.room import MachineTables
 
@@ -79,7 +79,7 @@ def solve(given: Given, kinematics: Kinematics | None = None) -> Balances:
     """Shaking forces, and what balancing leaves of them."""
     linkage = engine = rotor = None
     if given.linkage is not None:
-        from tmmcalc.machine.balance.task import solve_balance
+        from tmmcalc.machine.balance.solve import solve_balance
 
         mechanism, bodies, task = given.linkage
         assert kinematics is not None
@@ -113,7 +113,7 @@ def load(record: Record) -> Balances:
 def _linkage_in(record: Record) -> Balancing | None:
     if "linkage" not in record.scalars:
         return None
-    from tmmcalc.machine.balance.task import Balancing
+    from tmmcalc.machine.balance.solve import Balancing
 
     found: Balancing = _part(Balancing, "linkage", record)
     return found

@@ -60,7 +60,7 @@ def solve(
         from tmmcalc.machine.stages.diagram import reduced_diagram
 
         return reduced_diagram(given.name, cycle_of(given))
-    from tmmcalc.machine.reduction.reduce import solve_reduction  # a stored result is loaded without it
+    from tmmcalc.machine.reduction.solve import solve_reduction  # a stored result is loaded without it
 
     assert loading is not None
     assert kinematics is not None

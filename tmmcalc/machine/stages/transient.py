@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from tmmcalc.machine.power import MotorDuty
     from tmmcalc.machine.reduction.results import Reduction
     from tmmcalc.machine.room import MachineTables
-    from tmmcalc.machine.transient.task import Machine
+    from tmmcalc.machine.transient.solve import Machine
 
 NO_SHAFTS = "no [[shafts]]: one mass, no rigid drive beside it"
 NO_STEADY = "no motion in time begins in the steady one: that is not found first"
@@ -79,7 +79,7 @@ def _linkage(spec: MachineTables) -> Linkage | None:
 def solve(*given: *Given, tolerance: float, **upstream: Any) -> TimedMotions:
     """Put the drive together and run every scenario."""
     from tmmcalc.machine.stages.shaft import mean_speed
-    from tmmcalc.machine.transient.task import solve_transients
+    from tmmcalc.machine.transient.solve import solve_transients
 
     tasks, motion = given[0], given[4]
     return solve_transients(machine_of(given, upstream), tasks, mean_speed(upstream, motion), tolerance)
@@ -88,7 +88,7 @@ def solve(*given: *Given, tolerance: float, **upstream: Any) -> TimedMotions:
 def machine_of(given: Given, upstream: Mapping[str, Any]) -> Machine:
     """The machine with the gears and the flywheel that earlier stages found, the motor by its whole curve."""
     from tmmcalc.machine.stages.shaft import constant_inertia, driver, flywheel_inertia, geared
-    from tmmcalc.machine.transient.task import Machine
+    from tmmcalc.machine.transient.solve import Machine
 
     tasks, shafts, wish, gears, motion, wheel, linkage = given
     gears = geared(gears, upstream.get("criteria"))
@@ -118,7 +118,7 @@ def back_of(linkage: Linkage | None, reduction: Reduction) -> tuple[Cycle, Cycle
         return reduction.cycle, reduction.idle
     from tmmcalc.linkage.kinematics import solve_kinematics
     from tmmcalc.linkage.structure import solve_structure
-    from tmmcalc.machine.reduction.reduce import solve_back
+    from tmmcalc.machine.reduction.solve import solve_back
 
     mechanism, loading, rods = linkage
     cycle, idle = solve_back(mechanism, loading, solve_kinematics(mechanism, solve_structure(mechanism)), rods)

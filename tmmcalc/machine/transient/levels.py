@@ -30,7 +30,7 @@ class Limits(NamedTuple):
     runaway: float | None  # None: the motion has a duration
 
 
-def borders(regime: Regime, stretch: Stretch) -> list[Watch]:
+def stretch_ends(regime: Regime, stretch: Stretch) -> list[Watch]:
     """Both ends of the stretch in which the crank turns."""
     if stretch.period is not None:
         return []
@@ -47,14 +47,14 @@ def ends(scenario: Scenario, layout: Layout) -> list[Watch]:
     return found
 
 
-def escapes(layout: Layout, limits: Limits) -> list[Watch]:
+def runaway_speeds(layout: Layout, limits: Limits) -> list[Watch]:
     """The speeds at which the crank has run away, forwards or backwards."""
     if limits.runaway is None:
         return []
     return [level("runaway", layout.crank, way * limits.runaway, way) for way in (1.0, -1.0)]
 
 
-def noted(scenario: Scenario, layout: Layout, limits: Limits, motor: bool) -> list[Watch]:
+def noted_speeds(scenario: Scenario, layout: Layout, limits: Limits, motor: bool) -> list[Watch]:
     """Speeds that are only noted: the targets, and with the ``motor`` on its limits."""
     targets = [at for at in scenario.targets if at != scenario.end_speed]
     found = [level("target", layout.crank, at, _towards(scenario.speed, at), halts=False) for at in targets]

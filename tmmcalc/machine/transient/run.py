@@ -17,7 +17,7 @@ from tmmcalc.machine.transient.equations import Regime, System, derivative
 from tmmcalc.machine.transient.events import Hit, Watch, extreme, hits, level
 from tmmcalc.machine.transient.initial import Sizes
 from tmmcalc.machine.transient.jacobian import jacobian
-from tmmcalc.machine.transient.levels import PASSED, Limits, borders, ends, escapes, noted
+from tmmcalc.machine.transient.levels import PASSED, Limits, ends, noted_speeds, runaway_speeds, stretch_ends
 from tmmcalc.machine.transient.periodicity import Periodicity
 from tmmcalc.machine.transient.pointwise import Stretch, stretches
 from tmmcalc.machine.transient.profile import Profiles
@@ -217,11 +217,13 @@ class Run:
     def _watches(self, regime: Regime, stretch: Stretch) -> list[Watch]:
         """What can happen in a regime."""
         layout = self.system.layout
-        watches = self.holder.watches(regime, self.stretch) + borders(regime, stretch)
+        watches = self.holder.watches(regime, self.stretch) + stretch_ends(regime, stretch)
         if self._loads and self._loads[0].speed is not None and not self._armed:
             watches.append(level("load", self._crank, self._loads[0].speed, 1.0))
-        watches += ends(self.scenario, layout) + escapes(layout, self.limits) + self._repeats.watches(regime, self.y)
-        notes = noted(self.scenario, layout, self.limits, regime.motor)
+        watches += (
+            ends(self.scenario, layout) + runaway_speeds(layout, self.limits) + self._repeats.watches(regime, self.y)
+        )
+        notes = noted_speeds(self.scenario, layout, self.limits, regime.motor)
         return watches + [watch for watch in notes if (watch.kind, watch.level) not in self._passed]
 
     def _pass(self, hit: Hit, watches: list[Watch]) -> None:

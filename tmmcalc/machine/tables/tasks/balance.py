@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from tmmcalc.machine.balance.cylinders import Cylinder
     from tmmcalc.machine.balance.rotors import Unbalance
     from tmmcalc.machine.balance.schemes import RotatingWeight
-    from tmmcalc.machine.balance.task import BalanceTask
+    from tmmcalc.machine.balance.solve import BalanceTask
     from tmmcalc.machine.room import MachineTables
     from tmmcalc.machine.tables.balance import RotatingWeightTable
     from tmmcalc.machine.tables.engine import CylinderTable, EngineTable
@@ -23,7 +23,7 @@ def to_balance(spec: MachineTables) -> BalanceTask:
     from tmmcalc.linkage.model import FRAME
     from tmmcalc.linkage.tables.tasks.mechanism import link_points, place, to_linkage
     from tmmcalc.machine.balance.redistribution import Place
-    from tmmcalc.machine.balance.task import BalanceTask
+    from tmmcalc.machine.balance.solve import BalanceTask
 
     table = spec.balance
     if table is None:
