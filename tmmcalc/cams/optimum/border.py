@@ -17,7 +17,7 @@ from tmmcalc.cams.optimum.curves import between
 from tmmcalc.cams.optimum.march import crossed
 from tmmcalc.cams.optimum.margins import NUMBERS
 from tmmcalc.cams.optimum.plane import Plane, guessed, tamed
-from tmmcalc.core.records import record
+from tmmcalc.cams.optimum.results import Corner, Outline
 
 NEAREST = 1e-6  # of a cell, to the outside of a root: there the constraint that binds is seen
 NEWTON = 12
@@ -25,31 +25,6 @@ CROSSING = 4  # Newton's steps to a point between two of the border
 LAST = 1e-6  # margin from which one step leads to a corner
 MET = 1e-11  # margin at a corner
 EDGE = 0  # number of a border of the plane itself
-
-
-@record
-class Corner:
-    """Where two constraints bind."""
-
-    start: float  # S0 [m]
-    roller: float  # r2 [m]
-    numbers: tuple[int, int]  # before it and after it along the border
-
-    @property
-    def turned(self) -> Corner:
-        """The same, run through the other way."""
-        return Corner(self.start, self.roller, self.numbers[::-1])
-
-
-@record
-class Outline:
-    """A closed border of the region, counter-clockwise; the last point is the first."""
-
-    start: Values  # (n,) [m]
-    roller: Values  # (n,) [m]
-    edge: Indices  # (n - 1,) number of the constraint from a point to the next; 0: border of the plane
-    corners: tuple[Corner, ...]
-    area: float  # [m^2]; negative: a hole
 
 
 def outlines_of(plane: Plane, x: Values, y: Values, least: Values) -> Iterator[Outline]:

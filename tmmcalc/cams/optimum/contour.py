@@ -8,29 +8,14 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.optimum.border import Outline, outlines_of
-from tmmcalc.cams.optimum.curves import Curve, curves
+from tmmcalc.cams.optimum.border import outlines_of
+from tmmcalc.cams.optimum.curves import curves
 from tmmcalc.cams.optimum.plane import Plane
+from tmmcalc.cams.optimum.results import Contour
 from tmmcalc.cams.optimum.scene import Scene
-from tmmcalc.core.records import record
 
 FINE = 27  # nodes a side that show its border
 WINDOW = 0.45  # of the region's size that the picture shows beyond it
-
-
-@record
-class Contour:
-    """The region at one height; no outlines if it is empty."""
-
-    height: float  # H2 [m]
-    outlines: tuple[Outline, ...]
-    curves: tuple[Curve, ...]
-    window: tuple[float, float, float, float]  # S0 from, to, r2 from, to [m]
-
-    @property
-    def area(self) -> float:
-        """Of the region [m^2]."""
-        return sum(outline.area for outline in self.outlines)
 
 
 def contour(scene: Scene, height: float, seeds: tuple[Values, Values]) -> Contour:

@@ -16,7 +16,7 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.march import crossed
 from tmmcalc.cams.optimum.margins import NUMBERS
 from tmmcalc.cams.optimum.plane import Plane, guessed, tamed
-from tmmcalc.core.records import record
+from tmmcalc.cams.optimum.results import Curve
 
 MET = 5e-3  # margin on a curve
 FINEST = 1e-6  # of a cell: bracket of a margin that is steep or jumps
@@ -26,15 +26,6 @@ CROSSING = 2  # steps to a point between two
 DONE = 1e-11  # margin from which no further step is made
 NEAR = 1e-4  # of a chord: first step of the secant
 AWAY = 0.5  # of a chord: no point between lies farther from it
-
-
-@record
-class Curve:
-    """A stretch of the line on which one constraint is just met."""
-
-    number: int
-    start: Values  # (n,) [m]
-    roller: Values  # (n,) [m]
 
 
 def curves(plane: Plane, x: Values, y: Values, held: Values) -> Iterator[Curve]:

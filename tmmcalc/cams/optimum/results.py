@@ -2,10 +2,21 @@
 
 from __future__ import annotations
 
-from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.optimum.contour import Contour
+from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.rounding import Errors
 from tmmcalc.core.records import record
+
+NAMES = {
+    1: "closure of the pair",
+    2: "roller without slip",
+    3: "no undercut",
+    4: "concave parts",
+    5: "roller on its pin",
+    6: "shaft",
+    7: "bending of the stem",
+    8: "pressure in the guide",
+    9: "contact stress",
+}
 
 
 @record
@@ -123,6 +134,55 @@ class FlatChart:
     least_height: float  # H2_min [m]
     stroke: float  # h [m]
     gap: float  # [m]
+
+
+@record
+class Corner:
+    """Where two constraints bind."""
+
+    start: float  # S0 [m]
+    roller: float  # r2 [m]
+    numbers: tuple[int, int]  # before it and after it along the border
+
+    @property
+    def turned(self) -> Corner:
+        """The same, run through the other way."""
+        return Corner(self.start, self.roller, self.numbers[::-1])
+
+
+@record
+class Outline:
+    """A closed border of the region, counter-clockwise; the last point is the first."""
+
+    start: Values  # (n,) [m]
+    roller: Values  # (n,) [m]
+    edge: Indices  # (n - 1,) number of the constraint from a point to the next; 0: border of the plane
+    corners: tuple[Corner, ...]
+    area: float  # [m^2]; negative: a hole
+
+
+@record
+class Curve:
+    """A stretch of the line on which one constraint is just met."""
+
+    number: int
+    start: Values  # (n,) [m]
+    roller: Values  # (n,) [m]
+
+
+@record
+class Contour:
+    """The region at one height; no outlines if it is empty."""
+
+    height: float  # H2 [m]
+    outlines: tuple[Outline, ...]
+    curves: tuple[Curve, ...]
+    window: tuple[float, float, float, float]  # S0 from, to, r2 from, to [m]
+
+    @property
+    def area(self) -> float:
+        """Of the region [m^2]."""
+        return sum(outline.area for outline in self.outlines)
 
 
 @record

@@ -11,7 +11,7 @@ from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum import flat
 from tmmcalc.cams.optimum.checks import choice_of
-from tmmcalc.cams.optimum.contour import Contour, contour
+from tmmcalc.cams.optimum.contour import contour
 from tmmcalc.cams.optimum.errors import optimum_errors
 from tmmcalc.cams.optimum.game import changed, options, options_without, variants
 from tmmcalc.cams.optimum.least import least_height
@@ -19,7 +19,7 @@ from tmmcalc.cams.optimum.margins import SLACK, margins
 from tmmcalc.cams.optimum.notes import optimum_notes
 from tmmcalc.cams.optimum.refusal import refusal
 from tmmcalc.cams.optimum.relax import relaxations
-from tmmcalc.cams.optimum.results import CamOptimum, Choice
+from tmmcalc.cams.optimum.results import CamOptimum, Choice, Contour
 from tmmcalc.cams.optimum.scene import WHERE, Phases, Scene, scene_of
 from tmmcalc.cams.optimum.section import section_of
 from tmmcalc.cams.optimum.steps import Candidates, Found, search

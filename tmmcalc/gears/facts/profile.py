@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.gears.meshing.booktables import BookTable, BookTables
 from tmmcalc.gears.meshing.profiles import Profiles, WheelProfile
-from tmmcalc.gears.meshing.tooth import profile_columns
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import number
 from tmmcalc.report.sizes import drawn, plain, quantity
+
+if TYPE_CHECKING:
+    from tmmcalc.gears.meshing.booktables import BookTable, BookTables
 
 AXES = {
     "tooth": "the axis of the tooth",
@@ -62,6 +63,8 @@ def document(
     parts = tuple(_wheel_document(wheel, own.get(label_of(wheel)), everything) for wheel in shown)
     view = None
     if everything:
+        from tmmcalc.gears.meshing.tooth import profile_columns  # late: the theory of the teeth
+
         view = plain(_stacked(tables) if asked else profile_columns(Profiles(shown, ())))
     return Document(title, notes=tuple(_notes(result)), table=view, parts=parts)
 

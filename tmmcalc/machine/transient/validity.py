@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmmcalc.machine.transient.model import Drive
-from tmmcalc.machine.transient.outcome import Curves
-from tmmcalc.machine.transient.profile import Profile
-from tmmcalc.machine.transient.results import Event
-from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.verdicts import SLACK, Verdict
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.transient.model import Drive
+    from tmmcalc.machine.transient.outcome import Curves
+    from tmmcalc.machine.transient.profile import Profile
+    from tmmcalc.machine.transient.results import Event
+    from tmmcalc.machine.transient.scenario import Scenario
 
 
 def extrapolated(scenario: Scenario, curves: Curves, drive: Drive, rated: float | None) -> list[Verdict]:
