@@ -232,7 +232,7 @@ def _turn(machine: OneMass, y: Values, turn: int) -> _Leg | Halt:
         parts.append(part)
         y, on = part.edges[:, -1], part.panels.edges
         pace = np.sqrt(2 * part.edges[0] / _inertia_at(machine, on)) / machine.reference
-        beyond = np.flatnonzero((pace <= STANDSTILL) | (pace >= RUNAWAY))
+        beyond = np.flatnonzero(~((pace > STANDSTILL) & (pace < RUNAWAY)))
         if beyond.size:
             return Halt(bool(pace[beyond[0]] < 1), float(on[beyond[0]]), turn)
     joined = Panels(np.append(np.concatenate([p.panels.edges[:-1] for p in parts]), edges[-1]), parts[0].panels.order)
