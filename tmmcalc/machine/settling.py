@@ -207,17 +207,20 @@ def _again(machine: OneMass, last: _Leg, y: Values) -> _Leg | None:
 def _turn(machine: OneMass, y: Values, turn: int) -> _Leg | Halt:
     """The motion over one cycle from the state ``y`` (m,) at theta = 0.
 
-    As many panels at once as Newton's method bears: where it fails, half of them, and of one panel the beginning.
+    As many panels at once as Newton's method bears: where it fails, half of them, and of one panel the beginning. What
+    is left of a stretch on which it failed, and of which the first half went, is not tried as a whole.
     """
     system, edges = machine.equations(), machine.cycle.panels.edges
     least = 2 * NARROWEST * machine.cycle.period
-    todo = [edges]
+    todo, failed = [edges], np.inf
     parts: list[Orbit] = []
     while todo:
         bounds = todo.pop()
         lasts = _lasts(machine, bounds[0], y)
-        part = _part(machine, system, bounds, y) if len(bounds) > 2 or bounds[1] - bounds[0] < lasts else None
+        hopeless = bounds[-1] == failed if len(bounds) > 2 else bounds[1] - bounds[0] >= max(lasts, least)
+        part = None if hopeless else _part(machine, system, bounds, y)
         if part is None:
+            failed = bounds[-1]
             if len(bounds) == 2:
                 if bounds[1] - bounds[0] < least:
                     return _stopped(machine, float(bounds[0]), y, turn)
@@ -229,7 +232,7 @@ def _turn(machine: OneMass, y: Values, turn: int) -> _Leg | Halt:
         parts.append(part)
         y, on = part.edges[:, -1], part.panels.edges
         pace = np.sqrt(2 * part.edges[0] / _inertia_at(machine, on)) / machine.reference
-        beyond = np.flatnonzero((pace <= STANDSTILL) | (pace >= RUNAWAY))
+        beyond = np.flatnonzero(~((pace > STANDSTILL) & (pace < RUNAWAY)))
         if beyond.size:
             return Halt(bool(pace[beyond[0]] < 1), float(on[beyond[0]]), turn)
     joined = Panels(np.append(np.concatenate([p.panels.edges[:-1] for p in parts]), edges[-1]), parts[0].panels.order)

@@ -7,9 +7,7 @@ from math import degrees
 from typing import Any
 
 from tmmcalc.cams.facts.design_game import game_document, game_facts, option_values
-from tmmcalc.cams.optimum.contour import Contour, Corner
-from tmmcalc.cams.optimum.margins import NAMES
-from tmmcalc.cams.optimum.results import CamOptimum, Check, Choice, Relaxation
+from tmmcalc.cams.optimum.results import NAMES, CamOptimum, Check, Choice, Contour, Corner, Relaxation
 from tmmcalc.core.quantity import Quantity, keyed, keys, quantity_of, table
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number

@@ -6,8 +6,8 @@ from math import hypot
 
 import numpy as np
 
-from tmmcalc.cams.optimum.margins import NAMES, NUMBERS, Judged, judge
-from tmmcalc.cams.optimum.results import Check, Choice
+from tmmcalc.cams.optimum.margins import NUMBERS, Judged, judge
+from tmmcalc.cams.optimum.results import NAMES, Check, Choice
 from tmmcalc.cams.optimum.scene import Scene
 
 

@@ -13,13 +13,12 @@ import numpy as np
 
 from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.optimum.curves import Curve, between, curves
+from tmmcalc.cams.optimum.curves import between, curves
 from tmmcalc.cams.optimum.margins import NUMBERS
 from tmmcalc.cams.optimum.plane import Plane, guessed, tamed
+from tmmcalc.cams.optimum.results import Contour, Corner, Outline
 from tmmcalc.cams.optimum.scene import Scene
 from tmmcalc.cams.optimum.zerolines import crossed
-from tmmcalc.core.quantity import derived, quantity
-from tmmcalc.core.records import record
 
 NEAREST = 1e-6  # of a cell, to the outside of a root: there the constraint that binds is seen
 NEWTON = 12
@@ -29,33 +28,6 @@ MET = 1e-11  # margin at a corner
 EDGE = 0  # number of a border of the plane itself
 FINE = 27  # nodes a side that show its border
 WINDOW = 0.45  # of the region's size that the picture shows beyond it
-
-
-@record
-class Corner:
-    """Where two constraints bind."""
-
-    start: float = quantity("S0[m]", "start distance", symbol="S_0")
-    roller: float = quantity("r2[m]", "radius of the roller", symbol="r_2")
-    numbers: tuple[int, int] = quantity("constraints", "constraints before and after the corner along the border")
-
-    @property
-    def turned(self) -> Corner:
-        """The same, run through the other way."""
-        return Corner(self.start, self.roller, self.numbers[::-1])
-
-
-@record
-class Outline:
-    """A closed border of the region, counter-clockwise; the last point is the first."""
-
-    start: Values = quantity("S0[m]", "start distance", symbol="S_0")  # (n,)
-    roller: Values = quantity("r2[m]", "radius of the roller", symbol="r_2")  # (n,)
-    edge: Indices = quantity(  # (n - 1,)
-        "constraint", "number of the constraint from a point to the next; 0: border of the plane"
-    )
-    corners: tuple[Corner, ...]
-    area: float = quantity("area[m^2]", "area of the region; negative: a hole")
 
 
 def outlines_of(plane: Plane, x: Values, y: Values, least: Values) -> Iterator[Outline]:
@@ -181,21 +153,6 @@ def _met(
     worst = np.argmin(held, axis=0)
     broken = held[worst, every] < -MET
     return at, met & ~broken, np.where(met & broken, np.array(NUMBERS)[worst], 0)
-
-
-@record
-class Contour:
-    """The region at one height; no outlines if it is empty."""
-
-    height: float = quantity("H2[m]", "height of the mechanism", symbol="H_2")
-    outlines: tuple[Outline, ...]
-    curves: tuple[Curve, ...]
-    window: tuple[float, float, float, float]  # S0 from, to, r2 from, to [m]
-
-    @derived("area[m^2]", "area of the region")
-    def area(self) -> float:
-        """Of all its parts, less the holes."""
-        return sum(outline.area for outline in self.outlines)
 
 
 def contour(scene: Scene, height: float, seeds: tuple[Values, Values]) -> Contour:

@@ -15,9 +15,8 @@ from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.margins import NUMBERS
 from tmmcalc.cams.optimum.plane import Plane, guessed, tamed
+from tmmcalc.cams.optimum.results import Curve
 from tmmcalc.cams.optimum.zerolines import crossed
-from tmmcalc.core.quantity import quantity
-from tmmcalc.core.records import record
 
 MET = 5e-3  # margin on a curve
 FINEST = 1e-6  # of a cell: bracket of a margin that is steep or jumps
@@ -27,15 +26,6 @@ CROSSING = 2  # steps to a point between two
 DONE = 1e-11  # margin from which no further step is made
 NEAR = 1e-4  # of a chord: first step of the secant
 AWAY = 0.5  # of a chord: no point between lies farther from it
-
-
-@record
-class Curve:
-    """A stretch of the line on which one constraint is just met."""
-
-    number: int = quantity("constraint", "number of the constraint")
-    start: Values = quantity("S0[m]", "start distance", symbol="S_0")  # (n,)
-    roller: Values = quantity("r2[m]", "radius of the roller", symbol="r_2")  # (n,)
 
 
 def curves(plane: Plane, x: Values, y: Values, held: Values) -> Iterator[Curve]:

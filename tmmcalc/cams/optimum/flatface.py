@@ -17,10 +17,10 @@ from tmmcalc.cams.forces.formulas import GuidedForces
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.checks import closure
 from tmmcalc.cams.optimum.guidelength import NEVER, TALL, Held, Range, masked, solved
-from tmmcalc.cams.optimum.margins import NAMES, SLACK
+from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.peaks import crest, largest, peak
 from tmmcalc.cams.optimum.relaxation import bought
-from tmmcalc.cams.optimum.results import Check, Choice, FlatChart, Relaxation
+from tmmcalc.cams.optimum.results import NAMES, Check, Choice, FlatChart, Relaxation
 from tmmcalc.cams.optimum.scene import WHERE, Scene, guided_at
 from tmmcalc.cams.strength.formulas import (
     BAD,

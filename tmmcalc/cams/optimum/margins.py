@@ -37,17 +37,6 @@ from tmmcalc.cams.task import Requirements
 from tmmcalc.core.records import record
 
 NUMBERS = (2, 3, 4, 5, 6, 7, 8, 9)  # of the constraints, in the order of the rows
-NAMES = {
-    1: "closure of the pair",
-    2: "roller without slip",
-    3: "no undercut",
-    4: "concave parts",
-    5: "roller on its pin",
-    6: "shaft",
-    7: "bending of the stem",
-    8: "pressure in the guide",
-    9: "contact stress",
-}
 READ = ((2, 3, 4), (1,), (0,), (4,), (4, 5), (4, 7), (4, 8), (4, 6))  # FUNCTIONS that each of NUMBERS sets limits to
 BEHIND = np.array([[k in read for read in READ] for k in range(len(FUNCTIONS))])
 SLACK = 1e-12  # a margin this little below 0 is rounding

@@ -9,8 +9,8 @@ import numpy as np
 from tmmcalc.cams.optimum.checks import checks
 from tmmcalc.cams.optimum.firstfeasible import FirstFeasible
 from tmmcalc.cams.optimum.guidelength import SINGLE, TALL, Range, ranges
-from tmmcalc.cams.optimum.margins import NAMES, judge
-from tmmcalc.cams.optimum.results import Check
+from tmmcalc.cams.optimum.margins import judge
+from tmmcalc.cams.optimum.results import NAMES, Check
 from tmmcalc.cams.optimum.scene import WHERE, Scene
 from tmmcalc.cams.optimum.wholesteps import farthest
 from tmmcalc.cams.task import Optimum

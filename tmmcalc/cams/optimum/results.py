@@ -2,11 +2,22 @@
 
 from __future__ import annotations
 
-from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.optimum.contour import Contour
+from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.rounding import Errors
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
+
+NAMES = {
+    1: "closure of the pair",
+    2: "roller without slip",
+    3: "no undercut",
+    4: "concave parts",
+    5: "roller on its pin",
+    6: "shaft",
+    7: "bending of the stem",
+    8: "pressure in the guide",
+    9: "contact stress",
+}
 
 
 @record
@@ -129,6 +140,57 @@ class FlatChart:
     least_height: float = quantity("H2_min[m]", "least height of the mechanism")
     stroke: float  # h [m]
     gap: float  # [m]
+
+
+@record
+class Corner:
+    """Where two constraints bind."""
+
+    start: float = quantity("S0[m]", "start distance", symbol="S_0")
+    roller: float = quantity("r2[m]", "radius of the roller", symbol="r_2")
+    numbers: tuple[int, int] = quantity("constraints", "constraints before and after the corner along the border")
+
+    @property
+    def turned(self) -> Corner:
+        """The same, run through the other way."""
+        return Corner(self.start, self.roller, self.numbers[::-1])
+
+
+@record
+class Outline:
+    """A closed border of the region, counter-clockwise; the last point is the first."""
+
+    start: Values = quantity("S0[m]", "start distance", symbol="S_0")  # (n,)
+    roller: Values = quantity("r2[m]", "radius of the roller", symbol="r_2")  # (n,)
+    edge: Indices = quantity(  # (n - 1,)
+        "constraint", "number of the constraint from a point to the next; 0: border of the plane"
+    )
+    corners: tuple[Corner, ...]
+    area: float = quantity("area[m^2]", "area of the region; negative: a hole")
+
+
+@record
+class Curve:
+    """A stretch of the line on which one constraint is just met."""
+
+    number: int = quantity("constraint", "number of the constraint")
+    start: Values = quantity("S0[m]", "start distance", symbol="S_0")  # (n,)
+    roller: Values = quantity("r2[m]", "radius of the roller", symbol="r_2")  # (n,)
+
+
+@record
+class Contour:
+    """The region at one height; no outlines if it is empty."""
+
+    height: float = quantity("H2[m]", "height of the mechanism", symbol="H_2")
+    outlines: tuple[Outline, ...]
+    curves: tuple[Curve, ...]
+    window: tuple[float, float, float, float]  # S0 from, to, r2 from, to [m]
+
+    @derived("area[m^2]", "area of the region")
+    def area(self) -> float:
+        """Of all its parts, less the holes."""
+        return sum(outline.area for outline in self.outlines)
 
 
 @record

@@ -11,14 +11,14 @@ from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum import flatface
 from tmmcalc.cams.optimum.checks import choice_of
-from tmmcalc.cams.optimum.contour import Contour, contour
+from tmmcalc.cams.optimum.contour import contour
 from tmmcalc.cams.optimum.errors import optimum_errors
 from tmmcalc.cams.optimum.leastheight import least_height
 from tmmcalc.cams.optimum.margins import SLACK, margins
 from tmmcalc.cams.optimum.options import changed, options, options_without, variants
 from tmmcalc.cams.optimum.refusal import refusal
 from tmmcalc.cams.optimum.relaxation import relaxations
-from tmmcalc.cams.optimum.results import CamOptimum, Choice
+from tmmcalc.cams.optimum.results import CamOptimum, Choice, Contour
 from tmmcalc.cams.optimum.scene import WHERE, Phases, Scene, scene_of
 from tmmcalc.cams.optimum.section import section_of
 from tmmcalc.cams.optimum.verdicts import optimum_notes

@@ -14,9 +14,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-from tmmcalc.cams.optimum.contour import Contour
-from tmmcalc.cams.optimum.margins import NAMES, NUMBERS
-from tmmcalc.cams.optimum.results import CamOptimum, Choice, FlatChart, Section
+from tmmcalc.cams.optimum.margins import NUMBERS
+from tmmcalc.cams.optimum.results import NAMES, CamOptimum, Choice, Contour, FlatChart, Section
 from tmmcalc.cams.pictures.ordered import cam_of
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.key import Part, Sample, write_key

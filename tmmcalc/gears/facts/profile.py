@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmmcalc.core.quantity import components, keyed, table
-from tmmcalc.gears.meshing.booktables import CUT, MAIN, BookTable, BookTables
 from tmmcalc.gears.meshing.profiles import ROLLED, Profiles, WheelProfile
-from tmmcalc.gears.meshing.tooth import profile_columns
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import number
 from tmmcalc.report.sizes import drawn, plain, quantity
+
+if TYPE_CHECKING:
+    from tmmcalc.gears.meshing.booktables import BookTable, BookTables
 
 AXES = {
     "tooth": "the axis of the tooth",
@@ -58,6 +59,8 @@ def document(
     parts = tuple(_wheel_document(wheel, own.get(label_of(wheel)), everything) for wheel in shown)
     view = None
     if everything:
+        from tmmcalc.gears.meshing.tooth import profile_columns  # late: the theory of the teeth
+
         view = plain(_stacked(tables) if asked else profile_columns(Profiles(shown, ())))
     return Document(title, notes=tuple(_notes(result)), table=view, parts=parts)
 
@@ -98,6 +101,8 @@ def _rounding_note(tables: BookTables) -> Iterator[str]:
 
 def _columns(table: BookTable, everything: bool) -> dict[str, np.ndarray]:
     """The columns behind the names of the notable points; what is not cut is blank for people."""
+    from tmmcalc.gears.meshing.booktables import CUT  # late: the theory of the teeth
+
     columns = {"point": np.array(table.points)}
     for header, column in table.columns.items():
         blank = not everything and header in CUT and not table.cut.all()
@@ -108,6 +113,8 @@ def _columns(table: BookTable, everything: bool) -> dict[str, np.ndarray]:
 
 def _stacked(tables: Sequence[BookTables]) -> dict[str, np.ndarray]:
     """All tables in one, one wheel after the other; what a table does not have is empty."""
+    from tmmcalc.gears.meshing.booktables import MAIN
+
     each = [(of.member, name, book) for of in tables for name, book in (("main", of.main), ("fillet", of.fillet))]
     common = {header: header.replace(f"{MAIN}[", "[") for *_, book in each for header in book.columns}
     headers = list(dict.fromkeys(common.values()))

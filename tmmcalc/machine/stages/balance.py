@@ -29,7 +29,7 @@ NO_ENGINE = "no [engine]: no orders of cylinders"
 NO_ROTOR = "no [rotor]: no correction planes"
 
 kinds = (
-    "tmmcalc.machine.balance.task:Balancing",
+    "tmmcalc.machine.balance.solve:Balancing",
     "tmmcalc.machine.balance.enginetask:Engine",
     "tmmcalc.machine.balance.rotortask:BalancedRotor",
 )

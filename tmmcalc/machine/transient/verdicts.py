@@ -8,16 +8,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
-from tmmcalc.machine.transient.equations import System
-from tmmcalc.machine.transient.model import Drive
-from tmmcalc.machine.transient.outcome import Curves
-from tmmcalc.machine.transient.profile import Profile
-from tmmcalc.machine.transient.results import End, Event
-from tmmcalc.machine.transient.scenario import Scenario
 from tmmcalc.machine.verdicts import SLACK, Verdict
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
+    from tmmcalc.machine.transient.equations import System
+    from tmmcalc.machine.transient.model import Drive
+    from tmmcalc.machine.transient.outcome import Curves
+    from tmmcalc.machine.transient.profile import Profile
+    from tmmcalc.machine.transient.results import End, Event
+    from tmmcalc.machine.transient.scenario import Scenario
 
 UNBALANCED = 1e-5  # imbalance of energy that is worth a warning
 EARLY = 0.5  # of the duration: a motion that has become steady before is told how to end sooner
