@@ -70,15 +70,6 @@ class Pair:
         return self.length - second, self.length - first
 
     @property
-    def active_radii(self) -> tuple[Number, Number]:
-        """r_p1, r_p2: radii of the lowest points that the mate's tip reaches; nan where it reaches beyond N."""
-        one, two = (
-            np.where(np.asarray(rho) >= 0, np.hypot(wheel.base, rho), np.nan)
-            for wheel, rho in zip(self.wheels, self.starts, strict=True)
-        )
-        return one, two
-
-    @property
     def clearances(self) -> tuple[Number, Number]:
         """Radial clearances at the roots of wheels 1 and 2."""
         return self.distance - self.tips[1] - self.first.root, self.distance - self.tips[0] - self.second.root
