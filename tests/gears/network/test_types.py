@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 
 from gears.network.trains import EXAMPLES
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.gears.losses import SLIDING, mesh_efficiency
 from tmmcalc.gears.network import types
 from tmmcalc.gears.network.choice import proposals
 from tmmcalc.gears.network.curves import efficiency_over_ratio, efficiency_over_reduction, ratio_over_inverted
-from tmmcalc.gears.network.friction import SLIDING, mesh_efficiency
 from tmmcalc.gears.scheme import layout_of
 
 FILE = Path(__file__).parents[2] / "cases" / "gear-trains.json"

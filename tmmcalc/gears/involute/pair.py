@@ -60,7 +60,8 @@ class Pair:
     @property
     def tip_curvatures(self) -> tuple[Number, Number]:
         """rho_a1 = N1A1, rho_a2 = N2A2: radii of curvature at the tips."""
-        one, two = (_root(tip**2 - wheel.base**2) for tip, wheel in zip(self.tips, self.wheels, strict=True))
+        with np.errstate(invalid="ignore"):
+            one, two = (np.sqrt(tip**2 - wheel.base**2) for tip, wheel in zip(self.tips, self.wheels, strict=True))
         return one, two
 
     @property
@@ -89,11 +90,6 @@ class Pair:
         """eps_alpha, transverse (4.67), with the whole flanks active."""
         first, second = self.tip_curvatures
         return (first + second - self.length) / self.first.base_pitch
-
-
-def _root(value: Number) -> Number:
-    with np.errstate(invalid="ignore"):
-        return np.sqrt(value)
 
 
 def pair_of_shifts(first: Wheel, second: Wheel) -> Pair:

@@ -12,13 +12,15 @@ import numpy as np
 from tmmcalc.gears.involute.contour.contour import Contour, contours
 from tmmcalc.gears.involute.contour.errors import contour_error
 from tmmcalc.gears.involute.contour.interval import Interval, intervals
-from tmmcalc.gears.involute.contour.margins import Margins, margins
+from tmmcalc.gears.involute.contour.margins import margins
 from tmmcalc.gears.involute.contour.regions import Region
 from tmmcalc.gears.meshing.blockinglines import contour_lines
 from tmmcalc.gears.meshing.blockingpoints import contour_points
 from tmmcalc.gears.meshing.choice import contour_task
 from tmmcalc.gears.meshing.contours import Area, Blocking, ContourCorner, ContourPoint, Outline, PairContour
-from tmmcalc.gears.meshing.results import MeshPair, Pairs
+from tmmcalc.gears.meshing.results import Pairs
+
+SPARED = ("exists", "theta1", "theta2")  # of the margins, which are no lines of the contour
 
 
 def solve_blocking(found: Pairs) -> Blocking:
@@ -30,8 +32,36 @@ def solve_blocking(found: Pairs) -> Blocking:
     >>> round(solve_blocking(Pairs((pair,), "", ())).pairs[0].strict.main.area, 4)
     0.9687
     """
-    external = [pair for pair in found.pairs if pair.task.kind == "external"]
-    return Blocking(tuple(_pair_contour(pair) for pair in external), tuple(_remarks(found)))
+    solved = []
+    for pair in (each for each in found.pairs if each.task.kind == "external"):
+        task, asked = pair.task, contour_task(pair.task)
+        both = contours(asked)
+        points, missing = contour_points(pair, both)
+        line = _interval(both, points[0])
+        left = margins(asked, *pair.shifts)
+        solved.append(
+            PairContour(
+                name=task.name,
+                teeth=task.teeth,
+                module=task.module,
+                helix=task.helix,
+                rack=task.rack,
+                contact_ratio=task.limits.contact_ratio,
+                thickness=task.limits.tip_thickness,
+                strict=_area(both[0]),
+                tolerated=_area(both[1]),
+                lines=contour_lines(pair, both),
+                points=points,
+                missing=missing,
+                margins={
+                    each.name: float(getattr(left, each.name)) for each in fields(left) if each.name not in SPARED
+                },
+                low=line.low if line else None,
+                high=line.high if line else None,
+                ends=(line.low_line, line.high_line) if line else ("", ""),
+            )
+        )
+    return Blocking(tuple(solved), tuple(_remarks(found)))
 
 
 def _remarks(found: Pairs) -> list[str]:
@@ -51,32 +81,6 @@ def _remarks(found: Pairs) -> list[str]:
     return remarks
 
 
-def _pair_contour(pair: MeshPair) -> PairContour:
-    task = pair.task
-    asked = contour_task(task)
-    both = contours(asked)
-    points, missing = contour_points(pair, both)
-    line = _interval(both, points[0])
-    return PairContour(
-        name=task.name,
-        teeth=task.teeth,
-        module=task.module,
-        helix=task.helix,
-        rack=task.rack,
-        contact_ratio=task.limits.contact_ratio,
-        thickness=task.limits.tip_thickness,
-        strict=_area(both[0]),
-        tolerated=_area(both[1]),
-        lines=contour_lines(pair, both),
-        points=points,
-        missing=missing,
-        margins=_margins(margins(asked, *pair.shifts)),
-        low=line.low if line else None,
-        high=line.high if line else None,
-        ends=(line.low_line, line.high_line) if line else ("", ""),
-    )
-
-
 def _interval(both: tuple[Contour, Contour], chosen: ContourPoint) -> Interval | None:
     """The admissible x1 at the chosen sum: the interval that holds the chosen x1, or is nearest to it.
 
@@ -88,12 +92,6 @@ def _interval(both: tuple[Contour, Contour], chosen: ContourPoint) -> Interval |
         if found:
             return min(found, key=lambda each: each.distance(chosen.x1))
     return None
-
-
-def _margins(found: Margins) -> dict[str, float]:
-    """The margins by the keys of the lines."""
-    spared = ("exists", "theta1", "theta2")
-    return {each.name: float(getattr(found, each.name)) for each in fields(found) if each.name not in spared}
 
 
 def _area(found: Contour) -> Area:
