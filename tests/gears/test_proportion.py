@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from math import gcd
-
 import numpy as np
 import pytest
 
 from gears.criteria.worked import CASES
 from tmmcalc.core.errors import UsageError
-from tmmcalc.gears.proportion import curve, equal_strength, module_ratio, standard_ratios
+from tmmcalc.gears.proportion import curve, equal_strength
 
 
 def test_worked_ratios() -> None:
@@ -39,7 +37,9 @@ def test_equations_hold_to_rounding(*, internal: bool) -> None:
     side = -1 if internal else 1
     assert found.first * found.second == pytest.approx(u, rel=1e-14)
     assert found.first + 1 == pytest.approx(found.modules * (found.second + side), rel=1e-12)
-    assert module_ratio(found.first, found.second, internal=internal) == pytest.approx(found.modules, rel=1e-12)
+    u1, u2 = found.first, found.second
+    by_stages = np.cbrt(u1 * (u2 + side) / u2 * u1 / (u1 + 1))  # (4.15), (4.20)
+    assert by_stages == pytest.approx(found.modules, rel=1e-12)
 
 
 def test_the_root_is_the_only_one() -> None:
@@ -60,23 +60,6 @@ def test_curve() -> None:
     assert np.all(np.diff(found.modules) > 0)
     assert curve(internal=True).ratio[-1] == 40.0
     assert curve(internal=True, low=6.0, high=7.0, points=3).ratio.tolist() == [6.0, 6.5, 7.0]
-
-
-def test_standard_ratios() -> None:
-    """For mu* = 1.7 the textbook takes 2 : 3 and 4 : 7, that is 2 with 3.0 or 3.5 mm."""
-    found = standard_ratios(1.7, within=0.15)
-    by_ratio = {ratio.proportion: ratio for ratio in found}
-    assert {(2, 3), (4, 7)} <= set(by_ratio)
-    assert np.any(np.all(np.isclose(by_ratio[4, 7].modules, [0.002, 0.0035]), axis=1))
-    distances = [abs(ratio.deviation) for ratio in found]
-    assert distances == sorted(distances)
-    for ratio in found:
-        mu1, mu2 = ratio.proportion
-        assert gcd(mu1, mu2) == 1
-        assert ratio.modules[:, 1] * mu1 == pytest.approx(ratio.modules[:, 0] * mu2, rel=1e-14)
-        assert ratio.deviation == pytest.approx(mu2 / mu1 / 1.7 - 1, rel=1e-12)
-        assert abs(ratio.deviation) <= 0.15
-    assert len(standard_ratios(1.7, rows=1, within=0.15)) < len(found)
 
 
 def test_faults() -> None:

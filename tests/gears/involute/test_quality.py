@@ -96,7 +96,7 @@ def test_ig_s04_line_of_action_and_verdict():
     assert meeting.shortened == pytest.approx(expected["eps_alpha"], abs=1e-6)
     assert meeting.overlap == pytest.approx(expected["eps_beta"], abs=1e-6)
     assert meeting.total == pytest.approx(expected["eps_gamma"], abs=1e-6)
-    radii = pair.active_radii
+    radii = [float(np.hypot(wheel.base, rho)) for wheel, rho in zip(pair.wheels, pair.starts, strict=True)]
     assert M * radii[0] == pytest.approx(float(np.hypot(expected["r_b1"], expected["N1A2"])), abs=2e-6)
     assert M * radii[1] == pytest.approx(float(np.hypot(expected["r_b2"], expected["N2A1"])), abs=2e-6)
     found = checks(pair, face_width=40 / M)

@@ -107,6 +107,13 @@ def test_proportions_of_modules() -> None:
     assert request(head + "module_ratio_range = [1, 1]").task.proportions == ((1, 1),)
 
 
+def test_standard_ratios() -> None:
+    """For mu* = 1.7 the textbook takes 2 : 3 and 4 : 7, that is 2 with 3.0 or 3.5 mm."""
+    found = request('layout = "AI"\nratio = 8\nmodule_ratio_range = [1.445, 1.955]\n').task.proportions
+    assert {(2, 3), (4, 7)} <= set(found)
+    assert all(math.gcd(*pair) == 1 and abs(pair[1] / pair[0] / 1.7 - 1) <= 0.15 for pair in found)
+
+
 def test_undercut_gives_way_to_a_lower_z_min_and_is_said() -> None:
     lower = request('layout = "AIbar"\nratio = 7\nz_min = 16')
     assert lower.task.demands.undercut is None

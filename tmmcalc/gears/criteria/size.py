@@ -61,7 +61,8 @@ def size(sets: ToothSets, module: Values, rack: float = RACK) -> Values:
 
 def envelope(sets: ToothSets, module: Values, rack: float = RACK) -> Values:
     """Diameter or length [m] (n,) of the room that all pitch circles take, fixed rings included."""
-    r, a = _by_wheel(sets, module), centre_distances(sets, module, rack)
+    r = dict(zip(sets.scheme.wheels, radii(sets, module).T, strict=True))
+    a = centre_distances(sets, module, rack)
     if not sets.scheme.branched:
         axes = np.hstack((np.zeros((len(sets), 1)), np.cumsum(a, axis=1)))
         places = {wheel: axes[:, int(wheel.rstrip("'")) - 1] for wheel in sets.scheme.wheels}
@@ -73,10 +74,6 @@ def envelope(sets: ToothSets, module: Values, rack: float = RACK) -> Values:
     circles += [r[wheel] for wheel in sets.scheme.wheels if wheel not in sets.scheme.planets]
     widest: Values = 2 * np.maximum.reduce(circles)
     return widest
-
-
-def _by_wheel(sets: ToothSets, module: Values) -> dict[str, Values]:
-    return dict(zip(sets.scheme.wheels, radii(sets, module).T, strict=True))
 
 
 def _extent(places: dict[str, Values], r: dict[str, Values]) -> Values:

@@ -60,7 +60,8 @@ class Pair:
     @property
     def tip_curvatures(self) -> tuple[Number, Number]:
         """rho_a1 = N1A1, rho_a2 = N2A2: radii of curvature at the tips."""
-        one, two = (_root(tip**2 - wheel.base**2) for tip, wheel in zip(self.tips, self.wheels, strict=True))
+        with np.errstate(invalid="ignore"):
+            one, two = (np.sqrt(tip**2 - wheel.base**2) for tip, wheel in zip(self.tips, self.wheels, strict=True))
         return one, two
 
     @property
@@ -68,15 +69,6 @@ class Pair:
         """N1A2, N2A1: radii of curvature of each wheel where the other's tip meets it."""
         first, second = self.tip_curvatures
         return self.length - second, self.length - first
-
-    @property
-    def active_radii(self) -> tuple[Number, Number]:
-        """r_p1, r_p2: radii of the lowest points that the mate's tip reaches; nan where it reaches beyond N."""
-        one, two = (
-            np.where(np.asarray(rho) >= 0, np.hypot(wheel.base, rho), np.nan)
-            for wheel, rho in zip(self.wheels, self.starts, strict=True)
-        )
-        return one, two
 
     @property
     def clearances(self) -> tuple[Number, Number]:
@@ -98,11 +90,6 @@ class Pair:
         """eps_alpha, transverse (4.67), with the whole flanks active."""
         first, second = self.tip_curvatures
         return (first + second - self.length) / self.first.base_pitch
-
-
-def _root(value: Number) -> Number:
-    with np.errstate(invalid="ignore"):
-        return np.sqrt(value)
 
 
 def pair_of_shifts(first: Wheel, second: Wheel) -> Pair:

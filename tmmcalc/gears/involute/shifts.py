@@ -19,7 +19,7 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import Flags
 from tmmcalc.gears.involute.contour.contour import Contour, contour
 from tmmcalc.gears.involute.contour.equalstrength import strength_split
-from tmmcalc.gears.involute.contour.interval import Interval, interval
+from tmmcalc.gears.involute.contour.interval import interval
 from tmmcalc.gears.involute.contour.margins import Margins, margins
 from tmmcalc.gears.involute.contour.points import (
     ZOOM,
@@ -63,7 +63,6 @@ class Choice:
     inside: bool  # of the asked contour
     broken: tuple[str, ...]  # keys of LINES whose conditions are not met
     nearest: tuple[float, float] | None  # nearest admissible shifts, of a point outside a contour that is not empty
-    interval: Interval | None  # admissible x1 for this sum of shifts, if the sum was given
     note: str  # what the strategy had to give up, or empty
 
 
@@ -136,7 +135,6 @@ def _judged(
     strict: bool,
     x1: float,
     x2: float,
-    line: Interval | None = None,
     note: str = "",
 ) -> Choice:
     found = margins(task, x1, x2)
@@ -146,7 +144,7 @@ def _judged(
     if not inside:
         area = contour(task, strict, pieces=False)
         near = nearest(area, x1, x2) if area.main is not None else None
-    return Choice(strategy, x1, x2, found, inside, broken, near, line, note)
+    return Choice(strategy, x1, x2, found, inside, broken, near, note)
 
 
 def _sum(task: Task, distance: float | None) -> float:
@@ -176,7 +174,7 @@ def _on_sum(area: Contour, strategy: str, total: float, x1: float | None, x2: fl
     if one != wanted:
         limit = line.low_line if one == line.low else line.high_line
         note = f"{split.replace('_', ' ')} would need x1 = {wanted:.4f}; stopped by: {LINES[limit][1]}"
-    return _judged(area.task, strategy, area.strict, one, total - one, line, note)
+    return _judged(area.task, strategy, area.strict, one, total - one, note)
 
 
 def _sliding(area: Contour, desired: float) -> tuple[float, float, str]:

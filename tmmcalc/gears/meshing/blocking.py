@@ -12,13 +12,15 @@ import numpy as np
 from tmmcalc.gears.involute.contour.contour import Contour, contours
 from tmmcalc.gears.involute.contour.errors import contour_error
 from tmmcalc.gears.involute.contour.interval import Interval, intervals
-from tmmcalc.gears.involute.contour.margins import Margins, margins
+from tmmcalc.gears.involute.contour.margins import margins
 from tmmcalc.gears.involute.contour.regions import Region
 from tmmcalc.gears.meshing.blockinglines import contour_lines
 from tmmcalc.gears.meshing.blockingpoints import contour_points
 from tmmcalc.gears.meshing.choice import contour_task
 from tmmcalc.gears.meshing.contours import Area, Blocking, ContourCorner, ContourPoint, Outline, PairContour
-from tmmcalc.gears.meshing.results import MeshPair, Pairs
+from tmmcalc.gears.meshing.results import Pairs
+
+SPARED = ("exists", "theta1", "theta2")  # of the margins, which are no lines of the contour
 
 
 def solve_blocking(pair: Pairs) -> Blocking:
@@ -30,8 +32,38 @@ def solve_blocking(pair: Pairs) -> Blocking:
     >>> round(solve_blocking(Pairs((pair,), "", ())).pairs[0].strict.main.area, 4)
     0.9687
     """
-    external = [each for each in pair.pairs if each.task.kind == "external"]
-    return Blocking(tuple(_pair_contour(each) for each in external), tuple(_remarks(pair)))
+    solved = []
+    for each in (one for one in pair.pairs if one.task.kind == "external"):
+        task, asked = each.task, contour_task(each.task)
+        both = contours(asked)
+        points, missing = contour_points(each, both)
+        line = _interval(both, points[0])
+        left = margins(asked, *each.shifts)
+        solved.append(
+            PairContour(
+                name=task.name,
+                teeth=task.teeth,
+                module=task.module,
+                helix=task.helix,
+                rack=task.rack,
+                contact_ratio=task.limits.contact_ratio,
+                thickness=task.limits.tip_thickness,
+                strict=_area(both[0]),
+                tolerated=_area(both[1]),
+                lines=contour_lines(each, both),
+                points=points,
+                missing=missing,
+                margins={
+                    margin.name: float(getattr(left, margin.name))
+                    for margin in fields(left)
+                    if margin.name not in SPARED
+                },
+                low=line.low if line else None,
+                high=line.high if line else None,
+                ends=(line.low_line, line.high_line) if line else ("", ""),
+            )
+        )
+    return Blocking(tuple(solved), tuple(_remarks(pair)))
 
 
 def _remarks(found: Pairs) -> list[str]:
@@ -51,32 +83,6 @@ def _remarks(found: Pairs) -> list[str]:
     return remarks
 
 
-def _pair_contour(pair: MeshPair) -> PairContour:
-    task = pair.task
-    asked = contour_task(task)
-    both = contours(asked)
-    points, missing = contour_points(pair, both)
-    line = _interval(both, points[0])
-    return PairContour(
-        name=task.name,
-        teeth=task.teeth,
-        module=task.module,
-        helix=task.helix,
-        rack=task.rack,
-        contact_ratio=task.limits.contact_ratio,
-        thickness=task.limits.tip_thickness,
-        strict=_area(both[0]),
-        tolerated=_area(both[1]),
-        lines=contour_lines(pair, both),
-        points=points,
-        missing=missing,
-        margins=_margins(margins(asked, *pair.shifts)),
-        low=line.low if line else None,
-        high=line.high if line else None,
-        ends=(line.low_line, line.high_line) if line else ("", ""),
-    )
-
-
 def _interval(both: tuple[Contour, Contour], chosen: ContourPoint) -> Interval | None:
     """The admissible x1 at the chosen sum: the interval that holds the chosen x1, or is nearest to it.
 
@@ -88,12 +94,6 @@ def _interval(both: tuple[Contour, Contour], chosen: ContourPoint) -> Interval |
         if found:
             return min(found, key=lambda each: each.distance(chosen.x1))
     return None
-
-
-def _margins(found: Margins) -> dict[str, float]:
-    """The margins by the keys of the lines."""
-    spared = ("exists", "theta1", "theta2")
-    return {each.name: float(getattr(found, each.name)) for each in fields(found) if each.name not in spared}
 
 
 def _area(found: Contour) -> Area:

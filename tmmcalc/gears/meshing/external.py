@@ -10,7 +10,6 @@ from tmmcalc.gears.involute.quality.contact import Contact, contact
 from tmmcalc.gears.involute.quality.existence import nearest_shifts, require_pair
 from tmmcalc.gears.involute.quality.sliding import sliding, sliding_extremes
 from tmmcalc.gears.involute.quality.verdicts import checks
-from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.meshing.choice import choose_shifts, standing
 from tmmcalc.gears.meshing.geometry import asked_distance, external_of, wheel_of
 from tmmcalc.gears.meshing.measures import measures
@@ -77,11 +76,8 @@ def _remedy(task: PairTask, shifts: tuple[float, float]) -> str:
     if near is None or not near.distance:
         return told
     first, second = (wheel_of(task, k, shift) for k, shift in enumerate(near.shifts, 1))
-    return f"{told}; the nearest have the centre distance {millimetres(task.module * _distance(first, second))}"
-
-
-def _distance(first: Wheel, second: Wheel) -> float:
-    return float(pair_of_shifts(first, second).distance)
+    distance = task.module * float(pair_of_shifts(first, second).distance)
+    return f"{told}; the nearest have the centre distance {millimetres(distance)}"
 
 
 def _line(pair: Pair, meeting: Contact) -> LineOfAction:

@@ -32,7 +32,8 @@ def measures(task: PairTask, number: int, gear: Gear, radii: Sequence[float] = (
     span = _NO_SPAN if ring else _measured(task, number, gear)
     balls, told = _balls(task, number, gear)
     chord = constant_chord(wheel, -gear.tip if ring else gear.tip, 0.0)
-    ends = sorted((_curvature(gear, gear.tip), gear.active))
+    highest = float(wheel.curvature_at(max(gear.tip, gear.base)))  # 0 where a tip circle lies within the base circle
+    ends = sorted((highest, gear.active))
     chords, missing = _chords(task, gear, radii)
     return Measures(
         wheel=task.wheels[number - 1],
@@ -58,11 +59,6 @@ def measures(task: PairTask, number: int, gear: Gear, radii: Sequence[float] = (
         chords=chords,
         remarks=(*span.remarks, *told, *missing),
     )
-
-
-def _curvature(gear: Gear, radius: float) -> float:
-    """rho of the flank on a circle, 0 within the base circle."""
-    return float(gear.wheel.curvature_at(max(radius, gear.base)))
 
 
 @record

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 
-from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.network import types
@@ -27,7 +27,6 @@ class Proposal:
     driver: Driver
     output: str
     i_1h: float | None  # None: type AII, whose ratio does not follow from U
-    i_13h: float | None  # of the inverted train
     tooth_ratio: float | None  # U
     efficiency: float | None  # [-]; zero or negative: self-locking
     self_locking: bool
@@ -60,27 +59,6 @@ def proposals(
     return tuple(sorted(found, key=lambda p: (not p.admissible, p.efficiency is None, -(p.efficiency or 0.0))))
 
 
-def admissible_types(
-    required: float, power: bool = True, internal: bool = True, eta0: float = 0.95, planets: int = 3
-) -> tuple[Proposal, ...]:
-    """The admissible ones of `proposals`; raises `NoSolutionError` with the reasons if there are none.
-
-    >>> [(p.layout, p.driver, round(p.tooth_ratio, 2)) for p in admissible_types(7.29) if p.tooth_ratio]
-    [('AIbar', '1', 6.29), ('AI', '1', 6.29), ('2A-AA', '1', 6.29)]
-    """
-    found = proposals(required, power, internal, eta0, planets)
-    suitable = tuple(p for p in found if p.admissible)
-    if suitable:
-        return suitable
-    reasons = "; ".join(f"{p.layout} driven at {p.driver}: {p.remark}" for p in found) or "no type gives it"
-    raise NoSolutionError(
-        f"no planetary type suits the ratio {required:g}: {reasons}",
-        where=WHERE,
-        value=required,
-        remedy="change the ratio, put two trains in series, or allow a kinematic drive or internal wheels",
-    )
-
-
 def _simple(layout: str, driver: Driver, i: float, power: bool, internal: bool, eta0: float, planets: int) -> Proposal:
     u, inverted = float(types.tooth_ratio(layout, i)), eta0 ** (len(LAYOUTS[layout].meshes) / 2)
     eta = float(types.efficiency(i, inverted, driver))
@@ -88,7 +66,7 @@ def _simple(layout: str, driver: Driver, i: float, power: bool, internal: bool, 
     fault = _fault(layout, i, u, locks, power, internal, planets)
     output = "H" if driver == "1" else "1"
     remark = fault or _merit(i)
-    return Proposal(layout, driver, output, i, 1 - i, u, eta, locks, not fault, remark)
+    return Proposal(layout, driver, output, i, u, eta, locks, not fault, remark)
 
 
 def _fault(layout: str, i: float, u: float, locks: bool, power: bool, internal: bool, planets: int) -> str:
@@ -126,4 +104,4 @@ def _merit(i: float) -> str:
 def _three_central(internal: bool) -> Proposal:
     remark = "efficiency by its tooth numbers; 0.8 to 0.9 by the textbook" if internal else "needs internal wheels"
     layout = next(layout for layout in LAYOUTS.values() if layout.three_centrals)
-    return Proposal(layout.key, "1", layout.output, None, None, None, None, False, internal, remark)
+    return Proposal(layout.key, "1", layout.output, None, None, None, False, internal, remark)

@@ -101,7 +101,8 @@ def power_in_motion(
     statics = equilibrium(network, motion, torques, tuple(outputs), tuple(locked))
     directions, x = agreeing_directions(statics)
     found = _values(statics, directions, x)
-    power_in, power_out = _in_and_out(found.powers)
+    power_in = float(found.powers[found.powers > 0].sum())
+    power_out = float(-found.powers[found.powers < 0].sum())
     locks = zip(locked, found.lock_torques, strict=True)
     return PowerFlow(
         motion,
@@ -142,11 +143,6 @@ def _values(statics: Statics, directions: Values, x: Values) -> _Values:
     mesh_torques, rolling, losses = _meshes(statics, directions, x[:m])
     mesh_powers = mesh_torques * _mesh_speeds(network, motion)
     return _Values(torques, torques * motion.speeds, mesh_torques, mesh_powers, rolling, losses, x[m:held])
-
-
-def _in_and_out(powers: Values) -> tuple[float, float]:
-    """What is put in and what is taken out [W]."""
-    return float(powers[powers > 0].sum()), float(-powers[powers < 0].sum())
 
 
 def _error(statics: Statics, directions: Values, x: Values, found: _Values) -> FlowError:

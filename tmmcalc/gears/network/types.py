@@ -31,15 +31,6 @@ def inverted_ratio(i_1h: Numbers) -> Values:
     return 1 - np.asarray(i_1h, dtype=float)
 
 
-def planetary_ratio(layout: str, u: Numbers) -> Values:
-    """Ratio i_1H of a type of tooth ratio U: 1 + U or 1 - U (4.19).
-
-    >>> planetary_ratio("AA", np.array([0.95, 8.15])).round(2).tolist()
-    [0.05, -7.15]
-    """
-    return 1 + _sign(layout) * np.asarray(u, dtype=float)
-
-
 def tooth_ratio(layout: str, i_1h: Numbers) -> Values:
     """Tooth ratio U of a type for i_1H; zero or negative where the type does not give it.
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from tmmcalc.gears.exact import within
 from tmmcalc.gears.model import Interval, TrainTask, Values
-from tmmcalc.gears.scheme import Layout, Mesh
+from tmmcalc.gears.scheme import Mesh
 from tmmcalc.gears.search.blocks import Block, Tally
 
 Mask = np.ndarray
@@ -169,16 +169,15 @@ def envelopes(task: TrainTask, block: Block) -> Values:
     return largest
 
 
-def _coaxial(scheme: Layout) -> bool:
-    return scheme.branched and not scheme.planetary
-
-
 # name: (whether it binds in this task, the mask); the order in which they are put and counted
 CONSTRAINTS: dict[str, tuple[Callable[[TrainTask], bool], Callable[[TrainTask, Block], Mask]]] = {
     "mesh_angles": (lambda t: t.demands.largest_angle is not None and t.scheme.branched, mesh_angles),
     "undercut": (lambda t: t.demands.undercut is not None and t.demands.undercut > t.limits.least, undercut),
     "interference": (lambda t: t.demands.ring_difference is not None and bool(t.scheme.rings), interference),
-    "stage_ratio": (lambda t: t.demands.stage_ratio is not None and _coaxial(t.scheme), slow_stages),
+    "stage_ratio": (
+        lambda t: t.demands.stage_ratio is not None and t.scheme.branched and not t.scheme.planetary,
+        slow_stages,
+    ),
     "diameter_band": (lambda t: t.demands.diameter_band is not None and t.scheme.common_axis, diameters),
     "assembly": (lambda t: t.demands.assembly and t.scheme.branched and t.planets > 1, assembly),
     "adjacency": (lambda t: t.demands.gap is not None and t.scheme.branched and t.planets > 2, adjacency),

@@ -20,12 +20,13 @@ from tmmcalc.gears.criteria.errors import criteria_error
 from tmmcalc.gears.criteria.evaluate import Basis, evaluate
 from tmmcalc.gears.criteria.speeds import speeds
 from tmmcalc.gears.model import ToothSets
+from tmmcalc.gears.proportion import equal_strength
 from tmmcalc.gears.scheme import CARRIER
-from tmmcalc.gears.selection.guides import guides
 from tmmcalc.gears.selection.pairs import SERIES, paired
-from tmmcalc.gears.selection.results import MEASURES, Pairs, Pool, Selection, Weighed, Winner, pooled
+from tmmcalc.gears.selection.results import MEASURES, Guide, Pairs, Pool, Selection, Weighed, Winner, pooled
 from tmmcalc.gears.selection.task import ROW, WEIGHTED, SelectionTask
 from tmmcalc.gears.sizing import Sized, Sizing, rows_of
+from tmmcalc.gears.split import CRITERIA, best_split, equal_diameters
 from tmmcalc.gears.strength.explain import reason as why
 from tmmcalc.gears.trains import Request, Trains
 
@@ -82,7 +83,8 @@ def _weighed(request: Request, sized: Sized, task: SelectionTask) -> Weighed:
     strong = np.flatnonzero(sized.strength.accepted)
     basis = basis_of(request, task)
     locks = efficiency(rows_of(sized.sets, strong), basis.meshes, basis.driver) <= 0
-    sets, module, width = _at(sized, strong[~locks])
+    rows = strong[~locks]
+    sets, module, width = rows_of(sized.sets, rows), sized.strength.module[rows], sized.strength.width[rows]
     criteria = evaluate(sets, module, width, basis=basis)
     error = criteria_error(sets, module, width, basis, criteria)
     criteria = replace(criteria, error=abs(ratios(request, sets)[1]))  # of the ratio as it was asked for
@@ -90,10 +92,6 @@ def _weighed(request: Request, sized: Sized, task: SelectionTask) -> Weighed:
     unseen = sized.count - len(sized.sets)
     counts = len(sized.sets), weak, locking, unseen
     return Weighed(sized.title, sets, module, width, criteria, *counts, error=error)
-
-
-def _at(sized: Sized, rows: np.ndarray) -> tuple[ToothSets, np.ndarray, np.ndarray]:
-    return rows_of(sized.sets, rows), sized.strength.module[rows], sized.strength.width[rows]
 
 
 def _choice(everything: Pool, ranking: Ranking, task: SelectionTask) -> tuple[str, Reason]:
@@ -175,3 +173,26 @@ def _none_left(sizing: Sizing, weighed: tuple[Weighed, ...]) -> NoSolutionError:
             lines.append(f"{sized.title}: {what}: {why(sized.strength, at)}")
     remedy = 'harder steel, more planets, other module_ratios, on_overload = "scale", or a wider synthesis'
     return NoSolutionError("no train is strong enough: " + "\n  ".join(lines), where="criteria", remedy=remedy)
+
+
+def guides(requests: tuple[Request, ...]) -> tuple[Guide, ...]:
+    """One guide for every layout that has a theory."""
+    by_layout = {request.task.layout: request for request in requests}
+    found = (_guide(request) for request in by_layout.values())
+    return tuple(guide for guide in found if guide.splits or guide.proportion is not None)
+
+
+def _guide(request: Request) -> Guide:
+    task = request.task
+    ratio = float(task.nominal)
+    if task.scheme.stepped and ratio > 1:
+        modules = equal_strength(ratio, internal=bool(task.scheme.rings)).modules
+        return Guide(task.layout, ratio, proportion=float(modules[0]))
+    if task.scheme.branched or task.scheme.planetary:
+        return Guide(task.layout, ratio)
+    stages, limit = task.scheme.stages, task.demands.stage_ratio
+    most = None if limit is None else float(limit)
+    if most is not None and ratio > most**stages:
+        return Guide(task.layout, ratio, (equal_diameters(ratio, stages),))
+    splits = (best_split(ratio, criterion, stages, most=most) for criterion in CRITERIA)
+    return Guide(task.layout, ratio, (equal_diameters(ratio, stages), *splits))

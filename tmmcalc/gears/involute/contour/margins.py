@@ -1,4 +1,8 @@
-"""How far a pair is from every condition of the blocking contour; exact, for shifts of any shape."""
+"""How far a pair is from every condition of the blocking contour; exact, for shifts of any shape.
+
+These are the margins that are printed. The boundary itself follows from `frame`, which has the same conditions with
+their derivatives in (w, x1); `exact` has them once more in extended precision, as a check of both.
+"""
 
 from __future__ import annotations
 

@@ -59,7 +59,7 @@ def internal_sliding(pair: InternalPair, rho1: Values, segment: tuple[float, flo
     theta1, theta2 = slide(rho1, rho2, pair.ratio)
     pitch = float(pair.operating[0] * np.sin(pair.angle))
     inside = (rho1 >= low - 1e-12 * high) & (rho1 <= high * (1 + 1e-12))
-    return Sliding(rho1, rho2, rho1 - pitch, theta1, theta2, g / (rho1 * rho2), inside)
+    return Sliding(rho1, rho1 - pitch, theta1, theta2, g / (rho1 * rho2), inside)
 
 
 def internal_extremes(pair: InternalPair, segment: tuple[float, float] | None = None) -> SlidingExtremes:

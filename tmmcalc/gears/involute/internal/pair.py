@@ -80,12 +80,6 @@ class InternalPair:
         return (end - start) / self.pinion.base_pitch
 
     @property
-    def active_radii(self) -> tuple[float, float]:
-        """r_p1, the lowest radius of the pinion that the ring's tip reaches; r_p2, the greatest of the ring."""
-        first, second = self.starts
-        return hypot(self.pinion.base, first), hypot(self.ring.base, second)
-
-    @property
     def clearances(self) -> tuple[float, float]:
         """Radial clearances at the roots of the pinion and of the ring."""
         return (

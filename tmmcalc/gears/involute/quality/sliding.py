@@ -19,10 +19,9 @@ from tmmcalc.gears.model import Values
 
 @record
 class Sliding:
-    """n points of the line of action; lengths in normal modules. Internal pairs: rho2 = rho1 + N1N2."""
+    """n points of the line of action; lengths in normal modules."""
 
     rho1: Values  # (n,) radius of curvature of wheel 1
-    rho2: Values  # (n,) radius of curvature of wheel 2
     along: Values  # (n,) s, distance from the pitch point, negative before it
     theta1: Values  # (n,) specific sliding of wheel 1
     theta2: Values  # (n,) specific sliding of wheel 2
@@ -72,7 +71,7 @@ def sliding(pair: Pair, rho1: Values, segment: tuple[float, float] | None = None
     theta1, theta2 = slide(rho1, rho2, pair.ratio)
     pitch = float(pair.operating[0] * np.sin(pair.angle))
     inside = (rho1 >= low - 1e-12 * g) & (rho1 <= high + 1e-12 * g)
-    return Sliding(rho1, rho2, rho1 - pitch, theta1, theta2, g / (rho1 * rho2), inside)
+    return Sliding(rho1, rho1 - pitch, theta1, theta2, g / (rho1 * rho2), inside)
 
 
 def whole_segment(pair: Pair) -> tuple[float, float]:
