@@ -151,7 +151,7 @@ def _tracked(chain: Chain, x: Real, values: Trace, dense: Survey) -> Trace:
             where="kinematics",
             remedy="use a smaller step of the differences, or a range that keeps clear of the limit position",
         )
-    return replace(values, angle=continuous(values.angle, x, *dense.tracks()))
+    return replace(values, angle=continuous(values.angle, x, *dense.link_angles()))
 
 
 def _freeze(*arrays: np.ndarray) -> None:

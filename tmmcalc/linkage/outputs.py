@@ -108,8 +108,8 @@ def values_at(chain: Chain, output: Output, at: Real, dense: Survey) -> Real:
     raw = np.broadcast_to(coordinate_of(chain, output, chain.evaluate(at))[0], at.shape)
     if output.link is None:
         return raw
-    x, tracks = dense.tracks()
-    return continuous(raw[None], at, x, tracks[[dense.links.index(output.link)]])[0]
+    x, link_angles = dense.link_angles()
+    return continuous(raw[None], at, x, link_angles[[dense.links.index(output.link)]])[0]
 
 
 def order_from_working(chain: Chain, output: Output, centres: Real, values: Real, gain: float) -> Real:

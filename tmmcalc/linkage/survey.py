@@ -47,7 +47,7 @@ class Survey(NamedTuple):
         """Continuous angle of a link (m,) [rad]."""
         return self.angles[self.links.index(link)]
 
-    def tracks(self) -> tuple[Real, Real]:
+    def link_angles(self) -> tuple[Real, Real]:
         """Input coordinates (k,) and continuous angles (L, k); a full turn with the turns before and after it."""
         return three_turns(self.x, self.angles) if self.full else (self.x, self.angles)
 

@@ -132,10 +132,10 @@ def principal(angle: Real) -> Real:
     return np.asarray(angle - TURN * np.ceil((angle - SEAM) / TURN - 0.5))
 
 
-def continuous(angle: Real, x: Real, survey_x: Real, tracks: Real) -> Real:
-    """Angles (L, n) at ``x`` in the turns of the continuous ``tracks`` (L, m) at ascending ``survey_x``."""
+def continuous(angle: Real, x: Real, survey_x: Real, link_angles: Real) -> Real:
+    """Angles (L, n) at ``x`` in the turns of the continuous ``link_angles`` (L, m) at ascending ``survey_x``."""
     result = np.empty_like(angle)
-    for row, track in enumerate(tracks):
+    for row, track in enumerate(link_angles):
         near = np.interp(x, survey_x, track)
         result[row] = angle[row] + TURN * np.rint((near - angle[row]) / TURN)
     return result

@@ -77,10 +77,10 @@ def turned(before: Real | Plane, after: Real | Plane) -> Flags:
 def _zeros(force: Real, before: Indices) -> Real:
     """Zeros (m,) of forces (m, N) between their points ``before`` - 1 and ``before``, each from its longer side."""
     points, count = rule(force.shape[1]).points, force.shape[1]
-    late = before > count // 2
-    start = np.where(late, before - SIDE, before)
+    in_second_half = before > count // 2
+    start = np.where(in_second_half, before - SIDE, before)
     side = start[:, None] + np.arange(SIDE)
-    near = points[np.where(late, before - 1, before)]
+    near = points[np.where(in_second_half, before - 1, before)]
     powers = (points[side] - near[:, None])[:, :, None] ** np.arange(SIDE - 1, -1, -1)
     fit = np.linalg.solve(powers, np.take_along_axis(force, side, axis=1)[:, :, None])[:, :, 0]
     at = np.zeros(len(force))

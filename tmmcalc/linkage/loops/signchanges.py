@@ -29,18 +29,18 @@ def split_grades(chain: Chain, x: Real) -> tuple[Grade, ...]:
     return tuple(found)
 
 
-def _grades(chain: Chain, k: int, x: Real, way: np.ndarray) -> list[Grade]:
+def _grades(chain: Chain, k: int, x: Real, variant: np.ndarray) -> list[Grade]:
     """How one group is split, and its changes of sign."""
     step = cast(SplitStep, chain.steps[k])
     split, where = step.split, f"splitting of {step.group.name}"
     dyads = ", ".join(group.name for group in split.dyads)
     how = f"link {split.removed} is removed, the angle of link {split.trial} is tried, dyads {dyads}"
     found = [Grade("note", where, how)]
-    for i in np.flatnonzero(np.diff(way)):
+    for i in np.flatnonzero(np.diff(variant)):
         at = _change(chain, k, float(x[i]), float(x[i + 1]))
         changed = [
             f"{one.group.name} from {one.variant:+d} to {other.variant:+d}"
-            for one, other in zip(split.ways[way[i]], split.ways[way[i + 1]], strict=True)
+            for one, other in zip(split.variants[variant[i]], split.variants[variant[i + 1]], strict=True)
             if one.variant != other.variant
         ]
         regularity = _regularity(chain, k, step.loops, at)
@@ -56,8 +56,8 @@ def _change(chain: Chain, k: int, low: float, high: float) -> float:
     """The coordinate between two at which the signs change."""
     for _ in range(ZOOMS):
         x = np.linspace(low, high, PARTS + 1)
-        way = chain.evaluate(x, order=0, steps=k + 1).placed[k]
-        i = int(np.argmax(way[1:] != way[0]))
+        variant = chain.evaluate(x, order=0, steps=k + 1).placed[k]
+        i = int(np.argmax(variant[1:] != variant[0]))
         low, high = float(x[i]), float(x[i + 1])
     return (low + high) / 2
 

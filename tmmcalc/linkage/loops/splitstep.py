@@ -58,34 +58,34 @@ class SplitStep(NamedTuple):
     def advance(
         self, motions: Motions, slides: Slides, x: Real, order: int, method: solvers.Method
     ) -> tuple[Split, np.ndarray]:
-        """Place the group and add the motions of its links; its split, and the way (n,) that its signs take there."""
-        theta, way = self._angles(motions, x, order)
-        ways = sorted({*way.tolist()})
-        moved = [_moved(self.split, k, motions, theta, order) for k in ways]
+        """Place the group and add the motions of its links; its split, and the variant (n,) of its dyads there."""
+        theta, variant = self._angles(motions, x, order)
+        variants = sorted({*variant.tolist()})
+        moved = [_moved(self.split, k, motions, theta, order) for k in variants]
         for link in self.group.links:
-            states = _chosen([one.motions[link][1:] for one in moved], way, ways)
+            states = _chosen([one.motions[link][1:] for one in moved], variant, variants)
             motions[link] = LinkMotion(moved[0].motions[link].base, *states)
         for joint in moved[0].slides:
-            slides[joint] = Slide(*_chosen([one.slides[joint] for one in moved], way, ways))
-        return self.split, way
+            slides[joint] = Slide(*_chosen([one.slides[joint] for one in moved], variant, variants))
+        return self.split, variant
 
     def _angles(self, motions: Motions, x: Real, order: int) -> tuple[Real, np.ndarray]:
-        """The tried angle (n,) that closes the group on its branch, and the way (n,) that does."""
+        """The tried angle (n,) that closes the group on its branch, and the variant (n,) that does."""
         q, turnings = guess(self.loops.branch, x), self.loops.equations.turnings
         told = {k: turnings[k].turn * np.exp(1j * q[turnings[k].of]) for k in self.group.links if not turnings[k].known}
         middle = np.angle(told[self.split.trial])
-        count = len(self.split.ways)
+        count = len(self.split.variants)
         found, astray = np.empty((count, len(x))), np.full((count, len(x)), np.inf)
-        for way in range(count):
-            found[way] = _root(_residual(self.split, way, motions, len(x)), middle)
-            tried = _tried(self.split, way, motions, found[way], 0)
+        for variant in range(count):
+            found[variant] = _root(_residual(self.split, variant, motions, len(x)), middle)
+            tried = _tried(self.split, variant, motions, found[variant], 0)
             gaps = [np.abs(tried.motions[k].u - told[k]) for k in told if k != self.split.removed]
             closed = (
                 np.abs(np.abs(tried.apart.r) - self.split.length) < (CLOSED if order else NEARLY) * self.split.length
             )
-            astray[way] = np.where(closed, np.max(np.broadcast_arrays(*gaps), axis=0), np.inf)
-        way = np.argmin(astray, axis=0)
-        lost = ~(np.take_along_axis(astray, way[None], axis=0)[0] < ASTRAY)
+            astray[variant] = np.where(closed, np.max(np.broadcast_arrays(*gaps), axis=0), np.inf)
+        variant = np.argmin(astray, axis=0)
+        lost = ~(np.take_along_axis(astray, variant[None], axis=0)[0] < ASTRAY)
         if lost.any():
             raise AccuracyError(
                 f"at the input coordinate {float(x[lost][0]):.9g} no angle of link {self.split.trial} closes the group "
@@ -93,7 +93,7 @@ class SplitStep(NamedTuple):
                 where=f"kinematics, splitting of {self.group.name}",
                 remedy="leave --method splitting out: the equations of all loops at once have no such places",
             )
-        return np.take_along_axis(found, way[None], axis=0)[0], way
+        return np.take_along_axis(found, variant[None], axis=0)[0], variant
 
 
 def split_chain(chain: Chain) -> Chain:
@@ -113,7 +113,13 @@ def _split_step(chain: Chain, step: LoopStep) -> SplitStep:
 
 
 def _tried(
-    split: Split, way: int, motions: Motions, theta: Real, order: int, omega: Real | float = 0, eps: Real | float = 0
+    split: Split,
+    variant: int,
+    motions: Motions,
+    theta: Real,
+    order: int,
+    omega: Real | float = 0,
+    eps: Real | float = 0,
 ) -> Tried:
     """The dyads behind the trial link at the angles theta (n,), turning with omega, eps."""
     own, source = split.pivot
@@ -121,27 +127,27 @@ def _tried(
     at, u = motions[source.link].point(source.point), np.exp(1j * theta)
     moved[split.trial] = rotated(own.point, at, u, *(np.broadcast_to(rate, theta.shape) for rate in (omega, eps)))
     with np.errstate(divide="ignore", invalid="ignore"):
-        for step in split.ways[way]:
+        for step in split.variants[variant]:
             step.advance(moved, slides, theta, order, solvers.closed)
         one, other = (moved[pin.link].point(pin.point) for pin in split.freed)
     return Tried(moved, slides, (one, other))
 
 
-def _moved(split: Split, way: int, motions: Motions, theta: Real, order: int) -> Tried:
+def _moved(split: Split, variant: int, motions: Motions, theta: Real, order: int) -> Tried:
     """The group at the angles (n,) that close it, with its rates, and the removed link."""
-    tried = _rated(split, way, motions, theta) if order else _tried(split, way, motions, theta, 0)
+    tried = _rated(split, variant, motions, theta) if order else _tried(split, variant, motions, theta, 0)
     d, own = tried.apart, split.pins[1] - split.pins[0]
     turning, growing = ((np.conj(d.r) * rate).imag / np.abs(d.r) ** 2 for rate in (d.v, d.a))
     tried.motions[split.removed] = rotated(split.pins[0], tried.pins[0], d.r / own, turning, growing)
     return tried
 
 
-def _rated(split: Split, way: int, motions: Motions, theta: Real) -> Tried:
+def _rated(split: Split, variant: int, motions: Motions, theta: Real) -> Tried:
     """The group with the rates of the tried angle that keep the length of the removed link."""
-    rates = [_half_square(_tried(split, way, motions, theta, 2, omega))[0] for omega in (0.0, 1.0)]
+    rates = [_half_square(_tried(split, variant, motions, theta, 2, omega))[0] for omega in (0.0, 1.0)]
     omega = -rates[0] / (rates[1] - rates[0])
-    seconds = [_half_square(_tried(split, way, motions, theta, 2, omega, eps))[1] for eps in (0.0, 1.0)]
-    return _tried(split, way, motions, theta, 2, omega, -seconds[0] / (seconds[1] - seconds[0]))
+    seconds = [_half_square(_tried(split, variant, motions, theta, 2, omega, eps))[1] for eps in (0.0, 1.0)]
+    return _tried(split, variant, motions, theta, 2, omega, -seconds[0] / (seconds[1] - seconds[0]))
 
 
 def _half_square(tried: Tried) -> tuple[Real, Real]:
@@ -150,19 +156,21 @@ def _half_square(tried: Tried) -> tuple[Real, Real]:
     return (np.conj(d.r) * d.v).real, (np.conj(d.r) * d.a).real + np.abs(d.v) ** 2
 
 
-def _chosen(states: list[Any], way: np.ndarray, ways: list[int]) -> list[Any]:
-    """Of arrays by way, those of the way (n,) that each position takes."""
-    return [np.select([way == k for k in ways], list(parts)) for parts in zip(*states, strict=True)]
+def _chosen(states: list[Any], variant: np.ndarray, variants: list[int]) -> list[Any]:
+    """Of arrays by variant, those of the one (n,) that each position has."""
+    return [np.select([variant == k for k in variants], list(parts)) for parts in zip(*states, strict=True)]
 
 
-def _residual(split: Split, way: int, motions: Motions, n: int) -> Residual:
+def _residual(split: Split, variant: int, motions: Motions, n: int) -> Residual:
     """g = |DE| / l - 1, NaN where a dyad does not reach."""
-    needed = {seat.link for step in split.ways[way] for seat in (step.port1, step.port2)} | {split.pivot[1].link}
+    needed = {seat.link for step in split.variants[variant] for seat in (step.port1, step.port2)} | {
+        split.pivot[1].link
+    }
     needed = (needed | {pin.link for pin in split.freed}) & set(motions)
 
     def g(theta: Real, which: np.ndarray) -> Real:
         own = {k: LinkMotion(*(_of(part, n, which) for part in motions[k])) for k in needed}
-        return np.asarray(np.abs(_tried(split, way, own, theta, 0).apart.r) / split.length - 1)
+        return np.asarray(np.abs(_tried(split, variant, own, theta, 0).apart.r) / split.length - 1)
 
     return g
 

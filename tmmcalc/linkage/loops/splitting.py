@@ -34,7 +34,7 @@ class Split(NamedTuple):
     freed: tuple[Element, Element]  # the same pins on the links that it joined
     trial: int  # link whose angle is tried
     pivot: tuple[Element, Element]  # its outer pin on itself, and on the source chain
-    ways: tuple[tuple[Step, ...], ...]  # the dyads with all combinations of their signs
+    variants: tuple[tuple[Step, ...], ...]  # the dyads with all combinations of their signs
 
     @property
     def length(self) -> float:
@@ -44,7 +44,7 @@ class Split(NamedTuple):
     @property
     def dyads(self) -> tuple[Group, ...]:
         """The dyads, in order."""
-        return tuple(step.group for step in self.ways[0])
+        return tuple(step.group for step in self.variants[0])
 
 
 def split_of(mechanism: Mechanism, group: Group) -> Split:
@@ -89,9 +89,9 @@ def _split(
     own = [element(joint, removed).point for joint in pins]
     freed = [element(joint, _other(joint, removed)) for joint in pins]
     signs = product((1, -1), repeat=len(dyads))
-    ways = tuple(tuple(build(mechanism, group, k) for group, k in zip(dyads, row, strict=True)) for row in signs)
+    variants = tuple(tuple(build(mechanism, group, k) for group, k in zip(dyads, row, strict=True)) for row in signs)
     outer = element(pivot, trial), element(pivot, _other(pivot, trial))
-    return Split(removed, (own[0], own[1]), (freed[0], freed[1]), trial, outer, ways)
+    return Split(removed, (own[0], own[1]), (freed[0], freed[1]), trial, outer, variants)
 
 
 def _other(joint: Joint, link: int) -> int:

@@ -163,11 +163,11 @@ def _name_dead_centres(axes: Axes, result: Kinematics, curves: Sequence[OutputCu
     found = sorted(
         (abs(centre), centre, curve.style["color"]) for curve in curves for centre in _dead_centres(result, curve, full)
     )
-    kept = [item for k, item in enumerate(found) if k == 0 or item[0] - found[k - 1][0] > 1e-3 * span]
-    ways = [item[0] for item in kept]
-    for k, (way, centre, color) in enumerate(kept):
-        before = k > 0 and way - ways[k - 1] < NARROW * span
-        after = k + 1 < len(ways) and ways[k + 1] - way < NARROW * span
+    apart = [item for k, item in enumerate(found) if k == 0 or item[0] - found[k - 1][0] > 1e-3 * span]
+    places = [item[0] for item in apart]
+    for k, (place, centre, color) in enumerate(apart):
+        before = k > 0 and place - places[k - 1] < NARROW * span
+        after = k + 1 < len(places) and places[k + 1] - place < NARROW * span
         side = "center" if before == after else "left" if before else "right"
         text = f"{signed(round(centre, 2), 6)}{'°' if result.turns else ''}"
         style = {"fontsize": 6.5, "ha": side, "va": "bottom", "color": color}

@@ -43,12 +43,12 @@ def _evaluate(block: Block, dense: Dense) -> Evaluate:
 
 
 def _summaries(block: Block, dense: Dense, o: int) -> Iterator[OutputSummary]:
-    output, tracks = dense.outputs[o], dense.coordinates[o, 0]
+    output, coordinates = dense.outputs[o], dense.coordinates[o, 0]
     centres = block.settled.reversals[o][dense.variants]
     # in the order of the survey, which begins at position 0
     begin = dense.x[:, :1]
     centres = np.sort(begin + np.mod(centres - begin, TURN), axis=1)
-    values, gains = _values(block, dense, o, centres), [gain_of(output, track) for track in tracks]
+    values, gains = _values(block, dense, o, centres), [gain_of(output, track) for track in coordinates]
     owns = [block.chain(int(v)) for v in dense.variants]
     ordered = centres
     if centres.shape[1] > 1:

@@ -42,7 +42,7 @@ class Settled(NamedTuple):
     reversals: tuple[Real, ...]  # (V, c) ascending dead centres of all outputs whose are sought
     turning: Real  # (V, R) where rubbing pairs turn back [rad]
     scales: dict[str, Real]  # largest relative rates (V,) in the rubbing joints
-    tracks: Real | None  # (L, V, STEPS + 1) continuous angles of the links over the survey [rad]
+    link_angles: Real | None  # (L, V, STEPS + 1) continuous angles of the links over the survey [rad]
 
 
 def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool, told: bool = False) -> Settled:
@@ -58,7 +58,7 @@ def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool
     ]
     clear = np.concatenate([look.clear for look in looks])
     rates = np.concatenate([look.rates for look in looks], axis=1)
-    tracks = np.concatenate([look.tracks for look in looks], axis=1) if tracked else None
+    link_angles = np.concatenate([look.link_angles for look in looks], axis=1) if tracked else None
     largest = np.max(np.abs(rates), axis=2)
 
     def f(at: Real, variant: Indices, function: Indices) -> Real:
@@ -82,16 +82,16 @@ def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool
         reversals,
         np.concatenate([np.zeros((count, 0)), *backs], axis=1),
         {name: row.view(Alike) for name, row in zip(rubbing, largest[outputs:], strict=True)},
-        tracks,
+        link_angles,
     )
 
 
 class _Look(NamedTuple):
-    """Samples of some variants: which are clear (v,), rates (F, v, STEPS), tracks."""
+    """Samples of some variants: which are clear (v,), rates (F, v, STEPS), angles of the links."""
 
     clear: Flags
     rates: Real
-    tracks: Real
+    link_angles: Real
 
 
 def _look(chain: Rows[Chain], variants: Indices, outputs: int, rubbing: Sequence[str], tracked: bool) -> _Look:
@@ -102,11 +102,11 @@ def _look(chain: Rows[Chain], variants: Indices, outputs: int, rubbing: Sequence
     clear = np.ones(len(variants), bool)
     for k in range(len(own.steps)):
         clear &= _reaches(own, k, configuration, len(variants))
-    tracks: Real = np.zeros((0, len(variants), 0))
+    link_angles: Real = np.zeros((0, len(variants), 0))
     if tracked:
-        tracks = _tracks(own, configuration, len(variants))
-        clear &= np.max(np.abs(np.diff(tracks, axis=2)), axis=(0, 2)) < SWIFT
-    return _Look(clear, rates, tracks)
+        link_angles = _link_angles(own, configuration, len(variants))
+        clear &= np.max(np.abs(np.diff(link_angles, axis=2)), axis=(0, 2)) < SWIFT
+    return _Look(clear, rates, link_angles)
 
 
 def _rates(chain: Chain, configuration: Configuration, outputs: int, rubbing: Sequence[str], n: int) -> Real:
@@ -133,7 +133,7 @@ def _reaches(chain: Chain, k: int, configuration: Configuration, count: int) -> 
     return np.asarray(clear)
 
 
-def _tracks(chain: Chain, configuration: Configuration, count: int) -> Real:
+def _link_angles(chain: Chain, configuration: Configuration, count: int) -> Real:
     """Continuous angles (L, v, STEPS + 1) of the links in their order; the last sample is a turn after the first."""
     links = sorted(link.id for link in chain.mechanism.links)
     u = [np.broadcast_to(configuration.motions[k].u, count * STEPS).reshape(count, STEPS) for k in links]

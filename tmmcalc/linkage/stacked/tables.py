@@ -34,8 +34,8 @@ def kinematics_of(block: Block, variants: Indices) -> Kinematics:
     start = np.broadcast_to(np.asarray(block.settled.start), block.size)[variants]
     x = (start[:, None] + base.phi).ravel()
     values = trace(chain, x)
-    if block.settled.tracks is not None:
-        values = replace(values, angle=_continuous(values, block.settled.tracks[:, variants], x))
+    if block.settled.link_angles is not None:
+        values = replace(values, angle=_continuous(values, block.settled.link_angles[:, variants], x))
     drive: Any = chain.mechanism.input
     s, ds, dds = (np.array(part) for part in zip(*_outputs(chain, values), strict=True))
     first = s.reshape(len(s), len(variants), n)[:, :, :1]
@@ -75,14 +75,14 @@ def _outputs(chain: Any, values: Trace) -> list[tuple[Real, Real, Real]]:
     return [output_row(output, values) for output in default_outputs(chain)]
 
 
-def _continuous(values: Trace, tracks: Real, x: Real) -> Real:
+def _continuous(values: Trace, link_angles: Real, x: Real) -> Real:
     """Angles (L, v n) in the turns of the survey (L, v, STEPS + 1), in (-pi, pi] at the first position of each."""
     turned, place = np.divmod((x - X[0]) / STEP, STEPS)
     cell = np.minimum(place.astype(int), STEPS - 1)
-    variant = np.repeat(np.arange(tracks.shape[1]), len(x) // tracks.shape[1])
-    low, high = tracks[:, variant, cell], tracks[:, variant, cell + 1]
-    near = low + (high - low) * (place - cell) + turned * (tracks[:, :, -1] - tracks[:, :, 0])[:, variant]
-    shape = (len(near), tracks.shape[1], -1)
+    variant = np.repeat(np.arange(link_angles.shape[1]), len(x) // link_angles.shape[1])
+    low, high = link_angles[:, variant, cell], link_angles[:, variant, cell + 1]
+    near = low + (high - low) * (place - cell) + turned * (link_angles[:, :, -1] - link_angles[:, :, 0])[:, variant]
+    shape = (len(near), link_angles.shape[1], -1)
     first = values.angle.reshape(shape)[:, :, 0]
     offset = np.rint((principal(first) - near.reshape(shape)[:, :, 0]) / TURN)[:, :, None]
     near = (near.reshape(shape) + TURN * offset).reshape(near.shape)

@@ -48,7 +48,7 @@ def solve_unsteady(mechanism: Mechanism, task: UnsteadyTask, kinematics: Kinemat
     s, v, a = motion(law, rows.t, rows.side)
     x = start + s
     found = trace(chain, x)
-    found = found if dense is None else replace(found, angle=continuous(found.angle, x, *dense.tracks()))
+    found = found if dense is None else replace(found, angle=continuous(found.angle, x, *dense.link_angles()))
     outputs = default_outputs(chain)
     moved = _in_time(found, v, a)
     return Unsteady(
