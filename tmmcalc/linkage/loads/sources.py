@@ -19,7 +19,6 @@ from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Configuration
 from tmmcalc.linkage.loading import Body, Load, Loading, Spring
 from tmmcalc.linkage.loadlaws.resistance import Resistance
-from tmmcalc.linkage.loads.inertia import inertia_load
 from tmmcalc.linkage.model import FRAME
 from tmmcalc.linkage.survey import Survey
 
@@ -87,6 +86,21 @@ def weights(loading: Loading) -> list[Source]:
         ]
 
     return [Source("weight", "weight", 0, actions)]
+
+
+class InertiaLoad(NamedTuple):
+    """Force [N] at the centre of mass and couple [N*m], (n,) each."""
+
+    force: Plane
+    couple: Real
+    at: Point  # state of the centre of mass
+
+
+def inertia_load(body: Body, motion: LinkMotion, speed: float, acceleration: float) -> InertiaLoad:
+    """The inertia (3.1) of a body whose link moves so, at the input's speed and acceleration; in its precision."""
+    at, w2 = motion.point(body.center), speed * speed
+    a: Plane = at.a * w2 + at.v * acceleration
+    return InertiaLoad(-body.mass * a, -body.inertia * (motion.eps * w2 + motion.omega * acceleration), at)
 
 
 def inertia(bodies: tuple[Body, ...], speed: float, acceleration: float) -> Source:

@@ -24,7 +24,7 @@ from tmmcalc.core.records import record
 from tmmcalc.linkage.assembly import check_range, find_domain
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.loading import Body
-from tmmcalc.linkage.loads.inertia import inertia_load
+from tmmcalc.linkage.loads.sources import inertia_load
 from tmmcalc.linkage.model import FRAME
 
 WHERE = "balance"
