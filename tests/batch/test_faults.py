@@ -155,10 +155,10 @@ def test_a_slip_in_the_points_that_are_tried_first(monkeypatch: pytest.MonkeyPat
     from tmmcalc.batch.task import BROKEN
 
     task = facts()
-    real, bad = preparing._made, {task.spread()[0], task.spread()[1]}
-    monkeypatch.setattr(preparing, "_made", failing(ValueError("a slip"), lambda task, point: point in bad, real))
+    real, bad = preparing._solver, {task.spread()[0], task.spread()[1]}
+    monkeypatch.setattr(preparing, "_solver", failing(ValueError("a slip"), lambda task, point: point in bad, real))
     assert not isinstance(stacked.prepared(task), str)
-    monkeypatch.setattr(preparing, "_made", failing(ValueError("a slip"), lambda task, point: True, real))
+    monkeypatch.setattr(preparing, "_solver", failing(ValueError("a slip"), lambda task, point: True, real))
     preparing._prepared.cache_clear()
     assert stacked.prepared(task) == "a fault of the program: ValueError: a slip"
     assert BROKEN not in {row.status for row in stacked.solve_points(task, range(2))}

@@ -39,7 +39,7 @@ def _prepared(task: Task, files: str) -> Columns | Results | str:
     reason = "no variant that was tried has a solution"
     for point in _tried(task):
         try:
-            return _made(task, point)
+            return _solver(task, point)
         except UsageError as error:
             return f"{error.where}: {error.message}"
         except TmmError:
@@ -56,7 +56,7 @@ def _tried(task: Task) -> list[int]:
     return sorted(points, key=lambda point: -int(np.count_nonzero(task.values(point))))
 
 
-def _made(task: Task, point: int) -> Columns | Results | str:
+def _solver(task: Task, point: int) -> Columns | Results | str:
     from tmmcalc.pipeline.runner import run
 
     spec = task.variants().spec(task.assignments(point))

@@ -35,7 +35,7 @@ def map_feasibility(file: str | Path, over: Sequence[str], overrides: Sequence[s
     folder = str(path.parent.absolute())  # whoever goes elsewhere meanwhile
     task = Task(text, str(path), folder, tuple(overrides), tuple(axes), targets=("feasibility",))
     parameters = [Parameter(axis.name, axis.values, tuple(map(axis.assignment, axis.values))) for axis in axes]
-    return region_map(parameters, _told(task))
+    return region_map(parameters, _judged(task))
 
 
 def _axes(text: str, path: Path, over: Sequence[str], overrides: Sequence[str]) -> list[Axis]:
@@ -60,7 +60,7 @@ def _axes(text: str, path: Path, over: Sequence[str], overrides: Sequence[str]) 
     return axes
 
 
-def _told(task: Task) -> Iterator[Feasibility | TmmError]:
+def _judged(task: Task) -> Iterator[Feasibility | TmmError]:
     """What is found at every point, with a word on how far it is."""
     from tmmcalc.batch.outcomes import outcomes
 

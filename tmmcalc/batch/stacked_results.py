@@ -67,7 +67,7 @@ class Results:
         found, (every, apart) = {}, self.results(points)
         for point, results in every.items():
             try:
-                values = self._told(results)
+                values = self._quantities(results)
             except Exception as fault:  # one variant that breaks the program must not end the others
                 apart[point] = verdict(fault)[1]
                 continue
@@ -83,7 +83,7 @@ class Results:
                 self._complete(points[int(which[k])], variant, every)
         return every
 
-    def _told(self, results: Found) -> dict[str, float]:
+    def _quantities(self, results: Found) -> dict[str, float]:
         task = self._task
         asked = [*self._stages] if task.patterns or not task.targets else [*task.targets]
         return {name: value for stage in asked for name, value in told(stage, results[stage], task.patterns)}
@@ -98,12 +98,12 @@ class Results:
         some, machines = np.flatnonzero(block.settled.clear), Rows(machine)
         found = {v: _Variant({"structure": self._base.results["structure"]}, machines(v)) for v in some.tolist()}
         if some.size:
-            some = _kept(found, some, "kinematics", kinematics_records(block, some))
+            some = _noted(found, some, "kinematics", kinematics_records(block, some))
         if some.size and "forces" in self._stages:
-            some = _kept(found, some, "forces", forces_records(block, some, _of(found, some, "kinematics")))
+            some = _noted(found, some, "forces", forces_records(block, some, _of(found, some, "kinematics")))
         if some.size and "reduction" in self._stages:
             reductions, cycles = reduction_records(block, some, _of(found, some, "kinematics"))
-            before, some = some, _kept(found, some, "reduction", reductions)
+            before, some = some, _noted(found, some, "reduction", reductions)
             if self._motion and some.size and "power" in self._stages:
                 self._move(block, machine, before, cycles, found)
         return found
@@ -120,7 +120,7 @@ class Results:
                 own = [found[v].results if v in found else None for v in some.tolist()]
                 made = each(block, some, machine, cycles, own, self._key)
                 there = [k for k, results in enumerate(own) if results is not None]
-                _kept(found, some[there], name, [made[k] for k in there])
+                _noted(found, some[there], name, [made[k] for k in there])
 
     def _complete(self, point: int, variant: _Variant, every: Together[Found]) -> None:
         """Run the stages that are left, and note the variant if all have a result."""
@@ -150,7 +150,7 @@ def _of(found: dict[int, _Variant], some: Indices, stage: str) -> list[Any]:
     return [found[v].results[stage] for v in some.tolist()]
 
 
-def _kept(found: dict[int, _Variant], some: Indices, stage: str, results: Sequence[Any]) -> Indices:
+def _noted(found: dict[int, _Variant], some: Indices, stage: str, results: Sequence[Any]) -> Indices:
     """Note the results of a stage; variants without one are dropped. The others."""
     for v, result in zip(some.tolist(), results, strict=True):
         if result is None:

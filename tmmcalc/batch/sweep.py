@@ -55,7 +55,7 @@ def sweep(
         done = _Done(task, journal, most_failed, told)
         if journal is not None and not fresh:
             done.take(journal.rows())
-            done.take(_kept(stored, done) if stored is not None else ())
+            done.take(_finished(stored, done) if stored is not None else ())
         resumed = len(done.rows)
         for rows in _solved(task, solver, done):
             done.add(rows)
@@ -72,7 +72,7 @@ def part(out: Path) -> Path:
     return out.with_name(f"{out.name}.part")
 
 
-def _kept(stored: Sheet, done: _Done) -> list[Row]:
+def _finished(stored: Sheet, done: _Done) -> list[Row]:
     """The points of a finished table that are to be kept: a fault of the program is tried again."""
     return [row for row in rows_of(stored) if row.status != BROKEN and row.point not in done.rows]
 

@@ -42,13 +42,13 @@ def motion_errors(task: ManipulatorTask, moved: Motion, t: Values, side: Indices
         route = timed(legs_of(widened(task.motion.route)), widened(task.motion.drive))
         assert moved.route is not None
         ways = zip("sva", moved.route.way(t[rows], sides), route.way(at, sides), strict=True)
-        found |= {name: _apart(told, exact) for name, told, exact in ways}
+        found |= {name: _difference(told, exact) for name, told, exact in ways}
         hand = route.gripper(at, sides)
         joints = _whole_turns(arm, inverse(arm, hand), q)
     else:
         joints = _course(task, moved)(at, sides)
         hand = direct(arm, joints)
-    found |= {name: _apart(told, exact) for name, told, exact in zip(ORDERS, p, hand, strict=True)}
+    found |= {name: _difference(told, exact) for name, told, exact in zip(ORDERS, p, hand, strict=True)}
     return found | dict(_of_joints(arm, hand, joints, q))
 
 
@@ -79,10 +79,10 @@ def _of_joints(arm: Arm, hand: Values, exact: Values, told: Values) -> Iterator[
     sizes = _terms(arm, hand, exact)
     for k, joint in enumerate(arm.joints):
         for order, name in enumerate((joint.name, joint.rate, joint.acceleration)):
-            yield name, _apart(told[order, k], exact[order, k], sizes[k][order])
+            yield name, _difference(told[order, k], exact[order, k], sizes[k][order])
     if arm.kind == "angular":
-        yield "elbow", _apart(told[0, -1] - told[0, -2], exact[0, -1] - exact[0, -2], np.ones(1))
-        yield "elbow_place", _apart(elbow_point(arm, told), elbow_point(arm, exact))
+        yield "elbow", _difference(told[0, -1] - told[0, -2], exact[0, -1] - exact[0, -2], np.ones(1))
+        yield "elbow_place", _difference(elbow_point(arm, told), elbow_point(arm, exact))
 
 
 def _terms(arm: Arm, hand: Values, q: Values) -> list[Sequence[Values]]:
@@ -113,7 +113,7 @@ def _angular(arm: Arm, w: Plane, q: Values) -> list[Sequence[Values]]:
     return [(np.ones(1), v / (length * sine), a / (length * sine)) for length in (arm.upper, arm.forearm)]
 
 
-def _apart(told: Values, exact: Values, terms: Values | None = None) -> float:
+def _difference(told: Values, exact: Values, terms: Values | None = None) -> float:
     """Largest difference over the largest value or sum of terms, with its margin; one rounding at least."""
     sizes = np.abs(exact).ravel() if terms is None else np.concatenate((np.ravel(terms), np.abs(exact).ravel()))
     scale = np.max(sizes[np.isfinite(sizes)], initial=0.0)

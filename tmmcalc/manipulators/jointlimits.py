@@ -24,7 +24,7 @@ def find_excesses(moved: Motion, limits: Sequence[JointLimit]) -> tuple[LimitExc
         return ()
     names = [joint.name for joint in moved.arm.ranged]
     rows = [names.index(limit.name) for limit in limits]
-    tracks = _tracks(moved, rows)
+    tracks = _local_extremes(moved, rows)
     found = (
         _excess(moved, k, track, (limit.name, edge, sign))
         for limit, k, track in zip(limits, rows, tracks, strict=True)
@@ -34,7 +34,7 @@ def find_excesses(moved: Motion, limits: Sequence[JointLimit]) -> tuple[LimitExc
     return tuple(each for each in found if each is not None)
 
 
-def _tracks(moved: Motion, rows: Sequence[int]) -> list[tuple[Values, Values]]:
+def _local_extremes(moved: Motion, rows: Sequence[int]) -> list[tuple[Values, Values]]:
     """Times and values (m,) of the local extremes and of the breaks of coordinates, in the order of time."""
 
     def coordinates(t: Values) -> Values:

@@ -40,7 +40,7 @@ def inside(obstacle: Obstacle, p: Values) -> Flags:
 
 def crossed(piece: Piece, obstacle: Obstacle) -> list[tuple[float, float]]:
     """Intervals of the way along a piece [m] that are inside of an obstacle; of no length where it is only touched."""
-    cuts = _apart([0.0, piece.length, *_cuts(piece, obstacle)], piece.length)
+    cuts = _distinct([0.0, piece.length, *_cuts(piece, obstacle)], piece.length)
     if len(cuts) < 2:
         return [(0.0, 0.0)] if inside(obstacle, piece.at(np.zeros(1))[0])[0] else []
     ends = np.array(cuts)
@@ -64,7 +64,7 @@ def _runs(cuts: list[float], within: Flags) -> list[tuple[float, float]]:
     return [(a, b) for (a, b), hit in zip(pairwise(cuts), within.tolist(), strict=True) if hit]
 
 
-def _apart(cuts: list[float], length: float) -> list[float]:
+def _distinct(cuts: list[float], length: float) -> list[float]:
     kept: list[float] = []
     for s in sorted(cuts):
         if not kept or s - kept[-1] > NEAR * length:

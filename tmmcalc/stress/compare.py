@@ -140,12 +140,12 @@ def _differences(
         kind = unit if unit not in ("", "-") else name
         size, gap = (
             np.max(np.abs(a), initial=largest.get(name, 0.0)),
-            np.max(_apart(a, b, unit, alignment.mirrored), initial=0.0),
+            np.max(_difference_of(a, b, unit, alignment.mirrored), initial=0.0),
         )
         yield Apart(name, kind, float(size), float(gap))
 
 
-def _apart(a: Values, b: Values, unit: str, mirrored: bool) -> Values:
+def _difference_of(a: Values, b: Values, unit: str, mirrored: bool) -> Values:
     """Differences; in a mirror a quantity is the same but for its sign, a direction of an axis also for half a turn."""
     gap = _gap(a, b, unit)
     if not mirrored:

@@ -34,7 +34,7 @@ def stress_document(result: Stress, title: str) -> Document:
     facts.append(Fact("faults of the program", str(count) if count else "none", {"faults": count}))
     facts += _disputed(result)
     lost = [(ladder, loss) for ladder in result.ladders for loss in ladder.losses() if (loss.met.error or 0.0) > KEPT]
-    facts.append(_kept(result, {(ladder.name, loss.stage) for ladder, loss in lost}))
+    facts.append(_digits_kept(result, {(ladder.name, loss.stage) for ladder, loss in lost}))
     notes = tuple(f"warning: {name}, {rung.setting}: {met.stage}: {met.message}" for name, rung, met in result.faults)
     rows = [_row(*each) for each in lost]
     table = View(LOSSES, list(zip(*rows, strict=True)), scientific=POWERS) if rows else None
@@ -77,7 +77,7 @@ def _without(result: Stress) -> Iterator[Fact]:
             yield Fact(f"no {name}", reason, {f"without_{name}": reason})
 
 
-def _kept(result: Stress, lost: set[tuple[str, str]]) -> Fact:
+def _digits_kept(result: Stress, lost: set[tuple[str, str]]) -> Fact:
     """The worst of all stages that lose nothing to speak of."""
     others = [loss for ladder in result.ladders for loss in ladder.losses() if (ladder.name, loss.stage) not in lost]
     largest = max((loss.met.error or 0.0 for loss in others), default=0.0)

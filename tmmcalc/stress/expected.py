@@ -85,10 +85,10 @@ def disagreements(found: RunResult | TmmError, wanted: Expected) -> Iterator[str
         yield f"the error does not say {wanted.words!r}: {error}"
     if isinstance(found, RunResult):
         for value in wanted.values:
-            yield from _apart(found, value)
+            yield from _differences(found, value)
 
 
-def _apart(run: RunResult, wanted: Value) -> Iterator[str]:
+def _differences(run: RunResult, wanted: Value) -> Iterator[str]:
     stage = wanted.name.partition(".")[0]
     if stage not in run.outcomes:
         yield f"{wanted.name}: there is no result of {stage}"

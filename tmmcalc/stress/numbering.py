@@ -68,13 +68,13 @@ def start_angle(scene: Scene) -> Climb:
     def steps() -> Iterator[Step]:
         for k in range(0, count, max(count // ANGLES, 1)):
             angle = first + math.copysign(2 * math.pi * k / count, result.speed)
-            told = _kept(changed(fixed, "mechanism", "input", "start", to=f"{angle!r} rad"), first)
+            told = _sketch_kept(changed(fixed, "mechanism", "input", "start", to=f"{angle!r} rad"), first)
             yield Step(
                 f"start {math.degrees(angle):.6g} deg",
                 math.degrees(angle),
                 told,
                 by_regularity,
-                Alignment(label=_later(k), shifted=True),
+                Alignment(label=_counted_from(k), shifted=True),
             )
 
     return Climb("first position over the turn", "1/regularity", "the same positions of the scene as it is", steps())
@@ -85,12 +85,12 @@ def _finer(parts: int) -> Callable[[int, int], int]:
     return lambda at, _: at * parts
 
 
-def _later(k: int) -> Callable[[int, int], int]:
+def _counted_from(k: int) -> Callable[[int, int], int]:
     """Where a position stands if position 0 is the one that was ``k``."""
     return lambda at, count: (at - k) % count
 
 
-def _kept(document: Document, first: float) -> Document:
+def _sketch_kept(document: Document, first: float) -> Document:
     """The sketch stays that of the place where it was read."""
     return changed(document, "mechanism", "assembly", "at", to=f"{first!r} rad") if _sketched(document) else document
 

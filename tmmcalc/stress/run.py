@@ -115,7 +115,7 @@ def fault(stage: str, error: Exception) -> Met:
 
 
 @record
-class Beside:
+class Equivalent:
     """What a rung is compared with."""
 
     run: RunResult | None
@@ -130,28 +130,28 @@ class Beside:
 
 
 def _rung(scene: Scene, step: Step, result: RunResult) -> Rung:
-    beside = _beside(scene, step)
+    beside = _equivalent(scene, step)
     met = tuple(each for name in STAGES for each in _met(result, beside, name))
     return Rung(step.setting, step.size, step.condition(result), (*met, *beside.ended), beside.note)
 
 
-def _beside(scene: Scene, step: Step) -> Beside:
+def _equivalent(scene: Scene, step: Step) -> Equivalent:
     """The scene as it is, or the twin of the rung in other units."""
     if step.alignment is not None:
-        return Beside(step.beside or scene.base, step.alignment)
+        return Equivalent(step.beside or scene.base, step.alignment)
     alignment = Alignment(TWIN, twin=True)
     document = caught(TWIN_OF, lambda: twin(step.document))
     if isinstance(document, Met) and document.status == ERROR:
-        return Beside(None, alignment, f"nothing beside it: {document.message}")
+        return Equivalent(None, alignment, f"nothing beside it: {document.message}")
     other = document if isinstance(document, Met) else caught(TWIN_OF, lambda: scene.run(document))
     if isinstance(other, RunResult):
-        return Beside(other, alignment)
+        return Equivalent(other, alignment)
     status = FAULT if other.status == FAULT else DISPUTED
     told = replace(other, stage=TWIN_OF, status=status, message=f"in other units: {other.message}")
-    return Beside(None, alignment, ended=(told,))
+    return Equivalent(None, alignment, ended=(told,))
 
 
-def _met(result: RunResult, beside: Beside, name: str) -> Iterator[Met]:
+def _met(result: RunResult, beside: Equivalent, name: str) -> Iterator[Met]:
     if name in result.failures:
         error = result.failures[name]
         solved = beside.run is not None and name in beside.run.outcomes
@@ -161,7 +161,7 @@ def _met(result: RunResult, beside: Beside, name: str) -> Iterator[Met]:
         yield caught(name, lambda: _of_stage(result, beside, name))
 
 
-def _of_stage(result: RunResult, beside: Beside, name: str) -> Met:
+def _of_stage(result: RunResult, beside: Equivalent, name: str) -> Met:
     broken = next(not_finite(result, name), None) or _broken_beside(beside, name)
     if broken is not None:
         return Met(name, FAULT, 1, f"{broken} is no finite number")
@@ -175,7 +175,7 @@ def _of_stage(result: RunResult, beside: Beside, name: str) -> Met:
     return Met(name, status, 0, message, observed, found.quantity, max(own, default=None), found.skipped)
 
 
-def _broken_beside(beside: Beside, name: str) -> str | None:
+def _broken_beside(beside: Equivalent, name: str) -> str | None:
     """A place in the result of the twin that holds no finite number."""
     if not beside.alignment.twin or beside.run is None or name not in beside.run.outcomes:
         return None
@@ -183,14 +183,14 @@ def _broken_beside(beside: Beside, name: str) -> str | None:
     return None if broken is None else f"{beside.called} {broken}"
 
 
-def _refused_beside(beside: Beside, name: str) -> str:
+def _refused_beside(beside: Equivalent, name: str) -> str:
     """The error of a stage that has a result on the rung, and none in the scene beside it."""
     if beside.run is None or name not in beside.run.failures:
         return ""
     return f"{beside.called}: {_line(beside.run.failures[name])}"
 
 
-def _difference(result: RunResult, beside: Beside, name: str) -> Difference:
+def _difference(result: RunResult, beside: Equivalent, name: str) -> Difference:
     """How far a stage's result is from that of the scene beside it, and of which quantity."""
     if beside.run is None:
         return Difference()

@@ -56,13 +56,13 @@ def with_sizes(scene: Scene, document: Mapping[str, Any]) -> Document:
 def twin(document: Mapping[str, Any]) -> Document:
     """The document in units that share no digits with those of the spec; what has no unit a rounding away."""
     found = in_units(document, TWIN)
-    return {key: _away(value) if key in ("pair", "synthesis") else value for key, value in found.items()}
+    return {key: _nudged(value) if key in ("pair", "synthesis") else value for key, value in found.items()}
 
 
-def _away(table: Mapping[str, Any]) -> Document:
+def _nudged(table: Mapping[str, Any]) -> Document:
     """A table with its pure numbers and angles the next to what they are."""
     return {
-        key: rewritten(value, _next) if key in NUDGED else _away(value) if isinstance(value, dict) else value
+        key: rewritten(value, _next) if key in NUDGED else _nudged(value) if isinstance(value, dict) else value
         for key, value in table.items()
     }
 

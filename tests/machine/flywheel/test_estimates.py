@@ -15,7 +15,7 @@ from bounding import RATE, assert_bounds, part
 
 from machine.drawn import TURN, Drawn
 from machine.exact import WIDE
-from machine.flywheel.test_task import wanted
+from machine.flywheel.test_solve import wanted
 from machine.test_estimates import THETA, missed, peak, primitive
 from tmmcalc.core.errors import TmmError
 from tmmcalc.machine.driver import ConstantInertia

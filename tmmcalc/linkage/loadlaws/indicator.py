@@ -103,7 +103,7 @@ class Indicator(Placed):
         return "force", cls(strokes, area, table.back_pressure, table.delay)
 
     @classmethod
-    def check(cls, outline: "Outline", load: "Raw", path: "Path") -> "Iterator[Finding]":
+    def check(cls, outline: "Outline", load: "Raw", path: "Path") -> Iterator["Finding"]:
         """The piston has a size, and strokes run over their whole way."""
         from tmmcalc.linkage.tables.checks.indicator import check_indicator
 

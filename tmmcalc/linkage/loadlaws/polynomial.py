@@ -68,7 +68,7 @@ class Polynomial(Placed):
         return kind, cls(coefficients)
 
     @classmethod
-    def check_kind(cls, load: "Raw", key: str, path: "Path") -> "Iterator[Finding]":
+    def check_kind(cls, load: "Raw", key: str, path: "Path") -> Iterator["Finding"]:
         """Its coefficients are of a force or of a moment."""
         from tmmcalc.spec.findings import Finding
 

@@ -100,7 +100,7 @@ class Tabulated(Placed):
         return kind, cls(table.of, x, values, table.interpolation, table.output, period)
 
     @classmethod
-    def check(cls, outline: "Outline", load: "Raw", path: "Path") -> "Iterator[Finding]":
+    def check(cls, outline: "Outline", load: "Raw", path: "Path") -> Iterator["Finding"]:
         """Its abscissae ascend within their range, with one value for each."""
         from tmmcalc.linkage.tables.checks.curves import check_table
 

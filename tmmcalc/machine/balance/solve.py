@@ -108,14 +108,14 @@ def solve_balance(mechanism: Mechanism, bodies: Sequence[Body], kinematics: Kine
         kinematics.labels,
         kinematics.phi,
         found,
-        tuple(Scheme(name, balance, _made(balance, mass, radius)) for name, balance in balances.items()),
+        tuple(Scheme(name, balance, _weights(balance, mass, radius)) for name, balance in balances.items()),
         redistribution,
         radius,
         mass,
     )
 
 
-def _made(balance: Balance, mass: float | None, radius: float | None) -> tuple[Weight, ...]:
+def _weights(balance: Balance, mass: float | None, radius: float | None) -> tuple[Weight, ...]:
     """The weights of a balance by the chosen mass or radius."""
     if not np.any([weight.moment for weight in balance.weights]):
         return ()

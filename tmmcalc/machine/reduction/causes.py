@@ -123,7 +123,7 @@ class Causes(NamedTuple):
         if bodies := scene.loading.heavy:
             rows[:2] = reduced_inertia(bodies, place.configuration, n)
             rows[1] *= sense
-        known = {source: _known(source, place) for source in self.statics.sources}
+        known = {source: _computed_once(source, place) for source in self.statics.sources}
         for source in scene.sources:
             k = MOMENTS + self.names.index((source.name, source.kind, source.order))
             moment = sum(action.power(place.configuration) for action in known[source].actions(place))
@@ -163,7 +163,7 @@ class Causes(NamedTuple):
         return found
 
 
-def _known(source: Source, place: Place) -> Source:
+def _computed_once(source: Source, place: Place) -> Source:
     """A source whose actions at a place are computed once: for moments, and for friction with and without loads."""
     actions = source.actions(place)
     return source._replace(actions=lambda _: actions)

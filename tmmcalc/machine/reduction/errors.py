@@ -67,7 +67,7 @@ def estimate(causes: Causes, found: Solved, scale: float, kinematics: ErrorEstim
     inner = off[:, -on.count * POINTS :].reshape(len(off), on.count, POINTS)
     values = found.values * np.concatenate((np.ones(3), causes.powers))[:, None, None]
     missed, turned = on.left_out(values) / sizes, np.abs(inner).mean(axis=2) / sizes
-    gaps, areas = _beside(on, values)
+    gaps, areas = _at_kinks(on, values)
     mean = np.max((turned + MEAN * missed) @ on.width + areas / sizes[:, 0]) / causes.scene.travel.period
     works = SUMMED * turnover + _work(on, values[3:], inner[3:]) + areas[3:]
     error = ReductionError(
@@ -108,10 +108,10 @@ def _work(on: Panels, parts: Real, off: Real) -> Real:
     """Errors (S,) of the works of moments (S, K, N) with roundings (S, K, P) at points of the panels."""
     each = off * on.width[:, None] / POINTS
     rounding = np.abs(each.sum(axis=(1, 2))) + SCATTER * np.sqrt((each**2).sum(axis=(1, 2)))
-    return np.asarray(rounding + _beyond(parts) @ on.width)
+    return np.asarray(rounding + _higher_orders(parts) @ on.width)
 
 
-def _beside(on: Panels, values: Real) -> tuple[Real, Real]:
+def _at_kinks(on: Panels, values: Real) -> tuple[Real, Real]:
     """What functions (F, K, N) miss by kinks beside their edges: the largest of a value (F,), the integral (F,).
 
     The slope changes by D; at d from the edge the polynomials differ by D d, and their triangle is missed. What is
@@ -124,7 +124,7 @@ def _beside(on: Panels, values: Real) -> tuple[Real, Real]:
     return np.max(gap, axis=1, initial=0.0), np.asarray((gap**2 / (2 * bend)).sum(axis=1))
 
 
-def _beyond(parts: Real) -> Real:
+def _higher_orders(parts: Real) -> Real:
     """What lies beyond twice the degree of every panel (S, K), by the fall of coefficients of functions (S, K, N).
 
     Gauss's rule misses nothing before that, so that the fall counts twice and nothing is summed: `Panels.left_out` sums

@@ -114,7 +114,7 @@ def forces_records(block: Block, variants: Indices, kinematics: Sequence[Kinemat
         if not clear[k]:
             found.append(None)
             continue
-        own, (panels, part) = _own(block, v), over.panels.panels_of(k)
+        own, (panels, part) = _constants(block, v), over.panels.panels_of(k)
         error = max(kinematics[k].error.acceleration, ROUNDING) * float(growth[k])
         mine = rows.columns(slice(k * n, (k + 1) * n))
         found.append(
@@ -154,7 +154,7 @@ def reduction_records(
         if not clear[k]:
             found.append(None)
             continue
-        own, (panels, part) = _own(block, v), cycles.panels.panels_of(k)
+        own, (panels, part) = _constants(block, v), cycles.panels.panels_of(k)
         node = nodes.columns(slice(k * n, (k + 1) * n))
         rows = cycles.rows[:, part].copy()
         error = unmeasured(float(cycles.tail[k]), kinematics[k].error)
@@ -190,7 +190,7 @@ def _repeated(column: Sequence[float | complex], n: int) -> Any:
     return values if np.ndim(values) == 0 else np.repeat(values, n)
 
 
-def _own(block: Block, variant: int) -> Statics:
+def _constants(block: Block, variant: int) -> Statics:
     """The constants of one variant, as far as results ask for them."""
     same, chain, loading = block.same, block.chain(variant), block.loading(variant)
     assert same.scene is not None

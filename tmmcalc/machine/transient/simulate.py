@@ -61,7 +61,7 @@ def simulate(
         if worst <= method.error or not aim or guess.tolerance <= FINEST:
             break
         aim *= AIMED * method.error / worst
-    return _told(found, left, moments)
+    return _with_errors(found, left, moments)
 
 
 class _Guess(NamedTuple):
@@ -72,7 +72,7 @@ class _Guess(NamedTuple):
     allowed: float  # error of the speeds in a step, relative to the largest
 
 
-def _told(found: Transient, speeds: float, moments: float) -> Transient:
+def _with_errors(found: Transient, speeds: float, moments: float) -> Transient:
     """The motion with the errors that its steps leave of the speeds and of the largest moments."""
     error = max(found.error, speeds)
     return replace(found, error=error, extremes_error=moments + found.extremes_error)
@@ -93,10 +93,10 @@ def _in_fixed_steps(drive: Drive, scenario: Scenario, method: Method, instants: 
     """The motion in fixed steps, its error from a second run with step control if the method asks for it."""
     found, guess = _integrated(drive, scenario, method, instants, 0.0)
     if not method.compared:
-        return _told(found, guess.error, guess.error)
+        return _with_errors(found, guess.error, guess.error)
     better = Method(budget=method.budget, error=BETTER * method.error, compared=False)
     controlled = simulate(drive, scenario, better, instants_of(found))
-    return _told(found, *missed(found, controlled))
+    return _with_errors(found, *missed(found, controlled))
 
 
 def _integrated(

@@ -51,7 +51,7 @@ class Holder:
         held, slip = set(), 0.0
         for group, bounds in self._bounds(regime).items():
             speed = y[self._first + group]
-            way = math.copysign(1.0, speed) if speed else self._way(regime, stretch, y, group, bounds)
+            way = math.copysign(1.0, speed) if speed else self._direction(regime, stretch, y, group, bounds)
             if way == 0:
                 held.add(group)
             elif self._sides and group == self._last and self._ways.sided:
@@ -78,7 +78,7 @@ class Holder:
         forward, back = (surplus(self._system, side, stretch(side), group) for side in sides)
         return forward, back
 
-    def _way(
+    def _direction(
         self,
         regime: Regime,
         stretch: Callable[[Regime], Stretch],

@@ -125,11 +125,11 @@ def _check_angles(
             yield Finding(place, f"{at}{show(value)} does not come after {show(listed[i - 1])}; {rule}", remedy)
             return
         if angle < 0 or angle > period * (1 + 1e-12):
-            yield _beyond(curve, key, i, value, angle, period)
+            yield _after_the_period(curve, key, i, value, angle, period)
             return
 
 
-def _beyond(curve: Curve, key: str, index: int, value: object, angle: float, period: float) -> Finding:
+def _after_the_period(curve: Curve, key: str, index: int, value: object, angle: float, period: float) -> Finding:
     place, at = curve.place(key, index), curve.at(index)
     if not isinstance(value, str) and angle > FULL_TURN:
         said = f"{show(value)} without a unit is in radians, more than the period"
