@@ -11,7 +11,7 @@ from itertools import combinations
 import numpy as np
 
 from tmmcalc.cams.synthesis.halfplanes import APART, Family, Lines, lines_at, outside
-from tmmcalc.cams.synthesis.objectives import Aim
+from tmmcalc.cams.synthesis.objectives import Objective
 from tmmcalc.cams.synthesis.polygon import crossings
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.core.records import record
@@ -31,7 +31,7 @@ class Best:
     over: float
 
 
-def best(every: tuple[Family, ...], aim: Aim) -> Best:
+def best(every: tuple[Family, ...], aim: Objective) -> Best:
     """The point of the region where ``aim`` is least.
 
     Raises `NoSolutionError` if the region is empty, naming the angles that exclude each other.
@@ -72,7 +72,7 @@ def _active(lines: Lines, point: complex) -> Lines:
     return lines.chosen(np.array(kept, dtype=np.intp))
 
 
-def _best_of(lines: Lines, aim: Aim) -> complex:
+def _best_of(lines: Lines, aim: Objective) -> complex:
     """The best point of few half planes: on one line, or where two cross."""
     pairs = np.array(list(combinations(range(len(lines.bound)), 2)), dtype=np.intp)
     corners = crossings(lines.normal, lines.bound, pairs[:, 0], pairs[:, 1])

@@ -11,7 +11,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.core.records import record
 
 
-class Aim(Protocol):
+class Objective(Protocol):
     """What is to be least; its level sets are convex."""
 
     def of(self, points: Complex) -> Values:

@@ -15,7 +15,7 @@ import numpy as np
 from tmmcalc.cams.synthesis.bestplace import best
 from tmmcalc.cams.synthesis.curves import Over, about_centres, about_pivot, about_roller, best_on, ray
 from tmmcalc.cams.synthesis.halfplanes import Family, Lines, families, sampled
-from tmmcalc.cams.synthesis.objectives import Aim, Distance, Ratio
+from tmmcalc.cams.synthesis.objectives import Distance, Objective, Ratio
 from tmmcalc.cams.synthesis.polygon import polygon
 from tmmcalc.cams.synthesis.results import PIVOT, Region
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask
@@ -147,7 +147,7 @@ def on_curve(asked: Asked, every: tuple[Family, ...], also: Over | None = None) 
     """With two sizes given: the best place on their curve, where ``also`` is not above zero."""
     l0, l2, base = asked.centres, asked.rocker, asked.base
     if asked.start is not None:
-        aim: Aim = Ratio() if l0 is not None else Distance(1.0)
+        aim: Objective = Ratio() if l0 is not None else Distance(1.0)
         point = best_on(every, ray(asked.start), lambda o: float(aim.of(np.array(o))), also)
         return scaled(asked, point, "least base circle with the given start_angle")
     if base is None:

@@ -18,7 +18,7 @@ import numpy as np
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.synthesis.curves import Curve
-from tmmcalc.cams.synthesis.objectives import Aim
+from tmmcalc.cams.synthesis.objectives import Objective
 from tmmcalc.cams.task import Asked
 from tmmcalc.core.numerics.panels import panels, resolved
 from tmmcalc.core.records import record
@@ -55,7 +55,7 @@ class Border:
     at: Callable[[complex], float]
 
 
-def border(passage: Passage, aim: Aim) -> Border | None:
+def border(passage: Passage, aim: Objective) -> Border | None:
     """The border for a given rocker or given centres; None if no place passes, or all do."""
     asked, u = passage.asked, passage.top
     if asked.rocker is not None:
@@ -94,7 +94,7 @@ def _circle(u: complex, k: float) -> _Found | None:
     return NEAR, pi - NEAR, points, lambda o: float(np.angle(u / o - 1))
 
 
-def _stationary(points: Callable[[Values], Complex], low: float, high: float, aim: Aim) -> tuple[float, ...]:
+def _stationary(points: Callable[[Values], Complex], low: float, high: float, aim: Objective) -> tuple[float, ...]:
     """Where the aim, brought to a finite range, does not change along the border."""
 
     def near(x: Values) -> Values:

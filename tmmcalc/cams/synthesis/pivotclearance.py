@@ -1,8 +1,8 @@
 """A rocker whose cam passes its pivot, where the pressure angle alone would let the cam sweep over it.
 
-The place of the axis with the least aim is looked for on the border (`border`), with two sizes given on their curve as
-far as the cam passes. A roller that is to be found is the largest in whole millimetres that the rules leave the cam
-which it makes: a larger roller makes a smaller cam.
+The place of the axis that is best by its objective is looked for on the border (`border`), with two sizes given on
+their curve as far as the cam passes. A roller that is to be found is the largest in whole millimetres that the rules
+leave the cam which it makes: a larger roller makes a smaller cam.
 """
 
 from __future__ import annotations
