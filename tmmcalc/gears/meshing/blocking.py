@@ -11,7 +11,7 @@ import numpy as np
 
 from tmmcalc.gears.involute.contour.contour import Contour, contours
 from tmmcalc.gears.involute.contour.errors import contour_error
-from tmmcalc.gears.involute.contour.interval import Interval, intervals
+from tmmcalc.gears.involute.contour.interval import ShiftInterval, intervals
 from tmmcalc.gears.involute.contour.margins import margins
 from tmmcalc.gears.involute.contour.regions import Region
 from tmmcalc.gears.meshing.blockinglines import contour_lines
@@ -81,7 +81,7 @@ def _remarks(found: Pairs) -> list[str]:
     return remarks
 
 
-def _interval(both: tuple[Contour, Contour], chosen: ContourPoint) -> Interval | None:
+def _interval(both: tuple[Contour, Contour], chosen: ContourPoint) -> ShiftInterval | None:
     """The admissible x1 at the chosen sum: the interval that holds the chosen x1, or is nearest to it.
 
     Without undercut, unless only the tolerated contour holds the chosen shifts or has anything on the line.

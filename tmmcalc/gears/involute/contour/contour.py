@@ -15,7 +15,7 @@ from tmmcalc.gears.involute.contour.equalstrength import strength_ends
 from tmmcalc.gears.involute.contour.frame import Frame, Sums, frame_of
 from tmmcalc.gears.involute.contour.regions import Region, regions_of
 from tmmcalc.gears.involute.contour.task import Task
-from tmmcalc.gears.involute.contour.trace import POINTS, Part, parts_of, scan
+from tmmcalc.gears.involute.contour.trace import POINTS, ContourPart, parts_of, scan
 from tmmcalc.gears.model import Values
 
 ZOOM = 65  # points of a round that narrows a maximum
@@ -120,7 +120,7 @@ def contours(task: Task) -> tuple[Contour, Contour]:
 
 def _contours(task: Task, kinds: tuple[bool, ...], pieces: bool, points: int) -> list[Contour]:
     frame = frame_of(task)
-    found: dict[bool, list[Part]] = {kind: [] for kind in kinds}
+    found: dict[bool, list[ContourPart]] = {kind: [] for kind in kinds}
     untraced: dict[bool, list[int]] = {kind: [] for kind in kinds}
     for branch in frame.branches if pieces or frame.neck > 0 else (0,):
         w = scan(frame, branch, [part for kind in kinds for part in found[kind]])
@@ -149,7 +149,7 @@ def _alike(scanned: Cuts) -> bool:
     return all(bool(np.all((a == b) | empty)) for a, b in zip(one, other, strict=True))
 
 
-def _whole(strict: bool, frame: Frame, parts: list[Part], untraced: tuple[int, ...]) -> Contour:
+def _whole(strict: bool, frame: Frame, parts: list[ContourPart], untraced: tuple[int, ...]) -> Contour:
     regions = regions_of(frame, parts)
     central = (region for region in regions if any(part.branch == 0 for part in region.parts))
     main = max(central, key=lambda region: region.area, default=None)
@@ -169,7 +169,7 @@ def _best(frame: Frame, low: Values, high: Values, sums: Sums) -> tuple[Values, 
     return x1, frame.overlap(sums, x1)[0]
 
 
-def _largest(frame: Frame, part: Part, strict: bool) -> tuple[float, float, float]:
+def _largest(frame: Frame, part: ContourPart, strict: bool) -> tuple[float, float, float]:
     """Of one part: on every line of constant sum the split of equal tip pressure angles, or the end next to it."""
 
     def looked(w: Values) -> tuple[Values, Values]:
