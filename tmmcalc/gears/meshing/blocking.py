@@ -35,7 +35,8 @@ def solve_blocking(found: Pairs) -> Blocking:
     solved = []
     for pair in (each for each in found.pairs if each.task.kind == "external"):
         task, asked = pair.task, contour_task(pair.task)
-        both = contours(asked)
+        strict, tolerated = contours(asked)
+        both = strict, tolerated
         points, missing = contour_points(pair, both)
         line = _interval(both, points[0])
         left = margins(asked, *pair.shifts)
@@ -48,8 +49,8 @@ def solve_blocking(found: Pairs) -> Blocking:
                 rack=task.rack,
                 contact_ratio=task.limits.contact_ratio,
                 thickness=task.limits.tip_thickness,
-                strict=_area(both[0]),
-                tolerated=_area(both[1]),
+                strict=_area(strict),
+                tolerated=_area(tolerated),
                 lines=contour_lines(pair, both),
                 points=points,
                 missing=missing,

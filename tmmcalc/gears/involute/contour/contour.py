@@ -105,20 +105,13 @@ def contour(task: Task, strict: bool = True, *, pieces: bool = True, points: int
 
     ``points`` are those of an edge between two of its breaks, on which the accuracy of the area depends.
     """
-    return _contours(task, (strict,), pieces, points)[0]
+    return contours(task, (strict,), pieces=pieces, points=points)[0]
 
 
-def contours(task: Task) -> tuple[Contour, Contour]:
-    """The strict and the tolerated contour."""
-    strict, tolerated = _contours(task, (True, False), True, POINTS)
-    if strict.main is None or tolerated.main is None:
-        return strict, tolerated
-    pairs = zip_longest(strict.main.parts, tolerated.main.parts)
-    same = all(one is other for one, other in pairs)
-    return strict, replace(tolerated, main=strict.main, twin=strict) if same else tolerated
-
-
-def _contours(task: Task, kinds: tuple[bool, ...], pieces: bool, points: int) -> list[Contour]:
+def contours(
+    task: Task, kinds: tuple[bool, ...] = (True, False), *, pieces: bool = True, points: int = POINTS
+) -> list[Contour]:
+    """The strict and the tolerated contour, or those of other ``kinds``, as `contour` finds one."""
     frame = frame_of(task)
     found: dict[bool, list[ContourPart]] = {kind: [] for kind in kinds}
     untraced: dict[bool, list[int]] = {kind: [] for kind in kinds}
@@ -139,7 +132,16 @@ def _contours(task: Task, kinds: tuple[bool, ...], pieces: bool, points: int) ->
                 if branch == 0:
                     raise
                 untraced[kind].append(branch)
-    return [_whole(kind, frame, found[kind], tuple(untraced[kind])) for kind in kinds]
+    first, *others = (_whole(kind, frame, found[kind], tuple(untraced[kind])) for kind in kinds)
+    return [first, *(_like(first, other) for other in others)]
+
+
+def _like(strict: Contour, tolerated: Contour) -> Contour:
+    """The tolerated contour, with the main region of the strict one where both have the same parts."""
+    if strict.main is None or tolerated.main is None:
+        return tolerated
+    same = all(one is other for one, other in zip_longest(strict.main.parts, tolerated.main.parts))
+    return replace(tolerated, main=strict.main, twin=strict) if same else tolerated
 
 
 def _alike(scanned: Cuts) -> bool:
