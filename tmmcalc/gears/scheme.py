@@ -96,6 +96,7 @@ class Layout:
     arrangements: tuple[int, ...] = ()  # rows of Table D.4.1 of the stages; none: overhung wheels
     stepped: bool = False  # the textbook steps through e, and gives the module ratio of equal strength
     usual_planets: int = 3
+    usual_ratio: int | None = None  # tooth ratio up to which it is usual
     raised: float | None = None  # [rad] largest operating pressure angle where meshes are raised by custom
     carrier: Literal["left", "right"] = "right"  # of the wheels: where it is drawn; left: around the input shaft
 

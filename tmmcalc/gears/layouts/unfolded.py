@@ -202,6 +202,7 @@ TWO = Layout(
     planetary=False,
     size=length,
     arrangements=(3, 5),
+    usual_ratio=20,
 )
 THREE = Layout(
     "unfolded3",
@@ -214,4 +215,5 @@ THREE = Layout(
     planetary=False,
     size=length,
     arrangements=(3, 3, 5),
+    usual_ratio=45,
 )
