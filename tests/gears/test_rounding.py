@@ -14,7 +14,7 @@ from bounding import assert_bounds
 
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency
 from tmmcalc.gears.criteria.errors import criteria_error
-from tmmcalc.gears.criteria.evaluate import Basis, evaluate
+from tmmcalc.gears.criteria.evaluate import Assumptions, evaluate
 from tmmcalc.gears.model import Demands, Interval, ToothSets, TrainTask
 from tmmcalc.gears.search.search import _angles, angle_error
 from tmmcalc.gears.strength.errors import strength_error
@@ -87,7 +87,7 @@ def _demands(teeth: list[int], torque: Any, sigma_H: Any, sigma_F: Any) -> tuple
 def _criteria() -> Iterator[tuple[str, float, float]]:
     rng = np.random.default_rng(4)
     for _ in range(SCENES):
-        sets, basis = _trains(rng), Basis(meshes=MeshEfficiency(0.97, float(rng.uniform(0.95, 0.99))))
+        sets, basis = _trains(rng), Assumptions(meshes=MeshEfficiency(0.97, float(rng.uniform(0.95, 0.99))))
         module = rng.choice([0.001, 0.0015, 0.002, 0.00275], (ROWS, 1))
         width = rng.integers(8, 60, (ROWS, 1)) / 1000
         found = evaluate(sets, module, width, basis=basis)

@@ -27,14 +27,14 @@ Lengths = Sequence[Any]  # a value of every stage or mesh, arrays (n,)
 Candidates = Callable[[Any, tuple[int, ...], Any], Iterator[Any]]  # (TrainTask, proportion, Tally) -> blocks
 
 
-class Part(NamedTuple):
+class MovingWheel(NamedTuple):
     """How a moving wheel is built."""
 
     shape: Shape
     widths: int = 1  # over the width of its stage
 
 
-PINION, WHEEL, RING = Part("pinion"), Part("wheel"), Part("ring")
+PINION, WHEEL, RING = MovingWheel("pinion"), MovingWheel("wheel"), MovingWheel("ring")
 
 
 @record
@@ -48,7 +48,7 @@ class Mesh:
     plane: int | None = None  # of meshing, along the axis; None: that of the stage
 
 
-def pair(first: str, second: str, stage: int, kind: str = "A", plane: int | None = None) -> Mesh:
+def mesh(first: str, second: str, stage: int, kind: str = "A", plane: int | None = None) -> Mesh:
     """A mesh by the letter of its kind, A external and I internal."""
     return Mesh(first, second, stage, kind == "I", plane)
 
@@ -81,7 +81,7 @@ class Layout:
     wheels: tuple[str, ...]
     meshes: tuple[Mesh, ...]
     candidates: Candidates  # tooth sets within limits, coaxiality and ratio for one proportion of modules
-    moving: Mapping[str, Part]  # the wheels that move, as they are built
+    moving: Mapping[str, MovingWheel]  # the wheels that move, as they are built
     sign: int = 0  # of U in i_1H = 1 + sign U: +1 or -1; 0: not of this form
     planets: tuple[str, ...] = ()  # wheels that the carrier bears, or that stand on layshafts
     rings: tuple[str, ...] = ()  # internal wheels
@@ -96,6 +96,7 @@ class Layout:
     arrangements: tuple[int, ...] = ()  # rows of Table D.4.1 of the stages; none: overhung wheels
     stepped: bool = False  # the textbook steps through e, and gives the module ratio of equal strength
     usual_planets: int = 3
+    usual_ratio: int | None = None  # tooth ratio up to which it is usual
     raised: float | None = None  # [rad] largest operating pressure angle where meshes are raised by custom
     carrier: Literal["left", "right"] = "right"  # of the wheels: where it is drawn; left: around the input shaft
 

@@ -11,7 +11,7 @@ from gears.criteria.worked import TEETH, lengths, sets
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.criteria.choice import OBJECTIVES, costs, front, least, minima, ranked
 from tmmcalc.gears.criteria.comparison import compare
-from tmmcalc.gears.criteria.evaluate import Basis, Criteria, evaluate, ratio_error
+from tmmcalc.gears.criteria.evaluate import Assumptions, Criteria, evaluate, ratio_error
 from tmmcalc.gears.model import Values
 
 
@@ -117,7 +117,7 @@ def test_basis() -> None:
     module, width = lengths(train, 0.002, 0.004), lengths(train, 0.02, 0.04)
     plain, other = (
         evaluate(train, module, width),
-        evaluate(train, module, width, basis=Basis(reduced_to="1", driver="H")),
+        evaluate(train, module, width, basis=Assumptions(reduced_to="1", driver="H")),
     )
     assert other.inertia * other.ratio**2 == pytest.approx(plain.inertia, rel=1e-13)
     assert np.all(other.efficiency < plain.efficiency)

@@ -20,8 +20,8 @@ from tmmcalc.gears.involute.quality.existence import (
     least_margin,
     least_sum,
     nearest_shifts,
+    require_least_sum,
     require_pair,
-    require_sum,
 )
 from tmmcalc.gears.involute.quality.sliding import sliding, sliding_extremes, whole_segment
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits, checks, worst
@@ -156,7 +156,7 @@ def test_ig_s13_involute_and_infeasible_pair():
         given["expected"]["alpha_rad"], abs=1e-10
     )
     with pytest.raises(NoSolutionError, match="not positive") as error:
-        require_sum(wheel(14, -0.4), wheel(17, -0.4))
+        require_least_sum(wheel(14, -0.4), wheel(17, -0.4))
     assert error.value.limit == pytest.approx(-0.63472, abs=1e-5)
     assert error.value.value == -0.8
     assert "nearest admissible shifts" in error.value.remedy

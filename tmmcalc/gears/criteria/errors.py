@@ -12,7 +12,7 @@ import numpy as np
 
 from tmmcalc.core.numerics.extended import apart, spread, widened
 from tmmcalc.core.records import record
-from tmmcalc.gears.criteria.evaluate import Basis, Criteria, evaluate
+from tmmcalc.gears.criteria.evaluate import Assumptions, Criteria, evaluate
 from tmmcalc.gears.model import ToothSets, Values
 
 CHOSEN = 12  # trains of each kind
@@ -30,7 +30,7 @@ class CriteriaError:
 
 
 def criteria_error(
-    sets: ToothSets, module: Values, width: Values, basis: Basis, found: Criteria
+    sets: ToothSets, module: Values, width: Values, basis: Assumptions, found: Criteria
 ) -> CriteriaError | None:
     """Largest relative differences of the chosen trains; None without any train."""
     if not len(sets):

@@ -20,7 +20,7 @@ from tmmcalc.gears.search.measures import tooth_ratio
 
 
 @record
-class Basis:
+class Assumptions:
     """What the criteria rest on."""
 
     build: Build = Build()
@@ -59,14 +59,14 @@ class Criteria:
 
 
 def evaluate(
-    sets: ToothSets, module: Values, width: Values, nominal: Fraction | None = None, basis: Basis | None = None
+    sets: ToothSets, module: Values, width: Values, nominal: Fraction | None = None, basis: Assumptions | None = None
 ) -> Criteria:
     """All criteria of n trains for modules and widths [m] (n, stages) (textbook 4.43 to 4.51, table 4.6).
 
     ``nominal`` is the tooth ratio asked for; without it the error is zero. Raises `UsageError` for arrays that do not
     fit the tooth sets or are not positive.
     """
-    basis = Basis() if basis is None else basis
+    basis = Assumptions() if basis is None else basis
     _check(sets, module, "module")
     _check(sets, width, "width")
     turning = speeds(sets)

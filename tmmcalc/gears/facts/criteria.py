@@ -10,8 +10,8 @@ from tmmcalc.core.quantity import keyed
 from tmmcalc.gears.criteria.choice import OBJECTIVES, Reason
 from tmmcalc.gears.criteria.comparison import Comparison
 from tmmcalc.gears.selection.columns import YES, chosen_columns, pair_columns
-from tmmcalc.gears.selection.pairs import SERIES
-from tmmcalc.gears.selection.results import Guide, Pairs, Selection, Weighed
+from tmmcalc.gears.selection.results import Guide, Selection, SeriesChoice, Weighed
+from tmmcalc.gears.selection.series import SERIES
 from tmmcalc.gears.selection.task import ROW, WEIGHTED
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import number
@@ -188,7 +188,7 @@ def _ratios(ratios: Sequence[float]) -> str:
     return " x ".join(number(ratio, DIGITS) for ratio in ratios)
 
 
-def _pair_facts(pairs: Pairs) -> Iterator[Fact]:
+def _pair_facts(pairs: SeriesChoice) -> Iterator[Fact]:
     one, two = pairs.counts
     if pairs.best is None:
         yield Fact("two in series", pairs.failure, keyed(pairs, "failure"))
@@ -199,7 +199,7 @@ def _pair_facts(pairs: Pairs) -> Iterator[Fact]:
     yield Fact("two in series", text, keyed(pairs, "admitted", "tried", "best"))
 
 
-def _pair_documents(pairs: Pairs, rows: int) -> Iterator[Document]:
+def _pair_documents(pairs: SeriesChoice, rows: int) -> Iterator[Document]:
     columns = {header: column[:rows] for header, column in pair_columns(pairs).items()}
     if columns:
         yield Document(f"{SERIES}: Pareto front", table=drawn(columns), wide=True, more="--format json prints more")

@@ -17,7 +17,7 @@ CHORDS = ("arc[mm]", "chord[mm]", "height[mm]", "space[mm]")
 
 
 @record
-class Measured:
+class MeasuredWheel:
     """One wheel of one pair."""
 
     title: str
@@ -39,14 +39,14 @@ def measure_document(result: Pairs, title: str, *, wheel: str | None = None, eve
     return Document(title, (), notes, spans, parts=parts)
 
 
-def _wheels(result: Pairs) -> Iterator[Measured]:
+def _wheels(result: Pairs) -> Iterator[MeasuredWheel]:
     for found, heading in zip(result.pairs, titles(result), strict=True):
         for size, measures in zip(found.sizes, found.measures, strict=True):
             name = f"wheel {measures.wheel}"
-            yield Measured(name if len(result.pairs) == 1 else f"{heading}, {name}", found, size, measures)
+            yield MeasuredWheel(name if len(result.pairs) == 1 else f"{heading}, {name}", found, size, measures)
 
 
-def _wheel_document(each: Measured, everything: bool) -> Document:
+def _wheel_document(each: MeasuredWheel, everything: bool) -> Document:
     ring, helical = each.size.kind == "ring", bool(each.pair.task.helix)
     facts = [_wheel_fact(each), _base_fact(each.measures), span_fact(each.measures, ring=ring, helical=helical)]
     if not ring:
@@ -60,7 +60,7 @@ def _wheel_document(each: Measured, everything: bool) -> Document:
     return Document(each.title, tuple(facts), notes, view, parts=(_chords_document(each),))
 
 
-def _wheel_fact(each: Measured) -> Fact:
+def _wheel_fact(each: MeasuredWheel) -> Fact:
     size, task = each.size, each.pair.task
     form = "ring" if size.kind == "ring" else "external"
     text = f"{form}, z = {size.teeth}, x = {number(size.shift)}, m = {millimetres(task.module)}"
@@ -82,7 +82,7 @@ def _base_fact(measures: Measures) -> Fact:
     return Fact("base pitch", text, keyed(measures, "base_pitch", "base_thickness"))
 
 
-def _balls_fact(each: Measured) -> Fact:
+def _balls_fact(each: MeasuredWheel) -> Fact:
     """The size over balls or pins, of a ring between them."""
     row = each.measures.balls
     label = f"{'between' if each.size.kind == 'ring' else 'over'} two {each.pair.task.measuring.body}"
@@ -108,7 +108,7 @@ def _constant_chord_fact(measures: Measures) -> Fact:
     return Fact("constant chord", text, keyed(measures, *parts))
 
 
-def _chords_document(each: Measured) -> Document:
+def _chords_document(each: MeasuredWheel) -> Document:
     helical = bool(each.pair.task.helix)
     legend = "tooth on circles: half angle theta, normal arc and chord, height of the tip above the chord, "
     legend += "arc of the space" + ("; s_t: transverse arc" if helical else "")

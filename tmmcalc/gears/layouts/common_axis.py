@@ -18,8 +18,8 @@ import numpy as np
 
 from tmmcalc.gears.exact import edges
 from tmmcalc.gears.model import Integers, TrainTask
-from tmmcalc.gears.scheme import PINION, RING, WHEEL, Layout, Lengths, Teeth, around_planets, pair
-from tmmcalc.gears.search.blocks import Block, Tally, begin, closed, numbers, size, spread
+from tmmcalc.gears.scheme import PINION, RING, WHEEL, Layout, Lengths, Teeth, around_planets, mesh
+from tmmcalc.gears.search.blocks import Block, Tally, begin, closed, number_between, numbers, spread
 
 
 def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> Iterator[Block]:
@@ -31,11 +31,11 @@ def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> It
     sums = start["1"] - start["2"] if "1" in task.scheme.rings else start["1"] + start["2"]
     for block in closed(task, start, sums, "sum"):
         low, high = _partners(task, block["sum"], wheels)
-        tally.remove("coaxiality", -size(low, high))
+        tally.remove("coaxiality", -number_between(low, high))
         least, most = _pinions_of_ratio(task, block)
-        tally.remove("ratio", size(low, high))
+        tally.remove("ratio", number_between(low, high))
         low, high = np.maximum(low, least), np.minimum(high, most)
-        tally.remove("ratio", -size(low, high))
+        tally.remove("ratio", -number_between(low, high))
         for grown in spread(block, "2'", low, high):
             yield grown.join(**{"3": grown["sum"] + side * grown["2'"]})
 
@@ -99,7 +99,7 @@ COAXIAL = Layout(
     "two stages in coaxial layout",
     "coaxial",
     BLOCK,
-    (pair("1", "2", 0), pair("2'", "3", 1)),
+    (mesh("1", "2", 0), mesh("2'", "3", 1)),
     candidates,
     {**MOVING, "3": WHEEL},
     planets=("2", "2'"),
@@ -115,7 +115,7 @@ AI = Layout(
     "double planets, external and internal mesh",
     "AI",
     BLOCK,
-    (pair("1", "2", 0), pair("2'", "3", 1, "I")),
+    (mesh("1", "2", 0), mesh("2'", "3", 1, "I")),
     candidates,
     MOVING,
     +1,
@@ -130,7 +130,7 @@ AA = Layout(
     "double planets, two external meshes",
     "AA",
     BLOCK,
-    (pair("1", "2", 0), pair("2'", "3", 1)),
+    (mesh("1", "2", 0), mesh("2'", "3", 1)),
     candidates,
     MOVING,
     -1,
@@ -145,7 +145,7 @@ II = Layout(
     "double planets, two internal meshes",
     "II",
     BLOCK,
-    (pair("1", "2", 0, "I"), pair("2'", "3", 1, "I")),
+    (mesh("1", "2", 0, "I"), mesh("2'", "3", 1, "I")),
     candidates,
     # inside a ring with no sun beside it a planet is a pinion, being the smaller of its pair
     {"1": RING, "2": PINION, "2'": PINION},

@@ -13,8 +13,8 @@ import numpy as np
 
 from tmmcalc.gears.exact import edges
 from tmmcalc.gears.model import TrainTask
-from tmmcalc.gears.scheme import PINION, WHEEL, Layout, Lengths, Part, Teeth, pair
-from tmmcalc.gears.search.blocks import SLACK, Block, Tally, closeness, external, size, spread
+from tmmcalc.gears.scheme import PINION, WHEEL, Layout, Lengths, MovingWheel, Teeth, mesh
+from tmmcalc.gears.search.blocks import SLACK, Block, Tally, closeness, external, number_between, spread
 
 
 def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> Iterator[Block]:
@@ -27,7 +27,7 @@ def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> It
     one = np.ones_like(sun["1"])
     low = np.maximum(limits.first(sun["1"], one), teeth.start)
     high = np.minimum(limits.last(sun["1"], one), teeth.stop - 1)
-    tally.remove("ratio", (count**2 - size(low, high)) * count**2)
+    tally.remove("ratio", (count**2 - number_between(low, high)) * count**2)
     c = closeness(task)
     for suns in spread(sun, "4", low, high):
         for block in spread(suns, "3", np.full(len(suns), teeth.start), np.full(len(suns), teeth.stop - 1)):
@@ -37,7 +37,7 @@ def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> It
             least = -((rest - right) // 2) if c == 1.0 else np.ceil((right * c - rest) / 2 - SLACK).astype(np.int64)
             most = (right - rest) // 2 if c == 1.0 else np.floor((right / c - rest) / 2 + SLACK).astype(np.int64)
             least, most = np.maximum(least, teeth.start), np.minimum(most, teeth.stop - 1)
-            tally.remove("coaxiality", -size(least, most))
+            tally.remove("coaxiality", -number_between(least, most))
             for grown in spread(block, "2", least, most):
                 total = task.limits.largest_sum
                 yield grown if total is None else tally.keep("largest_sum", grown, grown["1"] + grown["2"] <= total)
@@ -68,9 +68,9 @@ PAIRED = Layout(
     "pairs of meshing planets between two suns",
     "2A-(AA\u0304)",
     ("1", "2", "3", "4"),
-    (pair("1", "2", 0), pair("2", "3", 0), pair("3", "4", 0, plane=1)),
+    (mesh("1", "2", 0), mesh("2", "3", 0), mesh("3", "4", 0, plane=1)),
     candidates,
-    {"1": PINION, "2": WHEEL, "3": Part("wheel", 2)},  # planet 3 reaches both planes of meshing
+    {"1": PINION, "2": WHEEL, "3": MovingWheel("wheel", 2)},  # planet 3 reaches both planes of meshing
     +1,
     ("2", "3"),
     fixed="4",

@@ -12,8 +12,8 @@ import numpy as np
 
 from tmmcalc.gears.exact import edges
 from tmmcalc.gears.model import Integers, TrainTask
-from tmmcalc.gears.scheme import PINION, WHEEL, Layout, Teeth, pair
-from tmmcalc.gears.search.blocks import SLACK, Block, Tally, closeness, external, ring, size, spread
+from tmmcalc.gears.scheme import PINION, WHEEL, Layout, Teeth, mesh
+from tmmcalc.gears.search.blocks import SLACK, Block, Tally, closeness, external, number_between, ring, spread
 
 
 def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> Iterator[Block]:
@@ -24,7 +24,7 @@ def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> It
     limits = edges(task.ratio, max(suns.stop - 1, 1))
     low = np.maximum(limits.first(sun["1"], np.ones_like(sun["1"])), rings.start)
     high = np.minimum(limits.last(sun["1"], np.ones_like(sun["1"])), rings.stop - 1)
-    tally.remove("ratio", (len(suns) * len(rings) - size(low, high)) * len(suns))
+    tally.remove("ratio", (len(suns) * len(rings) - number_between(low, high)) * len(suns))
     for block in spread(sun, "3", low, high):
         tally.remove("coaxiality", len(block) * len(suns))
         # Z2 between the roots of (Z1 + Z2) = c (Z3 - Z2) and c (Z1 + Z2) = Z3 - Z2
@@ -59,7 +59,7 @@ AIBAR = Layout(
     "single planets between sun and ring",
     "AI\u0304",
     ("1", "2", "3"),
-    (pair("1", "2", 0), pair("2", "3", 0, "I")),
+    (mesh("1", "2", 0), mesh("2", "3", 0, "I")),
     candidates,
     {"1": PINION, "2": WHEEL},
     +1,

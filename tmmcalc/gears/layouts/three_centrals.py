@@ -13,8 +13,8 @@ import numpy as np
 
 from tmmcalc.gears.exact import within
 from tmmcalc.gears.model import Integers, Interval, TrainTask
-from tmmcalc.gears.scheme import PINION, RING, WHEEL, Layout, Teeth, pair
-from tmmcalc.gears.search.blocks import SLACK, Block, Tally, begin, closed, closeness, numbers, size, spread
+from tmmcalc.gears.scheme import PINION, RING, WHEEL, Layout, Teeth, mesh
+from tmmcalc.gears.search.blocks import SLACK, Block, Tally, begin, closed, closeness, number_between, numbers, spread
 
 
 def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> Iterator[Block]:
@@ -32,8 +32,8 @@ def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> It
             small, large = wheels["2'"], wheels["4"]
             low = np.maximum(large.start - block["sum"], small.start)
             high = np.minimum(large.stop - 1 - block["sum"], small.stop - 1)
-            tally.remove("coaxiality", -size(low, high))
-            tally.remove("ratio", size(low, high))
+            tally.remove("coaxiality", -number_between(low, high))
+            tally.remove("ratio", number_between(low, high))
             least, most = _planets_of_ratio(task, block)
             for grown in spread(block, "2'", np.maximum(low, least), np.minimum(high, most)):
                 whole = grown.join(**{"4": grown["sum"] + grown["2'"]})
@@ -88,7 +88,7 @@ AII = Layout(
     "double planets, a sun and two rings",
     "AII",
     ("1", "2", "2'", "3", "4"),
-    (pair("1", "2", 0), pair("2", "3", 0, "I"), pair("2'", "4", 1, "I")),
+    (mesh("1", "2", 0), mesh("2", "3", 0, "I"), mesh("2'", "4", 1, "I")),
     candidates,
     # inside a ring with no sun beside it planet 2' is a pinion, being the smaller of its pair
     {"1": PINION, "2": WHEEL, "2'": PINION, "4": RING},

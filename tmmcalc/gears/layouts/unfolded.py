@@ -15,7 +15,7 @@ import numpy as np
 
 from tmmcalc.gears.exact import Edges, edges, within
 from tmmcalc.gears.model import Integers, Interval, TrainTask, Values
-from tmmcalc.gears.scheme import PINION, WHEEL, Layout, Lengths, Teeth, pair
+from tmmcalc.gears.scheme import PINION, WHEEL, Layout, Lengths, Teeth, mesh
 from tmmcalc.gears.search.blocks import Block, Tally, external, pinion, spread
 
 ROUNDING = 1e-15  # relative, of a product of three ratios in floats; different ratios of such teeth lie further apart
@@ -196,22 +196,24 @@ TWO = Layout(
     "two stages in unfolded layout",
     "unfolded",
     ("1", "2", "2'", "3"),
-    (pair("1", "2", 0), pair("2'", "3", 1)),
+    (mesh("1", "2", 0), mesh("2'", "3", 1)),
     candidates,
     {"1": PINION, "2": WHEEL, "2'": PINION, "3": WHEEL},
     planetary=False,
     size=length,
     arrangements=(3, 5),
+    usual_ratio=20,
 )
 THREE = Layout(
     "unfolded3",
     "three stages in unfolded layout",
     "unfolded",
     ("1", "2", "2'", "3", "3'", "4"),
-    (pair("1", "2", 0), pair("2'", "3", 1), pair("3'", "4", 2)),
+    (mesh("1", "2", 0), mesh("2'", "3", 1), mesh("3'", "4", 2)),
     candidates,
     {"1": PINION, "2": WHEEL, "2'": PINION, "3": WHEEL, "3'": PINION, "4": WHEEL},
     planetary=False,
     size=length,
     arrangements=(3, 3, 5),
+    usual_ratio=45,
 )

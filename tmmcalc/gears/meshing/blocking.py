@@ -11,7 +11,7 @@ import numpy as np
 
 from tmmcalc.gears.involute.contour.contour import Contour, contours
 from tmmcalc.gears.involute.contour.errors import contour_error
-from tmmcalc.gears.involute.contour.interval import Interval, intervals
+from tmmcalc.gears.involute.contour.interval import ShiftInterval, intervals
 from tmmcalc.gears.involute.contour.margins import margins
 from tmmcalc.gears.involute.contour.regions import Region
 from tmmcalc.gears.meshing.blockinglines import contour_lines
@@ -35,7 +35,8 @@ def solve_blocking(pair: Pairs) -> Blocking:
     solved = []
     for each in (one for one in pair.pairs if one.task.kind == "external"):
         task, asked = each.task, contour_task(each.task)
-        both = contours(asked)
+        strict, tolerated = contours(asked)
+        both = strict, tolerated
         points, missing = contour_points(each, both)
         line = _interval(both, points[0])
         left = margins(asked, *each.shifts)
@@ -48,8 +49,8 @@ def solve_blocking(pair: Pairs) -> Blocking:
                 rack=task.rack,
                 contact_ratio=task.limits.contact_ratio,
                 thickness=task.limits.tip_thickness,
-                strict=_area(both[0]),
-                tolerated=_area(both[1]),
+                strict=_area(strict),
+                tolerated=_area(tolerated),
                 lines=contour_lines(each, both),
                 points=points,
                 missing=missing,
@@ -83,7 +84,7 @@ def _remarks(found: Pairs) -> list[str]:
     return remarks
 
 
-def _interval(both: tuple[Contour, Contour], chosen: ContourPoint) -> Interval | None:
+def _interval(both: tuple[Contour, Contour], chosen: ContourPoint) -> ShiftInterval | None:
     """The admissible x1 at the chosen sum: the interval that holds the chosen x1, or is nearest to it.
 
     Without undercut, unless only the tolerated contour holds the chosen shifts or has anything on the line.

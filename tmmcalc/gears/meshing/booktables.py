@@ -19,7 +19,7 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.profile.flank import Flank, flank_of
 from tmmcalc.gears.involute.profile.tables import Axis, axis_turn, fillet_table, main_profile
-from tmmcalc.gears.meshing.halves import Part, half_tooth
+from tmmcalc.gears.meshing.halves import ProfilePart, half_tooth
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.gears.model import Values
 
@@ -147,7 +147,7 @@ def _fillet(flank: Flank, turn: float, intervals: int, rolls: Values | None, m: 
     return BookTable((*[""] * (len(table.roll) - 2), "L", "D"), columns, table.cut)
 
 
-def _steps(part: Part, intervals: int, rolls: Values | None = None) -> Values:
+def _steps(part: ProfilePart, intervals: int, rolls: Values | None = None) -> Values:
     """Parameters of a part from the tip towards the root: equal steps, or those of roll angles of an involute."""
     first, last = part.curve.end, part.curve.start
     if rolls is None:
@@ -158,7 +158,7 @@ def _steps(part: Part, intervals: int, rolls: Values | None = None) -> Values:
     return np.concatenate([[first], inside if first < last else inside[::-1], [last]])
 
 
-def _sampled(member: Member, part: Part, at: Values, turn: float) -> BookTable:
+def _sampled(member: Member, part: ProfilePart, at: Values, turn: float) -> BookTable:
     """A part of the profile at parameters (n,) from the tip towards the root."""
     m, involute_part = member.module, part.name == "involute"
     psi = _half_angle(member) if member.shape == "ring" else float(member.wheel.half_angle)

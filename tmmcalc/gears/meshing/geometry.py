@@ -12,7 +12,7 @@ from tmmcalc.gears.involute.internal.pair import InternalPair, Tips, internal_of
 from tmmcalc.gears.involute.internal.ring import Ring
 from tmmcalc.gears.involute.pair import Pair, pair_at, pair_of_shifts, sum_of_shifts
 from tmmcalc.gears.involute.profile.form import junction
-from tmmcalc.gears.involute.quality.existence import require_sum
+from tmmcalc.gears.involute.quality.existence import require_least_sum
 from tmmcalc.gears.involute.rackpair import RackPair, rack_pair
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.meshing.results import MeshPair
@@ -56,7 +56,7 @@ def external_of(task: PairTask, shifts: tuple[float, float], *, asked_tips: bool
     first, second = wheel_of(task, 1, shifts[0]), wheel_of(task, 2, shifts[1])
     distance = asked_distance(task)
     if distance is None:
-        require_sum(first, second)
+        require_least_sum(first, second)
         pair = pair_of_shifts(first, second)
     else:
         pair = pair_at(first, second, float(sum_of_shifts(first, second, distance)[1]), distance)

@@ -30,7 +30,7 @@ NARROW, ZOOMS = 33, 7  # samples of a fillet where its least radius is sought, a
 
 
 @record
-class Part:
+class ProfilePart:
     """A smooth part; its functions take parameters (n,) from ``start`` to ``end``."""
 
     name: PartName
@@ -44,7 +44,7 @@ class Part:
 class Half:
     """Half a tooth."""
 
-    parts: tuple[Part, ...]
+    parts: tuple[ProfilePart, ...]
     tip: float
     root: float
     base: float
@@ -54,12 +54,12 @@ class Half:
     remark: str = ""
 
     @property
-    def fillet(self) -> Part:
+    def fillet(self) -> ProfilePart:
         """The curve between root and flank."""
         return next(part for part in self.parts if part.name == "fillet")
 
     @property
-    def flank(self) -> Part:
+    def flank(self) -> ProfilePart:
         """The involute, of a rack the straight flank."""
         return next(part for part in self.parts if part.name in ("involute", "flank"))
 
@@ -70,7 +70,7 @@ class Half:
         return float(np.abs(last - first)[0])
 
     @property
-    def _meeting(self) -> tuple[tuple[Part, float], tuple[Part, float]]:
+    def _meeting(self) -> tuple[tuple[ProfilePart, float], tuple[ProfilePart, float]]:
         return (self.fillet, self.fillet.curve.end), (self.flank, self.flank.curve.start)
 
     @property
@@ -110,8 +110,8 @@ def _of_wheel(member: Member) -> Half:
     tool, start, rolls = flank.rounding, tan(flank.rounding.angle), flank.rolls
     involute, fillet = (_upward(curve) for curve in flank.curves)
     curves = (
-        Part("fillet", "curve", fillet, lambda theta: -1 / tool.curvature(theta), tool.roll),
-        Part("involute", "curve", involute, lambda xi: flank.wheel.base * xi, lambda xi: xi - start),
+        ProfilePart("fillet", "curve", fillet, lambda theta: -1 / tool.curvature(theta), tool.roll),
+        ProfilePart("involute", "curve", involute, lambda xi: flank.wheel.base * xi, lambda xi: xi - start),
     )
     remark = f"pointed at the radius {flank.tip * member.module * 1e3:.6g} mm, below its tip circle"
     return Half(
@@ -131,14 +131,14 @@ def _upward(curve: Curve) -> Curve:
     return replace(curve, start=curve.end, end=curve.start)
 
 
-def _arcs(element: Element) -> tuple[tuple[Part, ...], tuple[Part, ...]]:
+def _arcs(element: Element) -> tuple[tuple[ProfilePart, ...], tuple[ProfilePart, ...]]:
     """The left halves of the arcs at the root and over the tip of a tooth; none where they vanish."""
     crest, gap = arcs(element)
     middle = pi / 2 + pi / element.teeth
     return _arc("root", gap.radius, middle, gap.sweep, 1.0), _arc("tip", crest.radius, pi / 2, -crest.sweep, 1.0)
 
 
-def _arc(name: PartName, radius: float, middle: float, sweep: float, side: float) -> tuple[Part, ...]:
+def _arc(name: PartName, radius: float, middle: float, sweep: float, side: float) -> tuple[ProfilePart, ...]:
     """Half of an arc: at the root from its middle on, at the tip to its middle."""
     if sweep == 0:
         return ()
@@ -146,7 +146,7 @@ def _arc(name: PartName, radius: float, middle: float, sweep: float, side: float
     curve = Curve(
         lambda angle: radius * np.exp(1j * np.asarray(angle)), lambda angle: 1j * radius * np.exp(1j * angle), *ends
     )
-    return (Part(name, "arc", curve, lambda angle: np.full_like(angle, side * radius)),)
+    return (ProfilePart(name, "arc", curve, lambda angle: np.full_like(angle, side * radius)),)
 
 
 def _of_ring(member: Member) -> Half:
@@ -168,8 +168,8 @@ def _of_ring(member: Member) -> Half:
     fillet, involute = (mirrored(curve) for curve in element.curves)
     parts = (
         *_arc("root", flank.root, pi / 2 + member.half_pitch, bottom.sweep, -1.0),
-        Part("fillet", "curve", fillet, radius, roll),
-        Part("involute", "curve", involute, lambda xi: -flank.base * xi, lambda xi: xi - start),
+        ProfilePart("fillet", "curve", fillet, radius, roll),
+        ProfilePart("involute", "curve", involute, lambda xi: -flank.base * xi, lambda xi: xi - start),
         *_arc("tip", flank.tip, pi / 2, -flat.sweep, -1.0),
     )
     form, deepest = involute.start - start, float(roll(np.array([fillet.start]))[0])
@@ -197,7 +197,7 @@ def _of_rack(member: Member) -> Half:
         pi / 2,
         tool.angle,
     )
-    fillet = Part("fillet", "curve", rounded, lambda theta: -tool.radius_of_curvature(theta))
+    fillet = ProfilePart("fillet", "curve", rounded, lambda theta: -tool.radius_of_curvature(theta))
     lowest, highest = complex(slope * foot - quarter, foot), complex(slope * member.tip - quarter, member.tip)
     middle = complex(-2 * quarter, root)
     bottom = (_line("root", middle, middle + tool.flat),) if tool.flat > 0 else ()
@@ -205,7 +205,7 @@ def _of_rack(member: Member) -> Half:
     return Half((*bottom, fillet, *above), member.tip, root, 0.0, foot, False, (0.0, 0.0, 0.0, 0.0))
 
 
-def _line(name: PartName, first: complex, last: complex) -> Part:
+def _line(name: PartName, first: complex, last: complex) -> ProfilePart:
     run = last - first
     curve = Curve(lambda t: first + t * run, lambda t: np.full_like(t, run, dtype=complex), 0.0, 1.0)
-    return Part(name, "line", curve, np.zeros_like)
+    return ProfilePart(name, "line", curve, np.zeros_like)

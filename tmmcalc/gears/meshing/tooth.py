@@ -9,7 +9,7 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.quantity import quantities
-from tmmcalc.gears.meshing.halves import Half, Part, half_tooth
+from tmmcalc.gears.meshing.halves import Half, ProfilePart, half_tooth
 from tmmcalc.gears.meshing.members import Member, members
 from tmmcalc.gears.meshing.profiles import Profiles, WheelProfile
 from tmmcalc.gears.meshing.results import Pairs
@@ -100,7 +100,7 @@ def _centre(member: Member) -> tuple[float, float]:
     return member.module * across, member.module * (height + cut.radius * sin(cut.angle))
 
 
-def _sampled(part: Part, points: int) -> np.ndarray:
+def _sampled(part: ProfilePart, points: int) -> np.ndarray:
     """Parameters in equal steps: of the normal's direction on a fillet, of the roll angle on an involute."""
     count = points if part.kind == "curve" else max(points // SHARE, 2)
     return np.linspace(part.curve.start, part.curve.end, count)

@@ -20,7 +20,7 @@ from tmmcalc.core.plane import Plane
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.profile.mesh import Placing
 from tmmcalc.gears.involute.profile.outline import Arc
-from tmmcalc.gears.meshing.halves import Half, Part, half_tooth
+from tmmcalc.gears.meshing.halves import Half, ProfilePart, half_tooth
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.gears.meshing.refusal import millimetres
 from tmmcalc.report.strokes import Bow, Cubics, Line, Piece
@@ -104,7 +104,7 @@ def _tooth(half: Half, fine: float) -> list[_Stroke]:
     return [*right, *tip, *(_mirrored(stroke) for stroke in reversed(right))]
 
 
-def _stroke(part: Part, fine: float) -> _Stroke:
+def _stroke(part: ProfilePart, fine: float) -> _Stroke:
     """The right side of a tooth, upward."""
     if part.kind == "line":
         run = -np.conj(part.curve.point(np.array([part.curve.start, part.curve.end])))
@@ -120,7 +120,7 @@ def _mirrored(stroke: _Stroke) -> _Stroke:
     return _Stroke(Line((complex(points[0]), complex(points[1]))), points)
 
 
-def _whole(part: Part, fine: float) -> _Stroke:
+def _whole(part: ProfilePart, fine: float) -> _Stroke:
     """Tip or bottom with its right half: the part ends or begins in the middle."""
     first, last = (complex(end) for end in part.curve.point(np.array([part.curve.start, part.curve.end])))
     if part.kind == "line":
@@ -144,7 +144,7 @@ def _before(half: Half, fine: float) -> list[_Stroke]:
     return [_to_middle(part, fine, right=True) for part in half.parts if part.name == "root"]
 
 
-def _to_middle(part: Part, fine: float, right: bool) -> _Stroke:
+def _to_middle(part: ProfilePart, fine: float, right: bool) -> _Stroke:
     if part.kind == "line":
         return _stroke(part, fine) if right else _mirrored(_stroke(part, fine))
     sweep = part.curve.start - part.curve.end

@@ -13,7 +13,7 @@ import numpy as np
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 
-from tmmcalc.gears.meshing.halves import Half, Part, fault_of, half_tooth
+from tmmcalc.gears.meshing.halves import Half, ProfilePart, fault_of, half_tooth
 from tmmcalc.gears.meshing.members import Member, members
 from tmmcalc.gears.meshing.refusal import error_of_all
 from tmmcalc.gears.meshing.results import Pairs
@@ -133,7 +133,7 @@ def _handles(member: Member, half: Half) -> list[Line2D]:
     return [*found, Line2D([], [], label="path of $S$, centre of the rounding", **CENTRE_PATH)]
 
 
-def _curvatures(member: Member, half: Half) -> list[tuple[str, Part, float]]:
+def _curvatures(member: Member, half: Half) -> list[tuple[str, ProfilePart, float]]:
     """Ends of fillet and flank."""
     fillet, flank = half.fillet, half.flank
     join = joint_of(member, half)

@@ -14,7 +14,7 @@ from matplotlib.axes import Axes
 
 from tmmcalc.core.plane import Plane
 from tmmcalc.gears.involute.profile.generation import in_wheel, path_of_centre, rack_outline
-from tmmcalc.gears.meshing.halves import Half, Part
+from tmmcalc.gears.meshing.halves import Half, ProfilePart
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.gears.pictures.generation import Generation
 from tmmcalc.gears.pictures.placedpair import CIRCLES, SIGNS, Circle, active_flank
@@ -219,7 +219,7 @@ class ToothDrawing(_Drawing):
             )
 
 
-def _sampled(part: Part) -> Plane:
+def _sampled(part: ProfilePart) -> Plane:
     return part.curve.point(np.linspace(part.curve.start, part.curve.end, POINTS))
 
 

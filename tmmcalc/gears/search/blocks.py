@@ -65,7 +65,7 @@ def pairs(first: range, second: range) -> tuple[Integers, Integers]:
     return np.repeat(one, len(other)), np.tile(other, len(one))
 
 
-def size(low: Integers, high: Integers) -> int:
+def number_between(low: Integers, high: Integers) -> int:
     """How many numbers lie between the limits, over all candidates."""
     return int(np.maximum(high - low + 1, 0).sum())
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from tmmcalc.core.quantity import components, headed
 from tmmcalc.gears.columns import stacked_tables
-from tmmcalc.gears.selection.results import Pairs, Selection, Weighed
+from tmmcalc.gears.selection.results import Selection, SeriesChoice, Weighed
 
 NO, YES = "no", "yes"
 BOTH = ("I", "II")  # trains in series
@@ -37,7 +37,7 @@ def columns_of(each: Weighed) -> dict[str, np.ndarray]:
     }
 
 
-def pair_columns(pairs: Pairs) -> dict[str, np.ndarray]:
+def pair_columns(pairs: SeriesChoice) -> dict[str, np.ndarray]:
     """The pairs of trains in series that are on their Pareto front."""
     if pairs.front is None or pairs.first is None or pairs.second is None:
         return {}

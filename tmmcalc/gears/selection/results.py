@@ -114,7 +114,7 @@ class Guide:
 
 
 @record
-class Pairs:
+class SeriesChoice:
     """Two trains AIbar in series in place of one; the pairs of the Pareto front are held."""
 
     planets: int
@@ -149,7 +149,7 @@ class Selection:
     by_planets: tuple[Comparison, ...]  # numbers of planets of the winner's layout, by each objective; or none
     by_layouts: tuple[Comparison, ...]  # layouts, by each objective; or none
     guides: tuple[Guide, ...]
-    pairs: Pairs | None = None  # trains in series, if they are asked for
+    pairs: SeriesChoice | None = None  # trains in series, if they are asked for
 
     @property
     def pool(self) -> Pool:

@@ -17,13 +17,13 @@ from tmmcalc.gears.criteria.choice import Measured, Ranking, Reason, front, leas
 from tmmcalc.gears.criteria.comparison import Comparison, compare
 from tmmcalc.gears.criteria.efficiency import efficiency
 from tmmcalc.gears.criteria.errors import criteria_error
-from tmmcalc.gears.criteria.evaluate import Basis, evaluate
+from tmmcalc.gears.criteria.evaluate import Assumptions, evaluate
 from tmmcalc.gears.criteria.speeds import speeds
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.proportion import equal_strength
 from tmmcalc.gears.scheme import CARRIER
-from tmmcalc.gears.selection.pairs import SERIES, paired
-from tmmcalc.gears.selection.results import MEASURES, Guide, Pairs, Pool, Selection, Weighed, Winner, pooled
+from tmmcalc.gears.selection.results import MEASURES, Guide, Pool, Selection, SeriesChoice, Weighed, Winner, pooled
+from tmmcalc.gears.selection.series import SERIES, paired
 from tmmcalc.gears.selection.task import ROW, WEIGHTED, SelectionTask
 from tmmcalc.gears.sizing import Sized, Sizing, rows_of
 from tmmcalc.gears.split import CRITERIA, best_split, equal_diameters
@@ -68,10 +68,10 @@ def solve_selection(task: SelectionTask, train: Trains, strength: Sizing) -> Sel
     )
 
 
-def basis_of(request: Request, task: SelectionTask) -> Basis:
+def assumptions_of(request: Request, task: SelectionTask) -> Assumptions:
     """Criteria of a variant: where the carrier drives, wheel 1 is the output shaft."""
     backward = request.kind == "i_H1"
-    return Basis(
+    return Assumptions(
         meshes=task.meshes,
         driver=CARRIER if backward else "1",
         reduced_to="1" if backward else None,
@@ -81,7 +81,7 @@ def basis_of(request: Request, task: SelectionTask) -> Basis:
 
 def _weighed(request: Request, sized: Sized, task: SelectionTask) -> Weighed:
     strong = np.flatnonzero(sized.strength.accepted)
-    basis = basis_of(request, task)
+    basis = assumptions_of(request, task)
     locks = efficiency(rows_of(sized.sets, strong), basis.meshes, basis.driver) <= 0
     rows = strong[~locks]
     sets, module, width = rows_of(sized.sets, rows), sized.strength.module[rows], sized.strength.width[rows]
@@ -143,7 +143,7 @@ def _by_planets(weighed: tuple[Weighed, ...], layout: str, task: SelectionTask) 
 
 
 def _by_layouts(
-    weighed: tuple[Weighed, ...], pairs: Pairs | None, measured: Measured | None, task: SelectionTask
+    weighed: tuple[Weighed, ...], pairs: SeriesChoice | None, measured: Measured | None, task: SelectionTask
 ) -> tuple[Comparison, ...]:
     """Layouts, each with all its numbers of planets, and trains in series."""
     layouts = dict.fromkeys(each.sets.layout for each in weighed)

@@ -193,5 +193,5 @@ _READERS: dict[str, Callable[[str], Any]] = {
     "float": _number,
     "float | None": _optional,
     "bool": _flag,
-    "tuple[str, ...]": _words,
+    str(tuple[str, ...]): _words,
 }

@@ -15,7 +15,7 @@ from tmmcalc.gears.involute.contour.equalstrength import strength_ends
 from tmmcalc.gears.involute.contour.frame import Frame, Sums, frame_of
 from tmmcalc.gears.involute.contour.regions import Region, regions_of
 from tmmcalc.gears.involute.contour.task import Task
-from tmmcalc.gears.involute.contour.trace import POINTS, Part, parts_of, scan
+from tmmcalc.gears.involute.contour.trace import POINTS, ContourPart, parts_of, scan
 from tmmcalc.gears.model import Values
 
 ZOOM = 65  # points of a round that narrows a maximum
@@ -105,22 +105,15 @@ def contour(task: Task, strict: bool = True, *, pieces: bool = True, points: int
 
     ``points`` are those of an edge between two of its breaks, on which the accuracy of the area depends.
     """
-    return _contours(task, (strict,), pieces, points)[0]
+    return contours(task, (strict,), pieces=pieces, points=points)[0]
 
 
-def contours(task: Task) -> tuple[Contour, Contour]:
-    """The strict and the tolerated contour."""
-    strict, tolerated = _contours(task, (True, False), True, POINTS)
-    if strict.main is None or tolerated.main is None:
-        return strict, tolerated
-    pairs = zip_longest(strict.main.parts, tolerated.main.parts)
-    same = all(one is other for one, other in pairs)
-    return strict, replace(tolerated, main=strict.main, twin=strict) if same else tolerated
-
-
-def _contours(task: Task, kinds: tuple[bool, ...], pieces: bool, points: int) -> list[Contour]:
+def contours(
+    task: Task, kinds: tuple[bool, ...] = (True, False), *, pieces: bool = True, points: int = POINTS
+) -> list[Contour]:
+    """The strict and the tolerated contour, or those of other ``kinds``, as `contour` finds one."""
     frame = frame_of(task)
-    found: dict[bool, list[Part]] = {kind: [] for kind in kinds}
+    found: dict[bool, list[ContourPart]] = {kind: [] for kind in kinds}
     untraced: dict[bool, list[int]] = {kind: [] for kind in kinds}
     for branch in frame.branches if pieces or frame.neck > 0 else (0,):
         w = scan(frame, branch, [part for kind in kinds for part in found[kind]])
@@ -139,7 +132,16 @@ def _contours(task: Task, kinds: tuple[bool, ...], pieces: bool, points: int) ->
                 if branch == 0:
                     raise
                 untraced[kind].append(branch)
-    return [_whole(kind, frame, found[kind], tuple(untraced[kind])) for kind in kinds]
+    first, *others = (_whole(kind, frame, found[kind], tuple(untraced[kind])) for kind in kinds)
+    return [first, *(_like(first, other) for other in others)]
+
+
+def _like(strict: Contour, tolerated: Contour) -> Contour:
+    """The tolerated contour, with the main region of the strict one where both have the same parts."""
+    if strict.main is None or tolerated.main is None:
+        return tolerated
+    same = all(one is other for one, other in zip_longest(strict.main.parts, tolerated.main.parts))
+    return replace(tolerated, main=strict.main, twin=strict) if same else tolerated
 
 
 def _alike(scanned: Cuts) -> bool:
@@ -149,7 +151,7 @@ def _alike(scanned: Cuts) -> bool:
     return all(bool(np.all((a == b) | empty)) for a, b in zip(one, other, strict=True))
 
 
-def _whole(strict: bool, frame: Frame, parts: list[Part], untraced: tuple[int, ...]) -> Contour:
+def _whole(strict: bool, frame: Frame, parts: list[ContourPart], untraced: tuple[int, ...]) -> Contour:
     regions = regions_of(frame, parts)
     central = (region for region in regions if any(part.branch == 0 for part in region.parts))
     main = max(central, key=lambda region: region.area, default=None)
@@ -169,7 +171,7 @@ def _best(frame: Frame, low: Values, high: Values, sums: Sums) -> tuple[Values, 
     return x1, frame.overlap(sums, x1)[0]
 
 
-def _largest(frame: Frame, part: Part, strict: bool) -> tuple[float, float, float]:
+def _largest(frame: Frame, part: ContourPart, strict: bool) -> tuple[float, float, float]:
     """Of one part: on every line of constant sum the split of equal tip pressure angles, or the end next to it."""
 
     def looked(w: Values) -> tuple[Values, Values]:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from tmmcalc.core.numerics.roots import Indices, bracketed
 from tmmcalc.gears.involute.contour.bounds import cuts
 from tmmcalc.gears.involute.contour.frame import Frame, Sums
-from tmmcalc.gears.involute.contour.trace import Part
+from tmmcalc.gears.involute.contour.trace import ContourPart
 from tmmcalc.gears.involute.formfactor import tooth_form
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
@@ -40,7 +40,7 @@ def strength_gap(frame: Frame, sums: Sums, x1: Values) -> Values:
     return first.factor - second.factor
 
 
-def strength_ends(frame: Frame, part: Part, strict: bool) -> tuple[Values, Values]:
+def strength_ends(frame: Frame, part: ContourPart, strict: bool) -> tuple[Values, Values]:
     """Sums of shifts and x1 (k,) at which the line of equal tooth form factors leaves a part.
 
     It leaves through the edge at which the difference changes its sign, or through the top, as with equal wheels.

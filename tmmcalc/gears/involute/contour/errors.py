@@ -25,7 +25,7 @@ from tmmcalc.gears.involute.contour.exact import Exact, exact_of
 from tmmcalc.gears.involute.contour.frame import Frame
 from tmmcalc.gears.involute.contour.regions import Region
 from tmmcalc.gears.involute.contour.side import Side
-from tmmcalc.gears.involute.contour.trace import POINTS, Part
+from tmmcalc.gears.involute.contour.trace import POINTS, ContourPart
 from tmmcalc.gears.model import Values
 
 WIDTH = 1e-6  # [rad] of the differences along w
@@ -56,7 +56,7 @@ def contour_error(found: Contour) -> ContourError | None:
     return ContourError(placed + missed, _corners(exact, region))
 
 
-def _placed(exact: Exact, part: Part) -> float:
+def _placed(exact: Exact, part: ContourPart) -> float:
     """Area between the edges of a part and the points that were found on them."""
     size, gauss, frame = POINTS + 1, rule(POINTS), exact.frame
     w = part.angles[:-1].reshape(-1, size)[:, 1:].ravel()
@@ -74,7 +74,7 @@ def _distance(exact: Exact, w: Values, x1: Values) -> Values:
     return np.asarray(np.min(found, axis=0))
 
 
-def _missed(frame: Frame, part: Part, strict: bool) -> float:
+def _missed(frame: Frame, part: ContourPart, strict: bool) -> float:
     """What Gauss's rule leaves of a part's area."""
     size, gauss = POINTS + 1, rule(POINTS)
     half = np.diff(part.angles[::size]) / 2
@@ -89,7 +89,7 @@ def _missed(frame: Frame, part: Part, strict: bool) -> float:
     return float(np.sum(left))
 
 
-def _again(frame: Frame, part: Part, strict: bool, which: NDArray[np.bool_]) -> Values:
+def _again(frame: Frame, part: ContourPart, strict: bool, which: NDArray[np.bool_]) -> Values:
     """Areas (m,) of some panels of a part by a rule of twice as many points."""
     gauss, edges = rule(2 * POINTS), part.angles[:: POINTS + 1]
     mean, half = ((edges[1:] + edges[:-1]) / 2)[which], (np.diff(edges) / 2)[which]

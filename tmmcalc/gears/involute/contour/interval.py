@@ -15,7 +15,7 @@ from tmmcalc.gears.involute.contour.task import LINES
 
 
 @record
-class Interval:
+class ShiftInterval:
     """Admissible x1 on a line x1 + x2 = const, and the conditions (keys of LINES) at its ends."""
 
     total: float  # x1 + x2
@@ -33,7 +33,7 @@ class Interval:
         return max(self.low - x1, x1 - self.high, 0.0)
 
 
-def intervals(frame: Frame, total: float, strict: bool = True) -> tuple[Interval, ...]:
+def intervals(frame: Frame, total: float, strict: bool = True) -> tuple[ShiftInterval, ...]:
     """All admissible intervals on the line of a sum, by ascending x1; those that adjoin are one."""
     w = frame.angle_of(np.array([total]))
     if not w[0] > 0:
@@ -41,25 +41,25 @@ def intervals(frame: Frame, total: float, strict: bool = True) -> tuple[Interval
     found = [_cut(frame, float(w[0]), total, strict, branch) for branch in frame.branches]
     parts = sorted((each for each in found if each.low <= each.high), key=lambda each: each.low)
     joints = [False, *(frame.neck > 0 and one.high_line == two.low_line in TIPS for one, two in pairwise(parts))]
-    result: list[Interval] = []
+    result: list[ShiftInterval] = []
     for part, joint in zip(parts, joints, strict=False):
         if joint:
             last = result.pop()
             branches = (*last.branches, *part.branches)
-            part = Interval(total, last.low, part.high, last.low_line, part.high_line, branches)
+            part = ShiftInterval(total, last.low, part.high, last.low_line, part.high_line, branches)
         result.append(part)
     return tuple(result)
 
 
-def _cut(frame: Frame, w: float, total: float, strict: bool, branch: int) -> Interval:
+def _cut(frame: Frame, w: float, total: float, strict: bool, branch: int) -> ShiftInterval:
     low, high, below, above = cuts(frame, np.array([w]), branch, tolerated=not strict).ends(strict)
     names = edge_names(LOWER[below[0]], UPPER[above[0]], branch)
-    return Interval(total, float(low[0]), float(high[0]), *names, (branch,))
+    return ShiftInterval(total, float(low[0]), float(high[0]), *names, (branch,))
 
 
 def interval(
     frame: Frame, total: float, strict: bool = True, *, region: Region | None = None, near: float | None = None
-) -> Interval:
+) -> ShiftInterval:
     """Admissible x1 on the line of a sum of shifts; raises `NoSolutionError` if there are none.
 
     Only intervals of ``region`` count, if it is known; else those that meet the main branch or are joined to it by a
@@ -80,7 +80,7 @@ def interval(
     return max(found, key=lambda each: (0 in each.branches, each.high - each.low))
 
 
-def _counts(frame: Frame, each: Interval, region: Region | None) -> bool:
+def _counts(frame: Frame, each: ShiftInterval, region: Region | None) -> bool:
     if region is None:
         return frame.neck > 0 or 0 in each.branches
     return any(part.branch in each.branches and part.total[0] <= each.total <= part.total[-1] for part in region.parts)

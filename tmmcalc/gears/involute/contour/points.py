@@ -11,7 +11,7 @@ from tmmcalc.gears.involute.contour.bounds import cuts, root
 from tmmcalc.gears.involute.contour.contour import Contour
 from tmmcalc.gears.involute.contour.frame import Frame, Sums
 from tmmcalc.gears.involute.contour.side import Sloped
-from tmmcalc.gears.involute.contour.trace import Part
+from tmmcalc.gears.involute.contour.trace import ContourPart
 from tmmcalc.gears.model import Values
 
 ZOOM = 65  # points of a round that narrows a root
@@ -123,7 +123,7 @@ def _squares(points: Values, start: Values, run: Values, square: Values) -> Valu
     return found
 
 
-def _within(parts: Sequence[Part], points: Values) -> NDArray[np.bool_]:
+def _within(parts: Sequence[ContourPart], points: Values) -> NDArray[np.bool_]:
     """Whether points (n, 2) lie in one of the parts: between its ends on their line of constant sum."""
     x1, total = points[:, 0], points[:, 0] + points[:, 1]
     inside = np.zeros(x1.shape, dtype=bool)

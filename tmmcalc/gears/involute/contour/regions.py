@@ -14,7 +14,7 @@ import numpy as np
 
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.frame import Frame
-from tmmcalc.gears.involute.contour.trace import Corner, Edge, Part
+from tmmcalc.gears.involute.contour.trace import ContourPart, Corner, Edge
 from tmmcalc.gears.model import Values
 
 TIPS = ("tip1", "tip2")
@@ -27,7 +27,7 @@ Key = tuple[int, int]  # number of a part, number of its edge
 class Region:
     """A closed region of admissible shifts."""
 
-    parts: tuple[Part, ...]
+    parts: tuple[ContourPart, ...]
     edges: tuple[Edge, ...]  # counter-clockwise
     corners: tuple[Corner, ...]
     area: float
@@ -51,7 +51,7 @@ class Region:
         return min(float(part.total[0]) for part in self.parts), max(float(part.total[-1]) for part in self.parts)
 
 
-def regions_of(frame: Frame, parts: Sequence[Part]) -> tuple[Region, ...]:
+def regions_of(frame: Frame, parts: Sequence[ContourPart]) -> tuple[Region, ...]:
     """The parts of all branches as regions; parts that only touch in a point stay apart."""
     shared = _shared_edges(parts) if frame.neck > 0 else {}
     groups = list(range(len(parts)))
@@ -70,7 +70,7 @@ def regions_of(frame: Frame, parts: Sequence[Part]) -> tuple[Region, ...]:
     return tuple(found)
 
 
-def _shared_edges(parts: Sequence[Part]) -> dict[Key, Key]:
+def _shared_edges(parts: Sequence[ContourPart]) -> dict[Key, Key]:
     """The edges along tip lines that two parts share."""
     tips = [((k, n), edge) for k, part in enumerate(parts) for n, edge in enumerate(part.edges) if edge.line in TIPS]
     return {
@@ -92,7 +92,7 @@ def _end(edge: Edge) -> complex:
     return complex(edge.x1[-1], edge.x2[-1])
 
 
-def _loop(parts: Sequence[Part], members: Sequence[int], shared: dict[Key, Key]) -> Iterator[Key]:
+def _loop(parts: Sequence[ContourPart], members: Sequence[int], shared: dict[Key, Key]) -> Iterator[Key]:
     """The edges of the closed curve about the parts, from the one that begins at the least sum."""
 
     def after(key: Key) -> Key:

@@ -45,7 +45,7 @@ class Edge:
 
 
 @record
-class Part:
+class ContourPart:
     """A closed region of admissible shifts of one branch."""
 
     branch: int  # 0: both tip circles outside the reference circles; 1 (2): that of wheel 2 (1) inside; 3: both inside
@@ -60,7 +60,7 @@ class Part:
     high: Values  # (n,) largest x1
 
 
-def scan(frame: Frame, region: int, also: Sequence[Part] = ()) -> Values:
+def scan(frame: Frame, region: int, also: Sequence[ContourPart] = ()) -> Values:
     """Operating angles [rad] that cover the region, or none; closer where the branches touch.
 
     ``also``: parts of other branches, which may go on in this one where they end on a tip line.
@@ -90,12 +90,12 @@ def scan(frame: Frame, region: int, also: Sequence[Part] = ()) -> Values:
     return w[(w >= left) & (w <= right)]
 
 
-def parts_of(frame: Frame, region: int, strict: bool, scanned: Cuts, points: int = POINTS) -> tuple[Part, ...]:
+def parts_of(frame: Frame, region: int, strict: bool, scanned: Cuts, points: int = POINTS) -> tuple[ContourPart, ...]:
     """All closed regions of one branch, by ascending sums; ``points`` of an edge between two breaks."""
     return tuple(_traced(frame, region, strict, part, points) for part in breaks_of(frame, region, strict, scanned))
 
 
-def _traced(frame: Frame, region: int, strict: bool, breaks: list[Break], points: int) -> Part:
+def _traced(frame: Frame, region: int, strict: bool, breaks: list[Break], points: int) -> ContourPart:
     breaks, edges_w = _snapped(frame, breaks)
     start, end = breaks[0], breaks[-1]
     gauss = rule(points)
@@ -123,7 +123,7 @@ def _traced(frame: Frame, region: int, strict: bool, breaks: list[Break], points
         )
         right, left = [*right[:-1], turned], left[1:]
     corners = _corners(frame, breaks, edges_w, lows, highs, low, high, total, size)
-    return Part(region, corners, (*right, *left), area, w, total, low, high)
+    return ContourPart(region, corners, (*right, *left), area, w, total, low, high)
 
 
 def _xy(edge: Edge) -> tuple[Values, Values]:

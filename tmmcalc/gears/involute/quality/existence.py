@@ -128,7 +128,7 @@ def require_pair(pair: Pair, limits: QualityLimits | None = None, fillet: Shape 
     )
 
 
-def require_sum(first: Wheel, second: Wheel) -> None:
+def require_least_sum(first: Wheel, second: Wheel) -> None:
     """Raise `NoSolutionError` if the sum of two scalar shifts is too small for a pair without backlash."""
     total, least = float(first.shift + second.shift), least_sum(first, second)
     if total > least:

@@ -17,7 +17,6 @@ from tmmcalc.spec.values import amount, amounts, check_bare_speed
 
 _NUMBER, _TOLERANCE = Exact("a number", "1"), Exact("a tolerance", "1 %", percent=True)
 FLATTEST, STEEPEST = math.radians(10), math.radians(44)  # of operating pressure angles
-_PROGRAMS = ("unfolded2", "unfolded3", "coaxial", "AIbar", "AA", "AI")
 
 
 def _unfolded(layout: Layout) -> bool:
@@ -87,10 +86,12 @@ def check_keys(outline: Outline) -> Iterator[Finding]:
 
 
 def _check_programs(layouts: list[Layout], constraints: Raw) -> Iterator[Finding]:
-    without = [layout for layout in layouts if layout.key not in _PROGRAMS]
+    from tmmcalc.gears.stepping import PROGRAMS  # late: few ask for them
+
+    without = [layout for layout in layouts if layout.key not in PROGRAMS]
     if without:
         rule = f'method = "textbook": the textbook has no program for layout {_keys(without)}'
-        yield Finding(("train", "method"), rule, f"remove method, or the layout; programs are for {listing(_PROGRAMS)}")
+        yield Finding(("train", "method"), rule, f"remove method, or the layout; programs are for {listing(PROGRAMS)}")
     if constraints.get("mesh_angle_max", False) is not False:
         rule = 'method = "textbook" knows meshes at their reference centre distance alone'
         yield Finding(("train", "constraints", "mesh_angle_max"), rule, "remove it, or method")

@@ -25,8 +25,6 @@ RANGE = (Fraction(1), Fraction(5, 2))  # of the ratio m2/m1 of standard modules
 TOLERANCE = {"unfolded3": Fraction(2, 100)}
 USUAL_TOLERANCE = Fraction(1, 100)
 STAGE_RATIO, BAND = Fraction(6), Fraction(5, 100)  # of unfolded trains
-# tooth ratios up to which unfolded trains are usual
-USUAL_RATIO = {"unfolded2": 20, "unfolded3": 45}
 SLIGHT = Fraction(5, 6)  # of the least number of teeth without undercut: some is harmless down to it
 
 
@@ -176,6 +174,6 @@ def _remarks(table: TrainTable, task: TrainTask, least: int) -> Iterator[str]:
         slight = table.z_min >= math.ceil(SLIGHT * least)
         degree = "slight undercut" if slight else "undercut"
         yield f"{degree}: z_min = {table.z_min}, without a profile shift wheels of {least} teeth are free of it"
-    usual = USUAL_RATIO.get(task.layout)
+    usual = task.scheme.usual_ratio
     if usual is not None and task.nominal > usual:
         yield f"U = {float(task.nominal):g} is large for {task.scheme.title}, which is usual up to {usual}"

@@ -15,12 +15,12 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
 from tmmcalc.gears.criteria.choice import OBJECTIVES, front
-from tmmcalc.gears.criteria.evaluate import Basis, Criteria, evaluate
+from tmmcalc.gears.criteria.evaluate import Assumptions, Criteria, evaluate
 from tmmcalc.gears.criteria.series import Series, series
 from tmmcalc.gears.exact import around
 from tmmcalc.gears.model import Interval, ToothSets, TrainTask, Values
 from tmmcalc.gears.search.search import synthesise
-from tmmcalc.gears.selection.results import MEASURES, Pairs
+from tmmcalc.gears.selection.results import MEASURES, SeriesChoice
 from tmmcalc.gears.selection.task import SelectionTask
 from tmmcalc.gears.sizing import Sized, first_sets, rows_of
 from tmmcalc.gears.strength.solve import solve_strength
@@ -46,17 +46,17 @@ class _Train:
     criteria: Criteria
 
 
-def paired(request: Request, sized: Sized, task: SelectionTask) -> tuple[Pairs, Series | None]:
+def paired(request: Request, sized: Sized, task: SelectionTask) -> tuple[SeriesChoice, Series | None]:
     """The pairs in place of a variant, and their criteria; None: there is no pair."""
     whole = _whole(request)
     each = Fraction(sqrt(max(float(whole.nominal), 0.0))).limit_denominator(DENOMINATOR)
     planets = request.task.planets if request.scheme.planetary else USUAL_PLANETS
     if each <= LEAST:
         failure = f"the ratio {float(whole.nominal):.5g} is none of two trains {LAYOUT}: each has i_1H above {LEAST}"
-        return Pairs(planets, each, (0, 0), failure=failure), None
+        return SeriesChoice(planets, each, (0, 0), failure=failure), None
     trains = tuple(_train(request, sized, whole, each, planets, factor, task) for factor in (1.0, float(each)))
     counts = len(trains[0].sets), len(trains[1].sets)
-    found = Pairs(planets, each, counts)
+    found = SeriesChoice(planets, each, counts)
     if not all(counts):
         failure = f"{LAYOUT} with {planets} planets has no train of i_1H = {float(each):.5g} that is strong enough"
         return replace(found, failure=failure), None
@@ -93,7 +93,7 @@ def _train(
     strength = solve_strength(sets, _loaded(sized.task, factor))
     strong = np.flatnonzero(strength.accepted)
     sets, module, width = rows_of(sets, strong), strength.module[strong], strength.width[strong]
-    basis = Basis(meshes=task.meshes, rack=request.task.pressure_angle)
+    basis = Assumptions(meshes=task.meshes, rack=request.task.pressure_angle)
     return _Train(sets, module, width, evaluate(sets, module, width, each - 1, basis))
 
 
@@ -113,7 +113,7 @@ def _loaded(task: StrengthTask, factor: float) -> StrengthTask:
     return replace(task, torque=task.torque * factor, stages=task.stages[:1], modules=(), widths=())
 
 
-def _held(found: Pairs, trains: tuple[_Train, ...], pairs: Series, task: SelectionTask) -> Pairs:
+def _held(found: SeriesChoice, trains: tuple[_Train, ...], pairs: Series, task: SelectionTask) -> SeriesChoice:
     """The pairs of the front with their teeth, and the best values of all."""
     kept = front(pairs, task.objectives)
     held = replace(pairs, **{name: getattr(pairs, name)[kept] for name in _ARRAYS})
