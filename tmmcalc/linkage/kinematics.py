@@ -11,6 +11,7 @@ accelerations in time follow as v = S' omega, a = S'' omega^2 + S' eps.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 
@@ -62,7 +63,7 @@ def solve_kinematics(
     summaries = tuple(summarise(chain, output, dense, start) for output in outputs)
     phi, labels = positions(mechanism, summaries[0] if summaries else None, start)
     x = start + phi
-    evaluate = partial(_evaluate, chain, method=method, unit=crank_length(chain) or 1.0)
+    evaluate = _evaluation(chain, method)
     values = _tracked(chain, x, evaluate(x), dense)
     s, ds, dds = _displacements(chain, outputs, values)
     _freeze(phi, x, s, ds, dds, *(v for v in vars(values).values() if isinstance(v, np.ndarray)))
@@ -118,15 +119,17 @@ def crank_length(chain: Chain) -> float | None:
     return next((abs(pin - pivot) for pin in pins.values() if pin != pivot), None)
 
 
-def _evaluate(chain: Chain, x: Real, method: Method, unit: float) -> Trace:
+def _evaluation(chain: Chain, method: Method) -> Callable[[Real], Trace]:
+    """The function that gives the motion at input coordinates (n,) by a method."""
     if method.name == "differences":
         step = method.step or (BOOK_STEP if chain.turns else (chain.mechanism.grid.span or 1.0) / 240)
-        return differentiate(chain, x, step, method.decimals, unit)
+        unit = crank_length(chain) or 1.0
+        return partial(differentiate, chain, step=step, decimals=method.decimals, unit=unit)
     if method.name == "splitting":
         from tmmcalc.linkage.loops.splitstep import split_chain
 
-        return trace(split_chain(chain), x)
-    return trace(chain, x, solvers.projection if method.name == "projection" else solvers.closed)
+        return partial(trace, split_chain(chain))
+    return partial(trace, chain, method=solvers.projection if method.name == "projection" else solvers.closed)
 
 
 def _method_grades(chain: Chain, method: Method, x: Real) -> tuple[Grade, ...]:

@@ -45,13 +45,18 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
     theta, side, labels = rows_of(scene, kinematics, np.sort(turning))
     period = scene.travel.period
     on = laid(period, np.array([[*breaks, *turning]]), (TURN if scene.chain.turns else period) / PARTS)
+    n, between, named = len(theta), on.x.ravel(), scene.travel.named
+    found, friction = stacked(statics, np.append(theta, between), np.append(side, np.ones(len(between))))
+    rows, over = found.columns(slice(n)), found.columns(slice(n, None))
     seen: Seen = []
-    rows, over = _solved(statics, theta, side, labels, on, seen)
+    at_rows, on_panels = ({k: one.rows(part) for k, one in friction.items()} for part in (slice(n), slice(n, None)))
+    _noted(statics, seen, theta, at_rows, lambda at: [f"position {labels[i]}" for i in at])
+    _noted(statics, seen, between, on_panels, lambda at: named(between[at]))
 
     def sampled(new: Mesh) -> Sample:
         theta = new.x.ravel()
         more, solutions = stacked(statics, theta, np.ones(len(theta)), checked=False)
-        _noted(statics, seen, theta, solutions, lambda at: scene.travel.named(theta[at]))
+        _noted(statics, seen, theta, solutions, lambda at: named(theta[at]))
         return sample_of(new, (statics, more))
 
     mesh, values, clear = resolved(on, sample_of(on, (statics, over)), sampled, period)
@@ -148,22 +153,6 @@ def _drive_kind(scene: Scene) -> Literal["coupling", "gear", "slider"]:
     if not scene.chain.turns:
         return "slider"
     return "gear" if isinstance(scene.loading.drive, GearDrive) else "coupling"
-
-
-def _solved(
-    statics: Statics, theta: Real, side: Real, labels: tuple[str, ...], on: Mesh, seen: Seen
-) -> tuple[Stack, Stack]:
-    """Reactions at the rows and on the panels, in one run; how friction came out is noted in ``seen``."""
-    n, between = len(theta), on.x.ravel()
-    everything, solutions = stacked(
-        statics, np.concatenate((theta, between)), np.concatenate((side, np.ones(len(between))))
-    )
-    named = statics.scene.travel.named
-    at_rows = {name: solution.rows(slice(n)) for name, solution in solutions.items()}
-    _noted(statics, seen, theta, at_rows, lambda at: [f"position {labels[i]}" for i in at])
-    over = {name: solution.rows(slice(n, None)) for name, solution in solutions.items()}
-    _noted(statics, seen, between, over, lambda at: named(between[at]))
-    return everything.columns(slice(n)), everything.columns(slice(n, None))
 
 
 def rows_of(scene: Scene, kinematics: Kinematics, turning: Real) -> tuple[Real, Real, tuple[str, ...]]:
