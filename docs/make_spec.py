@@ -24,8 +24,8 @@ from pydantic_core import PydanticUndefined
 from tmmcalc.project.root import Spec
 from tmmcalc.project.words import words_of
 from tmmcalc.spec.choices import Within
+from tmmcalc.spec.deferred import DeferredTable
 from tmmcalc.spec.dimensions import DIMENSIONS, UNITS
-from tmmcalc.spec.late import LateTable
 from tmmcalc.spec.quantities import Quantity
 from tmmcalc.spec.table import Table
 
@@ -124,7 +124,7 @@ def _kinds(model: type[Table]) -> tuple[Any, ...]:
 def _tables(field: FieldInfo) -> Iterator[type[Table]]:
     """Tables that a field holds, alone, in a list, or as one of several forms."""
     for leaf in _leaves(field.annotation, *field.metadata):
-        if isinstance(leaf, LateTable):
+        if isinstance(leaf, DeferredTable):
             yield leaf.table
         elif isinstance(leaf, type) and issubclass(leaf, Table):
             yield leaf

@@ -21,7 +21,7 @@ from tmmcalc.cams.indexing.columns import indexing_columns
 from tmmcalc.cams.indexing.laws import StepLaw, step_law
 from tmmcalc.core.errors import UsageError
 from tmmcalc.report.outlinefiles import dxf, svg
-from tmmcalc.report.strokes import Bow, Cubics
+from tmmcalc.report.outlines import Bow, Cubics
 
 GIVEN = SCENES["3-4-5"]
 FOUND = solve_indexing(GIVEN)

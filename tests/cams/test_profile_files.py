@@ -22,7 +22,7 @@ from tmmcalc.cams.profile.outline import adaptive, outline
 from tmmcalc.core.conversion import from_record, to_record
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.report.outlinefiles import dxf, svg
-from tmmcalc.report.strokes import Bow, Cubics
+from tmmcalc.report.outlines import Bow, Cubics
 
 STEM = turn("cosine", "shun", rise=80, high=30, back=100)
 ROCKER = turn("sine", "const", rise=80, high=0, back=100, stroke=radians(20))

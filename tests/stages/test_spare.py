@@ -32,7 +32,7 @@ from tmmcalc.pipeline.store import CSV_ROWS
 from tmmcalc.pipeline.why import explain, packages
 from tmmcalc.project import Spec, load_spec, templates
 from tmmcalc.rooms import STAGES, TABLES
-from tmmcalc.spec.late import LateTable
+from tmmcalc.spec.deferred import DeferredTable
 from tmmcalc.vibration.stages.vibrator import NO_CURVE, NO_DRIVE, NO_EXCITATION, NO_START
 
 from .observed import answer
@@ -193,7 +193,7 @@ def tables(spec: Spec) -> set[str]:
 
 def late(*annotations: Any) -> set[str]:
     """Modules of the late tables within annotations."""
-    own = {each.module.removeprefix("tmmcalc.") for each in annotations if isinstance(each, LateTable)}
+    own = {each.module.removeprefix("tmmcalc.") for each in annotations if isinstance(each, DeferredTable)}
     return own.union(*(late(*get_args(each)) for each in annotations if get_args(each)))
 
 

@@ -14,7 +14,7 @@ from fnmatch import fnmatchcase
 from typing import Any
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.told import facts
+from tmmcalc.core.facts import facts
 from tmmcalc.feasibility.judge import OF, Constraint
 from tmmcalc.feasibility.stages.judged import of_columns
 

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from tmmcalc.cli.commands import SECTIONS
-from tmmcalc.cli.late import late_group
+from tmmcalc.cli.deferred import deferred_group
 
 
 def _version(asked: bool) -> None:
@@ -30,7 +30,7 @@ def tmmcalc(
     """
 
 
-app = late_group(
+app = deferred_group(
     SECTIONS,
     "tmmcalc init shaper -o my.toml && tmmcalc run my.toml",
     callback=tmmcalc,

@@ -13,7 +13,7 @@ from tmmcalc.cli.output import check_place
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
-    from tmmcalc.report.strokes import Outline
+    from tmmcalc.report.outlines import Outline
 
 Files = Mapping[str, Path]  # by their flags
 

@@ -26,7 +26,7 @@ class Names(NamedTuple):
     quantities: dict[str, Quantity]
 
 
-class _Late:
+class _DeferredFields:
     """Stands for the fields as `dataclasses` keeps them, until it asks."""
 
     def __init__(self, cls: type[Any]) -> None:
@@ -51,7 +51,7 @@ def record(cls: type[T]) -> type[T]:
     """
     made: Any = cls
     made.__record__ = _names(cls)
-    made.__dataclass_fields__ = _Late(cls)
+    made.__dataclass_fields__ = _DeferredFields(cls)
     made.__init__ = _fill
     made.__setattr__ = _set
     made.__delattr__ = _keep

@@ -21,7 +21,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.records import record
-from tmmcalc.core.stored import Late, Record, Table
+from tmmcalc.core.stored import DeferredColumns, Record, Table
 
 if TYPE_CHECKING:
     from tmmcalc.core.columns import Column
@@ -197,7 +197,7 @@ def tabulated(columns: Mapping[str, Any] | Sequence[Column], result: Any) -> Tab
         return Table(list(columns), [np.asarray(column) for column in columns.values()])
     return Table(
         ["i", *(column.header for column in columns)],
-        Late([np.array(result.labels), *(column.make for column in columns)]),
+        DeferredColumns([np.array(result.labels), *(column.make for column in columns)]),
     )
 
 

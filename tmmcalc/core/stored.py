@@ -28,7 +28,7 @@ class Record:
     counters: Mapping[str, Any] = field(default_factory=dict)  # steps, iterations, evaluations
 
 
-class Late(Sequence["np.ndarray[Any, Any]"]):
+class DeferredColumns(Sequence["np.ndarray[Any, Any]"]):
     """Columns of a table, each an array (n,) or what makes it when asked for: no long table is made whole."""
 
     def __init__(self, makers: Sequence[np.ndarray[Any, Any] | Callable[[], np.ndarray[Any, Any]]]) -> None:
@@ -43,13 +43,13 @@ class Late(Sequence["np.ndarray[Any, Any]"]):
     def __getitem__(self, k: slice) -> Sequence[np.ndarray[Any, Any]]: ...
     def __getitem__(self, k: int | slice) -> Any:
         if isinstance(k, slice):
-            return Late(self._makers[k])
+            return DeferredColumns(self._makers[k])
         maker = self._makers[k]
         return maker() if callable(maker) else maker
 
-    def those(self, chosen: Sequence[int]) -> Late:
+    def those(self, chosen: Sequence[int]) -> DeferredColumns:
         """Some of them; none is made."""
-        return Late([self._makers[k] for k in chosen])
+        return DeferredColumns([self._makers[k] for k in chosen])
 
 
 @record
@@ -76,7 +76,7 @@ class Table:
             return None
         kept = sorted({0, *kept})
         own = self.columns
-        chosen = own.those(kept) if isinstance(own, Late) else [own[k] for k in kept]
+        chosen = own.those(kept) if isinstance(own, DeferredColumns) else [own[k] for k in kept]
         return Table([self.header[k] for k in kept], chosen)
 
 

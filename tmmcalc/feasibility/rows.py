@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.facts import named
 from tmmcalc.core.records import record
-from tmmcalc.core.told import named
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask
 from tmmcalc.feasibility.quantities import limits, of_name
 from tmmcalc.feasibility.rule import failing, may_hold

@@ -12,7 +12,7 @@ from tmmcalc.core.quantity import quantities
 from tmmcalc.gears.meshing.profiles import WheelProfile
 from tmmcalc.gears.meshing.tracks import Track
 from tmmcalc.report.outlinefiles import layer_name
-from tmmcalc.report.strokes import Outline
+from tmmcalc.report.outlines import Outline
 
 
 def layer_of(track: Track) -> str:

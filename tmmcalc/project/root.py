@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from pydantic import Field
 
 from tmmcalc.rooms import ROOMS, TABLES
-from tmmcalc.spec.late import late
+from tmmcalc.spec.deferred import deferred
 from tmmcalc.spec.project import ProjectTable
 from tmmcalc.spec.table import Table
 
@@ -22,7 +22,7 @@ def _gathered() -> dict[str, object]:
     }
     annotations: dict[str, object] = {"project": ProjectTable}
     for name, entry in TABLES.items():
-        table = late(f"{entry.home}.tables.{name}", entry.table)
+        table = deferred(f"{entry.home}.tables.{name}", entry.table)
         annotations[name] = GenericAlias(list, (table,)) if entry.several else table | None
         body[name] = Field(default=[] if entry.several else None, description=entry.description)
     for room in ROOMS:

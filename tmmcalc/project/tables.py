@@ -7,13 +7,13 @@ from functools import cache
 from typing import Any, get_args, get_origin
 
 from tmmcalc.project.root import Spec
-from tmmcalc.spec.late import LateTable
+from tmmcalc.spec.deferred import DeferredTable
 from tmmcalc.spec.table import Table
 
 
 def tables_in(annotation: Any) -> list[type[Table]]:
     """The table classes that an annotation names."""
-    if isinstance(annotation, LateTable):
+    if isinstance(annotation, DeferredTable):
         return [annotation.table]
     if isinstance(annotation, type) and issubclass(annotation, Table):
         return [annotation]

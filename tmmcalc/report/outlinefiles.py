@@ -15,7 +15,7 @@ import numpy as np
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.curves import Plane
-from tmmcalc.report.strokes import Bow, Cubics, Line, Outline, Piece
+from tmmcalc.report.outlines import Bow, Cubics, Line, Outline, Piece
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing

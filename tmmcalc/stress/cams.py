@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from tmmcalc.core.told import facts
+from tmmcalc.core.facts import facts
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.stress.scales import with_sizes
 from tmmcalc.stress.scene import DISTANCES, OWN_TWIN, Climb, Scene, Step, always, changed, lacking

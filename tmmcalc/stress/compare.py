@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
+from tmmcalc.core.facts import facts
 from tmmcalc.core.records import record
 from tmmcalc.core.stored import Table
-from tmmcalc.core.told import facts
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.stress.stages import between, in_millimetres
 from tmmcalc.stress.units import Factors

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
+from tmmcalc.core.facts import facts
 from tmmcalc.core.records import record
-from tmmcalc.core.told import facts
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.runner import run
 from tmmcalc.stress.compare import Alignment

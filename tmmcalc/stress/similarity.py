@@ -18,8 +18,8 @@ from tmmcalc.cams.tables.cam_spring import spring_method
 from tmmcalc.core.errors import UsageError
 from tmmcalc.project.root import Spec
 from tmmcalc.spec.choices import Listed, OneOrMore, OrFalse, Within
+from tmmcalc.spec.deferred import DeferredTable
 from tmmcalc.spec.dimensions import DIMENSIONS
-from tmmcalc.spec.late import LateTable
 from tmmcalc.spec.quantities import PolarForm, QualityGrade, Quantity
 from tmmcalc.spec.reader import Reader
 from tmmcalc.spec.units import UnitError, parse
@@ -70,7 +70,7 @@ class _Scale:
     def value(self, annotation: Any, metadata: Any, value: Any, parent: Document, root: str) -> Any:
         """A value of an annotation, in the new units."""
         for each in metadata:
-            if isinstance(each, LateTable):
+            if isinstance(each, DeferredTable):
                 return self.table(each.table, value, root)
             if isinstance(each, PolarForm) and isinstance(value, dict):
                 return {**value, "length": self.leaf(Quantity("length"), value["length"], parent, root)}

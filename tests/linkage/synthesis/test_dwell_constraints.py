@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.core.told import facts
+from tmmcalc.core.facts import facts
 from tmmcalc.feasibility.judge import Constraint, FeasibilityTask
 from tmmcalc.linkage.stages.synthesis import table
 from tmmcalc.linkage.synthesis.dwell.constraints import BARRIER, OF, Rule, told_columns, told_values

@@ -15,7 +15,7 @@ from tmmcalc.cams.indexing.task import IndexingTask
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.curves import knots
 from tmmcalc.report.outlinefiles import circle
-from tmmcalc.report.strokes import Outline
+from tmmcalc.report.outlines import Outline
 
 FINEST = 1e-9  # of R0: a finer tolerance would take millions of points
 

@@ -18,7 +18,7 @@ from tmmcalc.cams.profile.results import WALLS, Profile, Wall
 from tmmcalc.cams.program import Program
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.report.outlinefiles import MM, circle
-from tmmcalc.report.strokes import Outline
+from tmmcalc.report.outlines import Outline
 
 
 def outlines(found: Profile, program: Program, tolerance: float) -> tuple[Outline, ...]:

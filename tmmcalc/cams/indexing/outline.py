@@ -18,7 +18,7 @@ from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.core.numerics.curves import Curve, cubics, knots
 from tmmcalc.core.records import record
-from tmmcalc.report.strokes import Bow, Cubics, Outline
+from tmmcalc.report.outlines import Bow, Cubics, Outline
 
 SAME = 1e-12  # of the step
 NAMES = {"A": "flank A", "back": "back of the lobe", "B": "groove B"}

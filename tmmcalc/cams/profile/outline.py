@@ -9,7 +9,7 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.curves import Curve, cubics, knots
-from tmmcalc.report.strokes import Bow, Cubics, Outline, Piece
+from tmmcalc.report.outlines import Bow, Cubics, Outline, Piece
 
 FINEST = 1e-9  # of the base circle: a finer tolerance would take millions of points
 

@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from tmmcalc.cli.late import late_group_of
+from tmmcalc.cli.deferred import deferred_group_of
 
-group = late_group_of("extra")
+group = deferred_group_of("extra")

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.facts import Quantity, facts, named
 from tmmcalc.core.stage import STAGES
-from tmmcalc.core.told import Quantity, facts, named
 from tmmcalc.feasibility.judge import OF, ROWS, Constraint, Feasibility, FeasibilityTask, judge
 from tmmcalc.feasibility.quantities import limits, of_name, place
 

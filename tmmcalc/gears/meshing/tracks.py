@@ -23,7 +23,7 @@ from tmmcalc.gears.involute.profile.outline import Arc
 from tmmcalc.gears.meshing.halves import Half, ProfilePart, half_tooth
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.gears.meshing.refusal import millimetres
-from tmmcalc.report.strokes import Bow, Cubics, Line, Piece
+from tmmcalc.report.outlines import Bow, Cubics, Line, Piece
 
 FINEST, COARSEST = 1e-8, 0.1  # chord tolerance in modules
 UPRIGHT = Placing(0.0, 0j)  # centre at the origin, a tooth on +Y

@@ -9,7 +9,7 @@ import numpy as np
 
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import Another, said
-from tmmcalc.core.stored import Late, Table
+from tmmcalc.core.stored import DeferredColumns, Table
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 
@@ -72,7 +72,8 @@ def table(result: Synthesis) -> Table:
         dwell = result.best.dwell
         listed = columns_of(dwell.motion, dwell.output)
         return Table(
-            ["i", *(c.header for c in listed)], Late([np.array(dwell.motion.labels), *(c.make for c in listed)])
+            ["i", *(c.header for c in listed)],
+            DeferredColumns([np.array(dwell.motion.labels), *(c.make for c in listed)]),
         )
     from tmmcalc.linkage.synthesis.columns import columns
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 from pydantic import Field
 
 from tmmcalc.spec.choices import Whole, Within
-from tmmcalc.spec.late import late
+from tmmcalc.spec.deferred import deferred
 from tmmcalc.spec.quantities import AngularSpeed
 from tmmcalc.spec.table import Table
 
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
         SlottedLinkTable,
     )
 else:
-    SliderCrankTable = late("tmmcalc.linkage.tables.synthesis_kinds", "SliderCrankTable")
-    SlottedLinkTable = late("tmmcalc.linkage.tables.synthesis_kinds", "SlottedLinkTable")
-    RotatingSlottedLinkTable = late("tmmcalc.linkage.tables.synthesis_kinds", "RotatingSlottedLinkTable")
-    CrankRockerTable = late("tmmcalc.linkage.tables.synthesis_kinds", "CrankRockerTable")
-    PathTable = late("tmmcalc.linkage.tables.synthesis_generation", "PathTable")
-    FunctionTable = late("tmmcalc.linkage.tables.synthesis_generation", "FunctionTable")
-    MotionSynthesisTable = late("tmmcalc.linkage.tables.synthesis_generation", "MotionSynthesisTable")
-    DwellTable = late("tmmcalc.linkage.tables.synthesis_dwell", "DwellTable")
+    SliderCrankTable = deferred("tmmcalc.linkage.tables.synthesis_kinds", "SliderCrankTable")
+    SlottedLinkTable = deferred("tmmcalc.linkage.tables.synthesis_kinds", "SlottedLinkTable")
+    RotatingSlottedLinkTable = deferred("tmmcalc.linkage.tables.synthesis_kinds", "RotatingSlottedLinkTable")
+    CrankRockerTable = deferred("tmmcalc.linkage.tables.synthesis_kinds", "CrankRockerTable")
+    PathTable = deferred("tmmcalc.linkage.tables.synthesis_generation", "PathTable")
+    FunctionTable = deferred("tmmcalc.linkage.tables.synthesis_generation", "FunctionTable")
+    MotionSynthesisTable = deferred("tmmcalc.linkage.tables.synthesis_generation", "MotionSynthesisTable")
+    DwellTable = deferred("tmmcalc.linkage.tables.synthesis_dwell", "DwellTable")
 
 # The kinds, of which a spec has one: each is a sub-table; a further one joins here and below.
 KINDS = ("slider_crank", "slotted_link", "rotating_slotted_link", "crank_rocker", "path", "function", "motion", "dwell")

@@ -9,7 +9,7 @@ import numpy as np
 from tmmcalc.core.conversion import restore
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import said
-from tmmcalc.core.stored import Late, Record, Table
+from tmmcalc.core.stored import DeferredColumns, Record, Table
 from tmmcalc.linkage.wanted import NO_CSV, is_long
 from tmmcalc.machine.wanted import shakes
 
@@ -148,7 +148,9 @@ def table(result: Balances) -> Table | None:
     from tmmcalc.machine.balance.columns import columns
 
     chosen = columns(result.linkage)
-    return Table(["i", *(c.header for c in chosen)], Late([np.array(result.labels), *(c.make for c in chosen)]))
+    return Table(
+        ["i", *(c.header for c in chosen)], DeferredColumns([np.array(result.labels), *(c.make for c in chosen)])
+    )
 
 
 def omits(spec: MachineTables) -> tuple[str, ...]:

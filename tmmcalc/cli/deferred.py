@@ -12,7 +12,7 @@ from typer.core import TyperGroup
 Table = Mapping[str, tuple[str, str]]  # module and one line of help, by the command's name
 
 
-def late_group(
+def deferred_group(
     sections: Mapping[str, Table],
     example: str,
     text: str | None = None,
@@ -25,7 +25,7 @@ def late_group(
     """
     listed = sections
 
-    class Group(LateGroup):
+    class Group(DeferredGroup):
         """The commands of these sections."""
 
         sections = listed
@@ -42,16 +42,16 @@ def late_group(
     return app
 
 
-def late_group_of(name: str) -> typer.Typer:
+def deferred_group_of(name: str) -> typer.Typer:
     """The application of the commands of a room under a word of their own, as its manifest describes it."""
     from tmmcalc.cli.commands import grouped, room_of
 
     group = room_of(name).group
     assert group is not None
-    return late_group({"Commands": grouped(name)}, group.example, group.text, add_completion=False)
+    return deferred_group({"Commands": grouped(name)}, group.example, group.text, add_completion=False)
 
 
-class LateGroup(TyperGroup):
+class DeferredGroup(TyperGroup):
     """A group whose commands are loaded late.
 
     The module of one has a function ``command``, or an application ``group`` that is a group in its turn.

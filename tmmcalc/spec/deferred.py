@@ -1,7 +1,7 @@
 """Tables whose classes are built only when a spec has them.
 
 pydantic takes half a millisecond for each table class and its validator, and most specs have few of the tables. In
-the root a late table is a plain function; it imports the table's module when the first value comes.
+the root a deferred table is a plain function; it imports the table's module when the first value comes.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from tmmcalc.spec.table import Table
 
 
-class LateTable:
+class DeferredTable:
     """An annotation that stands for the table class ``name`` of ``module``."""
 
     def __init__(self, module: str, name: str) -> None:
@@ -45,6 +45,6 @@ class LateTable:
         return handler(self.table.__pydantic_core_schema__)
 
 
-def late(module: str, name: str) -> Any:
-    """Return the annotation of a late table."""
-    return Annotated[Any, LateTable(module, name)]
+def deferred(module: str, name: str) -> Any:
+    """Return the annotation of a deferred table."""
+    return Annotated[Any, DeferredTable(module, name)]
