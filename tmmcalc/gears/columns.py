@@ -5,7 +5,8 @@ Tables of several layouts stand one under the other: what a layout has not is bl
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -93,9 +94,7 @@ def stacked(trains: Trains, *, words: bool = True) -> dict[str, np.ndarray]:
     """
     tables = [{**_named(variant), **set_columns(variant)} for variant in trains.variants if len(variant.sets)]
     tables = [said(table) for table in tables] if words else tables
-    headers = dict.fromkeys(header for table in tables for header in table)
-    ordered = sorted(headers, key=lambda header: not header.startswith(("layout", "planets", "z_")))
-    return {header: _column([table.get(header) for table in tables], tables) for header in ordered}
+    return stacked_tables(tables, lambda header: not header.startswith(("layout", "planets", WHEEL)))
 
 
 def _named(variant: Variant) -> dict[str, np.ndarray]:
@@ -103,46 +102,29 @@ def _named(variant: Variant) -> dict[str, np.ndarray]:
     return {"layout": np.full(count, variant.request.task.layout), "planets": np.full(count, variant.sets.planets)}
 
 
-def _column(parts: list[np.ndarray | None], tables: list[dict[str, np.ndarray]]) -> np.ndarray:
-    """One column; where parts are absent it is text, of true and false it stays so."""
-    if all(part is not None for part in parts):
-        return np.concatenate([part for part in parts if part is not None])
-    kind = object if any(part is not None and part.dtype == np.bool_ for part in parts) else str
-    blanks = (np.full(len(table["layout"]), "") for table in tables)
-    texts = [
-        blank if part is None else part.astype(object) if kind is object else np.array([*map(str, part.tolist())])
-        for part, blank in zip(parts, blanks, strict=True)
-    ]
-    return np.concatenate([text.astype(object) for text in texts] if kind is object else texts)
+def by_wheels(header: str) -> tuple[int, str]:
+    """Wheels by their names, which are in their order: 1, 2, 2', 3; everything else as it comes."""
+    return (1, header) if header.startswith(WHEEL) else (0 if header in FIRST else 2, "")
 
 
-def stacked_tables(tables: Sequence[Mapping[str, np.ndarray]]) -> dict[str, np.ndarray]:
-    """The columns of all tables by their headers; a column that one of them lacks is text.
+def stacked_tables(
+    tables: Sequence[Mapping[str, np.ndarray]], order: Callable[[str], Any] = by_wheels
+) -> dict[str, np.ndarray]:
+    """The columns of all tables by their headers; one that a table lacks is text, of true and false it stays so.
 
     >>> both = stacked_tables([{"K": np.array([3]), "z_1": np.array([17])}, {"K": np.array([4])}])
     >>> both["K"].tolist(), both["z_1"].tolist()
     ([3, 4], ['17', ''])
     """
     headers = dict.fromkeys(header for table in tables for header in table)
-    return {header: _stacked_column(header, tables) for header in sorted(headers, key=_order)}
-
-
-def _order(header: str) -> tuple[int, str]:
-    """Wheels by their names, which are in their order: 1, 2, 2', 3; everything else as it comes."""
-    return (1, header) if header.startswith(WHEEL) else (0 if header in FIRST else 2, "")
+    return {header: _stacked_column(header, tables) for header in sorted(headers, key=order)}
 
 
 def _stacked_column(header: str, tables: Sequence[Mapping[str, np.ndarray]]) -> np.ndarray:
-    if all(header in table for table in tables):
-        return np.concatenate([table[header] for table in tables])
-    parts = (_texts(table[header]) if header in table else np.full(_rows(table), "") for table in tables)
-    return np.concatenate([*parts])
-
-
-def _texts(column: np.ndarray) -> np.ndarray:
-    """Numbers with every digit."""
-    return np.array([value if isinstance(value, str) else repr(value) for value in column.tolist()], dtype=np.str_)
-
-
-def _rows(table: Mapping[str, np.ndarray]) -> int:
-    return len(next(iter(table.values())))
+    there = [table[header] for table in tables if header in table]
+    if len(there) == len(tables):
+        return np.concatenate(there)
+    parts = [table.get(header, np.full(len(next(iter(table.values()))), "")) for table in tables]
+    if any(part.dtype == np.bool_ for part in there):
+        return np.concatenate([part.astype(object) for part in parts])
+    return np.concatenate([np.array([*map(str, part.tolist())], dtype=np.str_) for part in parts])

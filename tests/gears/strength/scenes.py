@@ -11,8 +11,7 @@ import numpy as np
 
 from tmmcalc.gears.layouts import LAYOUTS, layout_of
 from tmmcalc.gears.model import ToothSets
-from tmmcalc.gears.strength.hardness import parse_hardness
-from tmmcalc.gears.strength.material import Material
+from tmmcalc.gears.strength.material import Material, parse_hardness
 from tmmcalc.gears.strength.task import StageTask, StrengthTask
 
 MPA, MM = 1e6, 1e-3

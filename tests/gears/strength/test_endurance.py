@@ -9,8 +9,7 @@ import pytest
 from gears.strength.scenes import MPA, steel_40kh
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.strength.endurance import Endurance, endurance
-from tmmcalc.gears.strength.hardness import parse_hardness
-from tmmcalc.gears.strength.material import Material
+from tmmcalc.gears.strength.material import Material, parse_hardness
 
 
 def of(symbol: str, found: Endurance) -> float:

@@ -11,8 +11,7 @@ from gears.strength.scenes import sets_of, steel_40kh, task_of
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.strength.explain import coefficients, reason, remarks
-from tmmcalc.gears.strength.hardness import Hardness
-from tmmcalc.gears.strength.material import Material
+from tmmcalc.gears.strength.material import Hardness, Material
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.task import StageTask, StrengthTask, pinion_torque
 

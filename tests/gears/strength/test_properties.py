@@ -11,9 +11,8 @@ import pytest
 from gears.strength.scenes import MM, MPA, random_sets, sets_of, steel_40kh, task_of
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.layouts import LAYOUTS
-from tmmcalc.gears.strength.hardness import parse_hardness
 from tmmcalc.gears.strength.loads import mesh_loads
-from tmmcalc.gears.strength.material import Material
+from tmmcalc.gears.strength.material import Material, parse_hardness
 from tmmcalc.gears.strength.series import Outcome
 from tmmcalc.gears.strength.solve import solve_strength
 from tmmcalc.gears.strength.task import StageTask, StrengthTask

@@ -10,8 +10,7 @@ import pytest
 
 from gears.strength.scenes import CASES
 from tmmcalc.core.errors import UsageError
-from tmmcalc.gears.strength.hardness import Hardness, parse_hardness
-from tmmcalc.gears.strength.material import BLANKS, LOADS, STRUCTURES, TREATMENTS, WEARS
+from tmmcalc.gears.strength.material import BLANKS, LOADS, STRUCTURES, TREATMENTS, WEARS, Hardness, parse_hardness
 from tmmcalc.gears.strength.steels import check_steel, known, latin, steel_key
 from tmmcalc.gears.strength.tables import (
     ANY,

@@ -13,8 +13,6 @@ from tmmcalc.gears.meshing.results import ChordRow, Measures, MeshPair, Pairs, W
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
 
-CHORDS = ("arc[mm]", "chord[mm]", "height[mm]", "space[mm]")
-
 
 @record
 class MeasuredWheel:
@@ -112,9 +110,12 @@ def _chords_document(each: MeasuredWheel) -> Document:
     helical = bool(each.pair.task.helix)
     legend = "tooth on circles: half angle theta, normal arc and chord, height of the tip above the chord, "
     legend += "arc of the space" + ("; s_t: transverse arc" if helical else "")
-    sections, helix = (["transverse[mm]"], ["helix[deg]"]) if helical else ([], [])
-    chosen = ["name", "radius[mm]", "half_angle[deg]", *CHORDS, *sections, "angle[deg]", *helix]
-    columns = table(each.measures.chords, ChordRow, *chosen)
+    columns = table(
+        each.measures.chords,
+        ChordRow,
+        *("name", "radius[mm]", "half_angle[deg]", "arc[mm]", "chord[mm]", "height[mm]", "space[mm]"),
+        *(("transverse[mm]", "angle[deg]", "helix[deg]") if helical else ("angle[deg]",)),
+    )
     columns |= {header: [round(each, 4) for each in columns[header]] for header in columns if header.endswith("[deg]")}
     view = View(list(columns), list(columns.values()))
     return Document("chords", (Fact("in the table", legend),), (), view, wide=True, more="--format json has them")

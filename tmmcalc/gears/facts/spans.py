@@ -83,8 +83,8 @@ def _faults(measures: Measures, row: SpanRow) -> list[str]:
 def spans_view(measures: Measures, *, helical: bool) -> View:
     """Every span that either rule admits."""
     rows = measures.spans
-    width = ["width[mm]"] if helical else []
-    columns = table(rows, SpanRow, "teeth", "length[mm]", "radius[mm]", *width, "valid", "book")
+    columns = table(rows, SpanRow, "teeth", "length[mm]", "radius[mm]", *(["width[mm]"] if helical else []))
+    columns |= table(rows, SpanRow, "valid", "book")
     columns["remark"] = [_remark(measures, row) for row in rows]
     return View(list(columns), list(columns.values()))
 

@@ -11,11 +11,10 @@ from typing import Literal
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.internal.ring import Ring
-from tmmcalc.gears.involute.profile.faults import ProfileError
 from tmmcalc.gears.involute.profile.flank import Flank, flank_of
 from tmmcalc.gears.involute.profile.outline import Element, tooth
 from tmmcalc.gears.involute.profile.ring import RingFlank, ring_flank
-from tmmcalc.gears.involute.profile.rounding import Rounding, rounding
+from tmmcalc.gears.involute.profile.rounding import ProfileError, Rounding, rounding
 from tmmcalc.gears.involute.profile.shaping import ShapedRing, shaped_ring
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.meshing.geometry import external_pair, internal_pair, pinion_on_rack, wheel_of

@@ -14,8 +14,7 @@ from typing import NamedTuple
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
-from tmmcalc.gears.strength.hardness import Hardness
-from tmmcalc.gears.strength.material import Material
+from tmmcalc.gears.strength.material import Hardness, Material
 from tmmcalc.gears.strength.results import Coefficient
 from tmmcalc.gears.strength.steels import check_steel, known, latin, steel_key
 from tmmcalc.gears.strength.tables import (
@@ -54,7 +53,7 @@ def endurance(material: Material, load: str, of: str) -> Endurance:
 
     Raises `UsageError` for a steel, treatment or hardness that the tables do not have. Textbook D.4.3 to D.4.7.
 
-    >>> from tmmcalc.gears.strength.hardness import Hardness
+    >>> from tmmcalc.gears.strength.material import Hardness
     >>> found = endurance(Material("improved", Hardness(300, "HB"), "40Kh"), "two-sided", "wheel 1")
     >>> round(found.permissible_contact / 1e6, 1), round(found.permissible_bending / 1e6, 1)
     (609.1, 200.6)

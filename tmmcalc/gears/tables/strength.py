@@ -22,7 +22,7 @@ class HardnessForm(Reader):
 
     def read(self, value: object) -> str:
         """Return the hardness as "300 HB"; raise UnitError with the fault in plain words."""
-        from tmmcalc.gears.strength.hardness import Hardness, parse_hardness
+        from tmmcalc.gears.strength.material import Hardness, parse_hardness
 
         example = 'write "300 HB", "52 HRC" or "750 HV"'
         try:

@@ -17,9 +17,8 @@ from tmmcalc.core.numerics.roots import Indices, bracketed
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import inverse_involute, involute
-from tmmcalc.gears.involute.profile.faults import ProfileError
 from tmmcalc.gears.involute.profile.form import form_radius, junction
-from tmmcalc.gears.involute.profile.rounding import Rounding, Shape, rounding
+from tmmcalc.gears.involute.profile.rounding import ProfileError, Rounding, Shape, rounding
 from tmmcalc.gears.involute.wheel import Wheel
 
 WAIST = np.linspace(0.0, 1.0, 129)  # of the fillet, where the thickness of the tooth is looked at

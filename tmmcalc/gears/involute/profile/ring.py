@@ -17,8 +17,8 @@ from tmmcalc.core.numerics.roots import Indices, bracketed
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
-from tmmcalc.gears.involute.profile.faults import ProfileError
 from tmmcalc.gears.involute.profile.outline import Element, checked
+from tmmcalc.gears.involute.profile.rounding import ProfileError
 from tmmcalc.gears.involute.wheel import Wheel
 
 

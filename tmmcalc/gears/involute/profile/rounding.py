@@ -20,6 +20,7 @@ from typing import Literal
 
 import numpy as np
 
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.rack import require_tool
@@ -28,6 +29,17 @@ from tmmcalc.gears.involute.wheel import Number, Wheel
 Shape = Literal["circle", "ellipse"]  # the textbook's stand-in, of equal height, or the true section of a helical rack
 
 SHARP = 1e-12  # [module] radius that stands for a sharp corner
+
+
+class ProfileError(NoSolutionError):
+    """No such tooth: ``what`` in words without numbers; ``value`` and ``limit`` are lengths in normal modules."""
+
+    def __init__(self, what: str, value: float, limit: float, *, where: str, remedy: str) -> None:
+        self.what = what
+        self.lengths = value, limit
+        super().__init__(
+            f"{what}: {value:.6g} against {limit:.6g} modules", where=where, value=value, limit=limit, remedy=remedy
+        )
 
 
 @record

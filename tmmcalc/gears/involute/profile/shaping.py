@@ -20,9 +20,8 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.internal.cutter import tip_lead
 from tmmcalc.gears.involute.internal.ring import Cutter, Ring, cutting
-from tmmcalc.gears.involute.profile.faults import ProfileError
 from tmmcalc.gears.involute.profile.outline import Element, checked
-from tmmcalc.gears.involute.profile.rounding import SHARP
+from tmmcalc.gears.involute.profile.rounding import SHARP, ProfileError
 from tmmcalc.gears.involute.wheel import Wheel
 
 

@@ -8,8 +8,7 @@ from typing import Any
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.strength.endurance import endurance
-from tmmcalc.gears.strength.hardness import Hardness, parse_hardness
-from tmmcalc.gears.strength.material import TREATMENTS, Material
+from tmmcalc.gears.strength.material import TREATMENTS, Hardness, Material, parse_hardness
 from tmmcalc.gears.strength.steels import check_steel
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, subtable, word

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.gears.strength.hardness import parse_hardness
-from tmmcalc.gears.strength.material import Material
+from tmmcalc.gears.strength.material import Material, parse_hardness
 from tmmcalc.gears.strength.task import StageTask, StrengthTask, pinion_torque
 
 if TYPE_CHECKING:
