@@ -50,7 +50,7 @@ def test_friction_below_the_brink(below: float) -> None:
 @pytest.mark.parametrize("below", [1e-5, 1e-6])
 def test_largest_force_is_never_above_that_of_its_place(below: float, monkeypatch: pytest.MonkeyPatch) -> None:
     """Panels that do not resolve the pole swing beyond it: what stands at the place named comes from the statics."""
-    monkeypatch.setattr("tmmcalc.linkage.forces.between.ROUNDS", 1)
+    monkeypatch.setattr("tmmcalc.linkage.forces.refinement.ROUNDS", 1)
     slider, friction = Slider(r=0.16), 0.75 * (1 - below)
     changes = (f"mechanism.joints[name=B0].friction={friction!r}",)
     forces = solved("self-locking", *changes, target="forces").results["forces"]

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmmcalc.core.quantity import keyed
+from tmmcalc.core.quantity import headed
 
 if TYPE_CHECKING:
     from tmmcalc.extras.contact import Contact
@@ -30,4 +30,4 @@ def ball_columns(result: Ball) -> dict[str, np.ndarray]:
 
 
 def _numbered(result: Any, *names: str) -> dict[str, np.ndarray]:
-    return {"i": np.array(result.labels), **keyed(result, *names)}
+    return {"i": np.array(result.labels), **headed(result, *names)}

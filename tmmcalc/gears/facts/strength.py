@@ -12,8 +12,9 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.quantity import keyed, quantities
 from tmmcalc.gears.sizing import MOMENT, REDUCTION, Sized, Sizing
 from tmmcalc.gears.strength.columns import OUTCOMES, sized_columns, stacked
+from tmmcalc.gears.strength.endurance import Coefficient
 from tmmcalc.gears.strength.explain import SPREADS, coefficients, real_width, reason, remarks
-from tmmcalc.gears.strength.results import Coefficient, Strength
+from tmmcalc.gears.strength.results import Strength
 from tmmcalc.gears.strength.series import Outcome
 from tmmcalc.gears.strength.solve import NARROWEST, WIDEST
 from tmmcalc.report.document import Document, Fact

@@ -16,9 +16,8 @@ import numpy as np
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.scheme import Layout, Mesh
-from tmmcalc.gears.strength.endurance import GIVEN, Endurance, endurance
+from tmmcalc.gears.strength.endurance import GIVEN, Coefficient, Endurance, endurance
 from tmmcalc.gears.strength.material import Material
-from tmmcalc.gears.strength.results import Coefficient
 from tmmcalc.gears.strength.tables import Arrangement, WidthRange, table
 from tmmcalc.gears.strength.task import WHERE, StageTask, StrengthTask, stage_tasks
 

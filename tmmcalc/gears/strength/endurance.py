@@ -13,9 +13,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.strength.material import Hardness, Material
-from tmmcalc.gears.strength.results import Coefficient
 from tmmcalc.gears.strength.steels import check_steel, known, latin, steel_key
 from tmmcalc.gears.strength.tables import (
     ANY,
@@ -30,6 +30,17 @@ from tmmcalc.gears.strength.tables import (
 MPA = 1e6  # [Pa]
 GIVEN = "given"
 USUAL_SAFETY = 1.75  # S_F' of most rows of D.4.3, for a limit that is given
+
+
+@record
+class Coefficient:
+    """A number of the calculation with the place that it is taken from: every one can be shown with its origin."""
+
+    of: str = quantity("of", 'what it belongs to, such as "wheel 2\'", "stage 1", "mesh 1-2"')
+    symbol: str = quantity("symbol", "symbol of the textbook")
+    value: float = quantity("value", "its value")
+    unit: str = quantity("unit", "its SI unit; - without dimension")
+    source: str = quantity("source", "table and row, formula, or given")
 
 
 @record

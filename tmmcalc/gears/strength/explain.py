@@ -12,8 +12,9 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.strength.basis import Basis, basis_of
 from tmmcalc.gears.strength.demand import K_D, K_M, LEAST_TEETH, form_factors
+from tmmcalc.gears.strength.endurance import Coefficient
 from tmmcalc.gears.strength.loads import MeshLoads, mesh_loads
-from tmmcalc.gears.strength.results import Coefficient, Strength
+from tmmcalc.gears.strength.results import Strength
 from tmmcalc.gears.strength.series import Outcome
 from tmmcalc.gears.strength.solve import NARROWEST, PER_MM, SLACK, WIDEST, solve_strength
 from tmmcalc.gears.strength.task import StrengthTask

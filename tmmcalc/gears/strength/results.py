@@ -7,18 +7,8 @@ import numpy as np
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import Integers, Values
+from tmmcalc.gears.strength.endurance import Coefficient
 from tmmcalc.gears.strength.series import Flags, Outcome
-
-
-@record
-class Coefficient:
-    """A number of the calculation with the place that it is taken from: every one can be shown with its origin."""
-
-    of: str = quantity("of", 'what it belongs to, such as "wheel 2\'", "stage 1", "mesh 1-2"')
-    symbol: str = quantity("symbol", "symbol of the textbook")
-    value: float = quantity("value", "its value")
-    unit: str = quantity("unit", "its SI unit; - without dimension")
-    source: str = quantity("source", "table and row, formula, or given")
 
 
 @record
