@@ -127,7 +127,15 @@ def keyed(of: Any, *names: str, **places: object) -> dict[str, Any]:
 
 
 def headed(of: Any, *names: str, **places: object) -> dict[str, Any]:
-    """The arrays of a record by the headings of their columns, as `keyed` gives them by their keys."""
+    """The arrays of a record by the headings of their columns, as `keyed` gives them by their keys.
+
+    >>> from tmmcalc.core.records import record
+    >>> @record
+    ... class Ball:
+    ...     radius: float = quantity("M_radius[m]", "where it touches", header="r[m]")
+    >>> headed(Ball(0.01)), keyed(Ball(0.01))
+    ({'r[m]': 0.01}, {'M_radius[m]': 0.01})
+    """
     known = quantities(type(of))
     return {known[name].of(**places).heading: getattr(of, name) for name in names or known}
 
