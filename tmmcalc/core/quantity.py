@@ -180,7 +180,15 @@ def _scaled(value: Any, factor: float) -> Any:
 
 
 def headed(of: Any, *names: str, **places: object) -> dict[str, Any]:
-    """The arrays of a record by the headings of their columns, as they are; ``"angle[deg]"`` is one in another unit."""
+    """The arrays of a record by the headings of their columns, as they are; ``"angle[deg]"`` is one in another unit.
+
+    >>> from tmmcalc.core.records import record
+    >>> @record
+    ... class Ball:
+    ...     radius: float = quantity("M_radius[m]", "where it touches", header="r[m]")
+    >>> headed(Ball(0.01)), keyed(Ball(0.01))
+    ({'r[m]': 0.01}, {'M_radius[m]': 0.01})
+    """
     known = quantities(type(of))
     found = {}
     for asked in names or known:

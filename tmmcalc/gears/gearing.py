@@ -27,7 +27,7 @@ from tmmcalc.gears.network.types import efficiency as efficiency_of_type
 
 
 @record
-class Way:
+class Drive:
     """One member drives another one, the held ones held."""
 
     driver: str
@@ -51,7 +51,7 @@ class Gearing:
     input: str | None
     outputs: tuple[str, ...]
     turning: tuple[str, ...]  # members of given speed other than zero
-    ways: tuple[Way, ...]  # forwards and backwards; empty without one driver and one output
+    ways: tuple[Drive, ...]  # forwards and backwards; empty without one driver and one output
     basic: BasicTrain | None  # the two central wheels and the carrier, if these are the train
     flow: PowerFlow | None  # None: torques are not known, or the train locks itself
     assumed: bool = quantity("torque_is_assumed", "the torque on the input is 1 N*m for want of a known one")
@@ -109,7 +109,7 @@ def solve_gearing(task: GearingTask) -> Gearing:
     )
 
 
-def _ways(task: GearingTask, motion: Motion, driver: str | None, outputs: tuple[str, ...]) -> tuple[Way, ...]:
+def _ways(task: GearingTask, motion: Motion, driver: str | None, outputs: tuple[str, ...]) -> tuple[Drive, ...]:
     """Both directions of the power, where there is one driver and one output, and both turn."""
     if driver is None or len(outputs) != 1 or not (motion.speed(driver) and motion.speed(outputs[0])):
         return ()
@@ -119,7 +119,7 @@ def _ways(task: GearingTask, motion: Motion, driver: str | None, outputs: tuple[
         found = efficiency(task.network, first, last, held, task.locked)
         exact = ratio(task.network, first, last, held, task.locked)
         ways.append(
-            Way(
+            Drive(
                 first,
                 last,
                 exact,
@@ -133,7 +133,7 @@ def _ways(task: GearingTask, motion: Motion, driver: str | None, outputs: tuple[
     return tuple(ways)
 
 
-def _with_formula(way: Way, basic: BasicTrain | None) -> Way:
+def _with_formula(way: Drive, basic: BasicTrain | None) -> Drive:
     if basic is None:
         return way
     named = {basic.first: "1", basic.carrier: "H"}
@@ -144,7 +144,7 @@ def _with_formula(way: Way, basic: BasicTrain | None) -> Way:
 
 
 def _flow(
-    task: GearingTask, motion: Motion, driver: str | None, outputs: tuple[str, ...], ways: tuple[Way, ...]
+    task: GearingTask, motion: Motion, driver: str | None, outputs: tuple[str, ...], ways: tuple[Drive, ...]
 ) -> tuple[PowerFlow | None, bool, str]:
     """Torques and powers, whether the torque is assumed, and what locks the train."""
     torques = _torques(task, motion)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from tmmcalc.core.quantity import keyed, quantities
-from tmmcalc.gears.gearing import Gearing, Way
+from tmmcalc.gears.gearing import Drive, Gearing
 from tmmcalc.gears.members import Columns, frequency_columns, member_columns, power_columns, torque_columns
 from tmmcalc.gears.network.model import FRAME
 from tmmcalc.gears.network.power import PowerFlow
@@ -124,7 +124,7 @@ def _efficiency_facts(result: Gearing) -> Iterator[Fact]:
         yield Fact("of the inverted train", text, keyed(result.basic, "efficiency"))
 
 
-def _way_fact(way: Way) -> Fact:
+def _way_fact(way: Drive) -> Fact:
     text = f"eta = {number(way.efficiency)}"
     if way.formula is not None:
         text += f", by the closed formula {number(way.formula)}"

@@ -215,10 +215,10 @@ def check_limits(outline: Outline) -> Iterator[Finding]:
 def check_modules(outline: Outline) -> Iterator[Finding]:
     """Modules are given in one way; distances need one."""
     train = _train(outline)
-    ways = [key for key in ("module_ratios", "modules", "module_ratio_range") if key in train]
-    if len(ways) > 1:
-        rule = f"{' and '.join(ways)} together: one of them gives the ratios of the modules"
-        yield Finding(("train", ways[-1]), rule, "keep one of them")
+    given = [key for key in ("module_ratios", "modules", "module_ratio_range") if key in train]
+    if len(given) > 1:
+        rule = f"{' and '.join(given)} together: one of them gives the ratios of the modules"
+        yield Finding(("train", given[-1]), rule, "keep one of them")
     if "module" in train and "modules" in train:
         yield Finding(("train", "module"), "module together with modules: the first of them is it", "remove it")
     constraints = subtable(train, "constraints")
