@@ -47,7 +47,6 @@ format: $(VENV)/.dev
 # the tables of keys and the laws of cams in docs/spec.md, docs/results.md from the fields of results
 docs: $(VENV)/.run
 	$(BIN)/python docs/make_spec.py
-	$(BIN)/python docs/make_laws.py
 	$(BIN)/python docs/make_results.py
 
 # the schema that editors follow from the #:schema line of the ready specs

@@ -6,7 +6,8 @@ is not of all. Of a table in several forms a form is chosen by its ``kind``: ``m
 brackets after the path are those that are shown, in this order: ``loads (stroke output)``.
 
 What a key means is the description of its field, what it is by default stands there as "(default: ...)" or is the
-default of the field, in the units in which specs are written.
+default of the field, in the units in which specs are written. The laws of motion of cams stand between
+``<!-- laws of motion -->`` and ``<!-- end -->``.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from typing import Any, Literal, NamedTuple, get_args, get_origin
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
+from tmmcalc.cams.laws.catalogue import NAMES, title_of
 from tmmcalc.project.root import Spec
 from tmmcalc.project.words import words_of
 from tmmcalc.spec.choices import Within
@@ -31,6 +33,7 @@ from tmmcalc.spec.table import Table
 
 PAGE = Path(__file__).parent / "spec.md"
 MARKED = re.compile(r"(<!-- keys: ([^\n]*) -->\n)(?:(?!<!-- keys).)*?(<!-- end -->)", re.DOTALL)
+LAWS = re.compile(r"(<!-- laws of motion -->\n).*?(<!-- end -->)", re.DOTALL)
 ASKED = re.compile(r"([\w.]+)(?: \(([\w ]+)\))?")
 TOLD = re.compile(r",? \(default: ([^()]*(?:\([^()]*\)[^()]*)*)\)")
 SHOWN = {"angle": ("deg",), "length": ("m", "mm", "um"), "pressure": ("MPa", "Pa")}  # units of defaults, largest first
@@ -45,7 +48,9 @@ class Row(NamedTuple):
 
 
 def page(text: str) -> str:
-    """Return the document with its tables of keys made afresh."""
+    """Return the document with its tables made afresh."""
+    laws = "".join(f'| `"{name}"` | {title_of(name)} |\n' for name in NAMES)
+    text = LAWS.sub(lambda found: f"{found[1]}| `law` | |\n|---|---|\n{laws}{found[2]}", text)
     return MARKED.sub(lambda found: found[1] + _table(found[2]) + found[3], text)
 
 

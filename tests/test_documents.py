@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from runpy import run_path
 from typing import Any
 
 import pytest
@@ -93,9 +92,3 @@ def test_a_row_has_the_key_its_default_and_its_meaning(maker: Any, asked: str, r
 
 def test_the_schema_beside_the_configs_is_current() -> None:
     assert (ROOT / "configs" / "tmmcalc.schema.json").read_text() == schema_text(), "run make schema"
-
-
-def test_the_laws_of_motion_in_the_documents_are_current() -> None:
-    text = (ROOT / "docs" / "spec.md").read_text()
-    found = run_path(str(ROOT / "docs" / "make_laws.py"))
-    assert found["written"](text) == text, "run make docs"
