@@ -9,8 +9,8 @@ from io import StringIO
 import numpy as np
 
 from tmmcalc.core.quantity import quantities
+from tmmcalc.gears.meshing.outlines import Track
 from tmmcalc.gears.meshing.profiles import WheelProfile
-from tmmcalc.gears.meshing.tracks import Track
 from tmmcalc.report.outlinefiles import layer_name
 from tmmcalc.report.outlines import Outline
 

@@ -21,7 +21,7 @@ from matplotlib.figure import Figure
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.plane import Plane
 from tmmcalc.gears.involute.internal.ring import Cutter
-from tmmcalc.gears.meshing.halves import half_tooth
+from tmmcalc.gears.meshing.halftooth import half_tooth
 from tmmcalc.gears.meshing.members import both
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.solve import solve_pair

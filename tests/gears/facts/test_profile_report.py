@@ -24,12 +24,12 @@ from tmmcalc.gears.involute.profile.mesh import Placing
 from tmmcalc.gears.involute.profile.outline import outline
 from tmmcalc.gears.meshing.booktables import book_tables
 from tmmcalc.gears.meshing.members import Member
-from tmmcalc.gears.meshing.meshtracks import beside, mesh_placings, mesh_tracks
+from tmmcalc.gears.meshing.meshoutlines import beside, mesh_placings, mesh_tracks
+from tmmcalc.gears.meshing.outlines import Track, track
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.meshing.tooth import solve_profiles
-from tmmcalc.gears.meshing.tracks import Track, track
 from tmmcalc.report.outlinefiles import dxf, require_dxf, svg
 
 M, FINE = 0.005, 5e-7

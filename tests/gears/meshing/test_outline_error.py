@@ -11,7 +11,7 @@ import pytest
 from bounding import assert_bounds
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.gears.meshing.halves import half_tooth
+from tmmcalc.gears.meshing.halftooth import half_tooth
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.gears.meshing.profiles import WheelProfile
 from tmmcalc.gears.meshing.results import Pairs

@@ -16,15 +16,15 @@ from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.internal.ring import Cutter, angle_of_shifts
 from tmmcalc.gears.involute.profile.shaping import shaped_ring
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.gears.meshing.halves import half_tooth
+from tmmcalc.gears.meshing.halftooth import half_tooth
 from tmmcalc.gears.meshing.members import Member, both, members
-from tmmcalc.gears.meshing.meshtracks import mesh_tracks
+from tmmcalc.gears.meshing.meshoutlines import mesh_tracks
+from tmmcalc.gears.meshing.outlines import Bow, Cubics, Line
 from tmmcalc.gears.meshing.profiles import Profiles, WheelProfile
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.meshing.tooth import profile_columns, solve_profiles
-from tmmcalc.gears.meshing.tracks import Bow, Cubics, Line
 from tmmcalc.rooms import STAGES
 
 M = 0.005

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from tmmcalc.gears.meshing.members import Member
+    from tmmcalc.gears.meshing.outlines import Track
     from tmmcalc.gears.meshing.results import Pairs
-    from tmmcalc.gears.meshing.tracks import Track
 
 FINENESS = 1e-4  # chord tolerance in modules
 
@@ -67,9 +67,9 @@ def tracks_of(pairs: Pairs, chosen: Sequence[Member] | None, drawn: Drawn) -> tu
     """
     if not drawn.files:
         return ()
-    from tmmcalc.gears.meshing.halves import fault_of
-    from tmmcalc.gears.meshing.meshtracks import beside, mesh_tracks, require_some
-    from tmmcalc.gears.meshing.tracks import track
+    from tmmcalc.gears.meshing.halftooth import fault_of
+    from tmmcalc.gears.meshing.meshoutlines import beside, mesh_tracks, require_some
+    from tmmcalc.gears.meshing.outlines import track
 
     if chosen is not None:
         sound = [one for one in chosen if fault_of(one) is None] or chosen

@@ -19,7 +19,7 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.profile.flank import Flank, flank_of
 from tmmcalc.gears.involute.profile.tables import Axis, axis_turn, fillet_table, main_profile
-from tmmcalc.gears.meshing.halves import ProfilePart, half_tooth
+from tmmcalc.gears.meshing.halftooth import ProfilePart, half_tooth
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.gears.model import Values
 

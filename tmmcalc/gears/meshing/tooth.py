@@ -9,7 +9,7 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.quantity import quantities
-from tmmcalc.gears.meshing.halves import Half, ProfilePart, half_tooth
+from tmmcalc.gears.meshing.halftooth import Half, ProfilePart, half_tooth
 from tmmcalc.gears.meshing.members import Member, members
 from tmmcalc.gears.meshing.profiles import Profiles, WheelProfile
 from tmmcalc.gears.meshing.results import Pairs

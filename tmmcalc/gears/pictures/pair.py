@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
-from tmmcalc.gears.meshing.halves import fault_of
+from tmmcalc.gears.meshing.halftooth import fault_of
 from tmmcalc.gears.meshing.members import both
 from tmmcalc.gears.meshing.refusal import error_of_all
 from tmmcalc.gears.meshing.results import MeshPair, Pairs

@@ -21,7 +21,7 @@ from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.profile.mesh import Placing, placings, ring_placings
 from tmmcalc.gears.involute.profile.outline import Element, element_outline, mirrored
 from tmmcalc.gears.meshing.geometry import external_pair, internal_pair
-from tmmcalc.gears.meshing.halves import Half, half_tooth
+from tmmcalc.gears.meshing.halftooth import Half, half_tooth
 from tmmcalc.gears.meshing.members import Member, both
 from tmmcalc.gears.meshing.results import MeshPair, WheelSizes
 

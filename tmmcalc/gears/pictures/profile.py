@@ -13,7 +13,7 @@ import numpy as np
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 
-from tmmcalc.gears.meshing.halves import Half, ProfilePart, fault_of, half_tooth
+from tmmcalc.gears.meshing.halftooth import Half, ProfilePart, fault_of, half_tooth
 from tmmcalc.gears.meshing.members import Member, members
 from tmmcalc.gears.meshing.refusal import error_of_all
 from tmmcalc.gears.meshing.results import Pairs

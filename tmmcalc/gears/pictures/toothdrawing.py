@@ -14,7 +14,7 @@ from matplotlib.axes import Axes
 
 from tmmcalc.core.plane import Plane
 from tmmcalc.gears.involute.profile.generation import in_wheel, path_of_centre, rack_outline
-from tmmcalc.gears.meshing.halves import Half, ProfilePart
+from tmmcalc.gears.meshing.halftooth import Half, ProfilePart
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.gears.pictures.generation import Generation
 from tmmcalc.gears.pictures.placedpair import CIRCLES, SIGNS, Circle, active_flank

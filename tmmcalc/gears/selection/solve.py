@@ -42,7 +42,7 @@ def solve_selection(task: SelectionTask, train: Trains, strength: Sizing) -> Sel
     if not len(everything):
         raise _none_left(strength, weighed)
     if task.kept is not None:
-        from tmmcalc.gears.kept import kept_trains
+        from tmmcalc.gears.userconstraints import kept_trains
 
         weighed = kept_trains(weighed, task.kept)
         everything = pooled(weighed)

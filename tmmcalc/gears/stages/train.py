@@ -41,7 +41,7 @@ def solve(given: Asked) -> Trains:
     found = solve_train(given.requests, tell)
     if given.kept is None:
         return found
-    from tmmcalc.gears.kept import kept_sets
+    from tmmcalc.gears.userconstraints import kept_sets
 
     return kept_sets(found, given.kept)
 

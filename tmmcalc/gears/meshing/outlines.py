@@ -20,7 +20,7 @@ from tmmcalc.core.plane import Plane
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.profile.mesh import Placing
 from tmmcalc.gears.involute.profile.outline import Arc
-from tmmcalc.gears.meshing.halves import Half, ProfilePart, half_tooth
+from tmmcalc.gears.meshing.halftooth import Half, ProfilePart, half_tooth
 from tmmcalc.gears.meshing.members import Member
 from tmmcalc.gears.meshing.refusal import millimetres
 from tmmcalc.report.outlines import Bow, Cubics, Line, Piece

@@ -10,11 +10,11 @@ import numpy as np
 
 from tmmcalc.gears.involute.profile.mesh import Placing, placings, ring_placings
 from tmmcalc.gears.meshing.geometry import external_pair, internal_pair, pinion_on_rack
-from tmmcalc.gears.meshing.halves import fault_of
+from tmmcalc.gears.meshing.halftooth import fault_of
 from tmmcalc.gears.meshing.members import both
+from tmmcalc.gears.meshing.outlines import Track, repeated, track
 from tmmcalc.gears.meshing.refusal import error_of_all
 from tmmcalc.gears.meshing.results import MeshPair
-from tmmcalc.gears.meshing.tracks import Track, repeated, track
 
 APART = 0.05  # free room between two drawings, of the width of the second
 
