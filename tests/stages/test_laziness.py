@@ -212,7 +212,7 @@ def test_a_project_without_gears_and_cams_imports_none() -> None:
 
 @sparing("file", ["shaper", "gears-coaxial", "cam-translating", "synth-crank-rocker"], every=2)
 def test_a_project_without_constraints_imports_no_feasibility(file: str) -> None:
-    of_constraints = ("feasibility", "gears.kept")
+    of_constraints = ("feasibility", "gears.userconstraints")
     of_the_spec = ("feasibility.tables.constraints", "feasibility.tables.tasks.feasibility")
     assert not within(imported(f"{file}.toml"), *(f"tmmcalc.{part}" for part in (*of_constraints, *of_the_spec)))
 
