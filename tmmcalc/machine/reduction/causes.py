@@ -122,7 +122,7 @@ class Causes(NamedTuple):
         rows = np.zeros((MOMENTS + len(self.names), n), place.theta.dtype)
         if bodies := scene.loading.heavy:
             rows[:2] = reduced_inertia(bodies, place.configuration, n)
-            rows[1] *= sense
+        rows[1] *= sense
         known = {source: _computed_once(source, place) for source in self.statics.sources}
         for source in scene.sources:
             k = MOMENTS + self.names.index((source.name, source.kind, source.order))
