@@ -66,8 +66,8 @@ def motion(spec: MachineTables) -> str | None:
 
 def read_by_motion(spec: MachineTables) -> tuple[str, ...]:
     """As of the flywheel; and a flywheel that is there need not be sized."""
-    train = read_by_flywheel(spec)
     there = spec.flywheel is not None and bool(spec.flywheel.inertia)
+    train = read_by_flywheel(spec)
     return train if there else (*train, "flywheel")
 
 
