@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from importlib import import_module
 from inspect import getmodule
 from pathlib import Path
+from pkgutil import walk_packages
 from typing import Any
 
-from tmmcalc.core.quantity import Quantity, given_out
+from tmmcalc.core.manifest import Room
+from tmmcalc.core.quantity import Quantity, given_out, quantities
 from tmmcalc.core.stage import Stage
 from tmmcalc.rooms import ROOMS, STAGES
 
@@ -24,31 +27,58 @@ def page() -> str:
     """The whole page."""
     parts = [HEAD]
     for room in ROOMS:
+        listed: set[Quantity] = set()
         for stage in room.stages:
-            told = list(_told(STAGES[stage.name]))
+            told = _once(_of_stage(STAGES[stage.name]))
+            listed |= {*told}
             if told:
                 parts.append("\n".join((f"## `{stage.name}`\n{stage.title}\n", *_rows(told), "")))
+        further = [each for each in _once(_of_room(room)) if each not in listed]
+        if further:
+            parts.append(
+                "\n".join(
+                    (f"## Further in {room.name}\ncolumns, figures of tables and of plans\n", *_rows(further), "")
+                )
+            )
     return "\n".join(parts)
 
 
-def _told(stage: Stage) -> Iterator[Quantity]:
+def _of_stage(stage: Stage) -> Iterator[Quantity]:
     """What the results of a stage give out, and what heads its columns besides."""
-    found: dict[str, Quantity] = {}
     for kind in stage.kinds:
-        found |= {key: each for key, each in given_out(kind).items() if key not in found}
+        yield from given_out(kind)
     if columns := stage.part("columns"):
-        own = _within(tuple(vars(getmodule(columns)).values()))
-        found |= {each.key: each for each in own if each.key not in found}
-    yield from found.values()
+        yield from _in_module(getmodule(columns))
+
+
+def _of_room(room: Room) -> Iterator[Quantity]:
+    """All that is declared in a room."""
+    for module in walk_packages(import_module(room.home).__path__, f"{room.home}."):
+        if not {"pictures", "tables", "accuracy"} & {*module.name.split(".")}:
+            yield from _in_module(import_module(module.name))
+
+
+def _in_module(module: Any) -> Iterator[Quantity]:
+    """Quantities that stand in a module by themselves, several together, or on the fields of its records."""
+    for each in vars(module).values():
+        if hasattr(each, "__record__"):
+            if each.__module__ == module.__name__:
+                yield from quantities(each).values()
+        else:
+            yield from _within(each)
 
 
 def _within(value: Any) -> Iterator[Quantity]:
-    """Quantities that stand in a module by themselves, or several together."""
     if isinstance(value, Quantity):
         yield value
     elif isinstance(value, tuple):
         for each in value:
             yield from _within(each)
+
+
+def _once(told: Iterator[Quantity]) -> list[Quantity]:
+    """Those that differ in key or meaning."""
+    return list({(each.key, each.meaning): each for each in told}.values())
 
 
 def _rows(told: list[Quantity]) -> Iterator[str]:

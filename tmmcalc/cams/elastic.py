@@ -64,7 +64,7 @@ class ElasticResult:
     turns: bool  # a rocker: y in rad, else in m
     stiffness: float  # k [N/m] or [N*m/rad]
     mass: float  # m [kg] or [kg*m^2]
-    damping: float = quantity("zeta", "damping as a part of the critical one")
+    damping: float = quantity("zeta", "damping ratio")
     frequency: float  # natural, w [rad/s]
     multiple: float = quantity("multiple", "natural frequency over that of the cam")
     stroke: float  # [m or rad]

@@ -47,7 +47,7 @@ class PhaseMotion:
     """A phase of the turn; angles [rad]."""
 
     kind: PhaseKind
-    begin: float = quantity("{phase}_begin[rad]", "angle of the cam at the begin of the {phase}")
+    begin: float = quantity("{phase}_begin[rad]", "angle of the cam at the beginning of the {phase}")
     end: float = quantity("{phase}_end[rad]", "angle of the cam at the end of the {phase}")
     low: float  # y at its begin [m or rad]
     high: float  # y at its end

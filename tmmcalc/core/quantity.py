@@ -2,7 +2,7 @@
 
     @record
     class OverBalls:
-        size: float = quantity("M[m]", "size over two balls or pins", source="(4.65)")
+        size: float = quantity("M[m]", "size over two balls or pins, of a ring between them")
 
 The keys of documents, the headers of tables and the pages that list results are read from here. A quantity that is
 found from others is a method under `derived`; one that is a component of an array, and stands in no field, is a
@@ -12,7 +12,7 @@ found from others is a method under `derived`; one that is a component of an arr
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import MISSING, field
 from math import pi
 from typing import Any, Generic, NamedTuple, TypeVar, get_args, get_type_hints, overload
@@ -155,16 +155,26 @@ def keyed(of: Any, *names: str, **places: object) -> dict[str, Any]:
     >>> keyed(Ball(0.25), wheel=2), keyed(Ball(0.25), "diameter[mm]", wheel=2)
     ({'D_2[m]': 0.25}, {'D_2[mm]': 250.0})
     """
-    known = quantities(type(of))
     found = {}
+    for name, key, _, factor in _asked(type(of), names, places):
+        value = _plain(getattr(of, name))
+        found[key] = value if factor is None else _scaled(value, factor)
+    return found
+
+
+def _asked(
+    kind: Any, names: Sequence[str], places: Mapping[str, object]
+) -> Iterator[tuple[str, str, str, float | None]]:
+    """Fields with the key and the heading under which they are asked for; the factor of those in another unit."""
+    known = quantities(kind)
     for asked in names or known:
         name, _, unit = asked.removesuffix("]").partition("[")
-        told, value = known[name].of(**places), _plain(getattr(of, name))
+        told = known[name].of(**places)
         if unit:
-            found[f"{told.name}[{unit}]"] = _scaled(value, FORMS[told.unit, unit])
+            heading, factor = told.shown(unit)
+            yield name, f"{told.name}[{unit}]", heading, factor
         else:
-            found[told.key] = value
-    return found
+            yield name, told.key, told.heading, None
 
 
 def _plain(value: Any) -> Any:
@@ -180,7 +190,7 @@ def _scaled(value: Any, factor: float) -> Any:
 
 
 def headed(of: Any, *names: str, **places: object) -> dict[str, Any]:
-    """The arrays of a record by the headings of their columns, as they are; ``"angle[deg]"`` is one in another unit.
+    """Arrays (n,) of a record by the headings of their columns, as they are; ``"angle[deg]"`` is one in another unit.
 
     >>> from tmmcalc.core.records import record
     >>> @record
@@ -189,16 +199,10 @@ def headed(of: Any, *names: str, **places: object) -> dict[str, Any]:
     >>> headed(Ball(0.01)), keyed(Ball(0.01))
     ({'r[m]': 0.01}, {'M_radius[m]': 0.01})
     """
-    known = quantities(type(of))
     found = {}
-    for asked in names or known:
-        name, _, unit = asked.removesuffix("]").partition("[")
-        told, value = known[name].of(**places), getattr(of, name)
-        if unit:
-            header, factor = told.shown(unit)
-            found[header] = factor * value
-        else:
-            found[told.heading] = value
+    for name, _, heading, factor in _asked(type(of), names, places):
+        value = getattr(of, name)
+        found[heading] = value if factor is None else factor * value
     return found
 
 
@@ -228,23 +232,15 @@ def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dic
     >>> table([Ball(0.25), Ball(0.5)], Ball, "diameter[mm]")
     {'D[mm]': [250.0, 500.0]}
     """
-    known = quantities(kind)
     found = {}
-    for asked in names or known:
-        name, _, unit = asked.removesuffix("]").partition("[")
-        told = known[name].of(**places)
+    for name, _, heading, factor in _asked(kind, names, places):
         values = [getattr(row, name) for row in rows]
-        if unit:
-            header, factor = told.shown(unit)
-            found[header] = _scaled(values, factor)
-        else:
-            found[told.heading] = values
+        found[heading] = values if factor is None else _scaled(values, factor)
     return found
 
 
-def given_out(kind: Any) -> dict[str, Quantity]:
-    """All that a kind of record gives out, with the records within it, by their keys."""
-    found: dict[str, Quantity] = {}
+def given_out(kind: Any) -> Iterator[Quantity]:
+    """All that a kind of record gives out, with the records within it."""
     seen: set[Any] = set()
     waiting = [kind]
     while waiting:
@@ -253,8 +249,7 @@ def given_out(kind: Any) -> dict[str, Quantity]:
             continue
         seen.add(each)
         if hasattr(each, "__record__"):
-            found |= {told.key: told for told in quantities(each).values() if told.key not in found}
+            yield from quantities(each).values()
             waiting += get_type_hints(each).values()
         else:
             waiting += get_args(each)
-    return found

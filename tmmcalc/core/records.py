@@ -73,14 +73,14 @@ def _names(cls: type[Any]) -> Names:
     names = tuple(get_annotations(cls))
     given = {name: cls.__dict__[name] for name in names if name in cls.__dict__}
     told = {name: value for name, value in given.items() if isinstance(value, Field)}
-    given_out = {name: each.metadata["quantity"] for name, each in told.items() if "quantity" in each.metadata}
+    declared = {name: each.metadata["quantity"] for name, each in told.items() if "quantity" in each.metadata}
     derived = {name: each.quantity for name, each in cls.__dict__.items() if isinstance(each, Derived)}
     defaults = {name: told[name].default if name in told else value for name, value in given.items()}
     return Names(
         names,
         {name: value for name, value in defaults.items() if value is not MISSING},
         {name: each.default_factory for name, each in told.items() if each.default_factory is not MISSING},
-        given_out | derived,
+        declared | derived,
     )
 
 

@@ -39,14 +39,14 @@ class Bearing:
 
     omega: float = quantity("omega[rad/s]", "angular speed of the inner ring")
     turns: float = quantity("n[1/s]", "rotational frequency of the inner ring")
-    width: float = quantity("R_n[m]", "distance between inner and outer radius")
-    half: float = quantity("half[m]", "half the distance between inner and outer radius")
+    width: float = quantity("R_n[m]", "difference of outer and inner radius")
+    half: float = quantity("half[m]", "half the difference of outer and inner radius")
     mean_radius: float = quantity("R_mean[m]", "mean radius")
     cage: float = quantity("FTF[Hz]", "frequency of the cage")
     outer_race: float = quantity("BPFO[Hz]", "frequency of a defect of the outer raceway")
     inner_race: float = quantity("BPFI[Hz]", "frequency of a defect of the inner raceway")
-    roller: float = quantity("BSF[Hz]", "turns of a rolling body; a defect on it strikes twice")
-    raceway_speed: float = quantity("v_inner[m/s]", "speed of the inner ring")
+    roller: float = quantity("BSF[Hz]", "rotational frequency of a rolling body; a defect on it strikes twice a turn")
+    raceway_speed: float = quantity("v_inner[m/s]", "speed of the raceway of the inner ring")
     crest: tuple[float, ...] = quantity("crest", "crest factors: peak over root mean square of readings", default=())
     notes: tuple[str, ...] = ()
     error: float = 0.0  # of the frequencies, each relative to itself

@@ -47,7 +47,7 @@ class Regime:
     rms_moment: float = quantity("M_d_rms[N*m]", "root mean square of the driving moment over the time")
     mean_power: float = quantity("P_mean[W]", "mean driving power")
     multipliers: tuple[complex, ...] = quantity(  # the slowest to die first
-        "multipliers", "factors by which deviations change in a cycle"
+        "multipliers", "Floquet multipliers: factors by which deviations change in a cycle"
     )
     stable: bool | None  # None: indifferent, for nothing depends on the speed
     constant_inertia: float  # J_c [kg*m^2]

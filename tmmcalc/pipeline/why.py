@@ -92,11 +92,11 @@ def _spared(declared: Stage, stage: Stage, running: set[str]) -> tuple[str, ...]
     return tuple(f"the result of {name} is not read: the spec gives it" for name in spared)
 
 
-def keyed(key: str, spec: object) -> str:
+def in_toml(key: str, spec: object) -> str:
     """A key as it stands in TOML: ``[flywheel]``, ``[[transients]]``, ``delta in [flywheel]``.
 
     >>> from tmmcalc.project import Spec
-    >>> keyed("transients", Spec()), keyed("flywheel.delta", Spec())
+    >>> in_toml("transients", Spec()), in_toml("flywheel.delta", Spec())
     ('[[transients]]', 'delta in [flywheel]')
     """
     table, _, name = key.rpartition(".")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from tmmcalc.pipeline.why import Why, keyed, packages
+from tmmcalc.pipeline.why import Why, in_toml, packages
 from tmmcalc.report.document import Document, Fact, View
 
 HEAVY = ("matplotlib", "scipy", "joblib")
@@ -51,14 +51,14 @@ def _brings(why: Why, spec: object) -> str:
     if why.brings:
         return _keys(why.brings, spec, " or ")
     if why.change is not None:
-        return f"another value of {keyed(why.change, spec)}"
+        return f"another value of {in_toml(why.change, spec)}"
     return f"stage {why.after}" if why.after is not None else ""
 
 
 def _keys(keys: Sequence[str], spec: object, between: str = ", ") -> str:
     """The keys as they stand in TOML, those of one table together."""
     tables: dict[str, list[str]] = {}
-    for name, _, table in (keyed(key, spec).rpartition(" in ") for key in keys):
+    for name, _, table in (in_toml(key, spec).rpartition(" in ") for key in keys):
         tables.setdefault(table, []).append(name)
     told = (
         f"{joined} in {table}" if (joined := between.join(filter(None, names))) else table

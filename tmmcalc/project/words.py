@@ -23,8 +23,7 @@ from importlib.util import find_spec
 from typing import NamedTuple
 
 from tmmcalc.rooms import TABLES
-
-Said = tuple[str, str]  # a rule and a remedy, or a rule and an example
+from tmmcalc.spec.phrases import Said
 
 
 class Words(NamedTuple):

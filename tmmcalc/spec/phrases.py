@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
+Said = tuple[str, str]  # words for a fault: a rule and a remedy, or a rule and an example
 Path = tuple[str | int, ...]  # a place in a TOML document: keys and indices, as pydantic's ``loc``
 
 _SHOWN = 60  # characters of a value that a message shows

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.gears.exact import around
-from tmmcalc.gears.layouts import layout_of
 from tmmcalc.gears.model import Limits, ToothSets, TrainTask, Values
+from tmmcalc.gears.scheme import layout_of
 
 CASES: dict[str, Any] = {
     case["id"]: case

@@ -20,13 +20,14 @@ from matplotlib.patches import Polygon
 from tmmcalc.api import run
 from tmmcalc.cli.plot import ordered, picture_of
 from tmmcalc.core.errors import UsageError
-from tmmcalc.gears.layouts import LAYOUTS, layout_of
+from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.pictures.criteria import criteria_figure
 from tmmcalc.gears.pictures.endview import extent
 from tmmcalc.gears.pictures.placed import PlacedTrain, placed
 from tmmcalc.gears.pictures.scheme import scheme_sheet
 from tmmcalc.gears.pictures.train import train_figure
+from tmmcalc.gears.scheme import layout_of
 from tmmcalc.gears.trains import Trains
 from tmmcalc.project import load_spec
 from tmmcalc.report.drawing.page import blank, settle

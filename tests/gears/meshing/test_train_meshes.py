@@ -11,10 +11,11 @@ from sparing import sparing
 
 from gears.stages.trains import AI, AIBAR, COAXIAL, UNFOLDED, chosen
 from tmmcalc.core.errors import NoSolutionError, UsageError
-from tmmcalc.gears.layouts import LAYOUTS, layout_of
+from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairsTask, PairTask
 from tmmcalc.gears.meshing.train import chains, name_of, solve_meshes
+from tmmcalc.gears.scheme import layout_of
 
 ONE = 'planets = 1\nmodule_ratios = [[1, 1]]\ntolerance = "1 %"\n'
 SPECS = {

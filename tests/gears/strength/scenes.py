@@ -9,8 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.gears.layouts import LAYOUTS, layout_of
+from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.model import ToothSets
+from tmmcalc.gears.scheme import layout_of
 from tmmcalc.gears.strength.material import Material, parse_hardness
 from tmmcalc.gears.strength.task import StageTask, StrengthTask
 

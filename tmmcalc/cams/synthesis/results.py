@@ -68,9 +68,9 @@ class Convexity:
     """What a flat face asks of S0: rho = S0 + F > 0 with F = dS + S'' (5.96, 5.97)."""
 
     least: Extreme = quantity("F_min[m]", "least dS + S''")
-    limit: float = quantity("r_m[m]", "least radius of the profile that is allowed")
+    limit: float = quantity("r_m[m]", "least radius of curvature of the profile that is allowed")
     needed: float = quantity("S0_min[m]", "least start distance, r_m - F_min")
-    radius: float = quantity("rho_min[m]", "least radius of the profile with the start distance taken")
+    radius: float = quantity("rho_min[m]", "least radius of curvature of the profile with the start distance taken")
     # user's sense, margin included
     left: float = quantity("face_left[m]", "reach of the face to the left of the axis")
     right: float = quantity("face_right[m]", "reach of the face to the right of the axis")

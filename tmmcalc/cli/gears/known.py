@@ -38,7 +38,7 @@ def _wheels(scene: Spec) -> list[tuple[str, tuple[str, ...]]] | None:
     if scene.pair.of_train:
         if scene.train is None or len(scene.train.layout) != 1:
             return None
-        from tmmcalc.gears.layouts import layout_of
+        from tmmcalc.gears.scheme import layout_of
 
         meshes = layout_of(scene.train.layout[0]).meshes
         return [(f"{mesh.first}-{mesh.second}", (mesh.first, mesh.second)) for mesh in meshes]

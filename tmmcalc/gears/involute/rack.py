@@ -25,8 +25,8 @@ class Rack:
     """Basic rack tooth profile in the normal section; lengths in normal modules."""
 
     angle: float = quantity("alpha[rad]", "profile angle", default=radians(20))
-    addendum: float = quantity("h_a", "addendum", symbol="h_a^*", default=1.0)
-    clearance: float = quantity("c", "radial clearance", symbol="c^*", default=0.25)
+    addendum: float = quantity("h_a", "addendum in modules", symbol="h_a^*", default=1.0)
+    clearance: float = quantity("c", "radial clearance in modules", symbol="c^*", default=0.25)
     tip_radius: float | None = None  # rho*; None: the largest that ends with the straight flank, c*/(1 - sin alpha)
 
     @property
@@ -45,7 +45,7 @@ class Rack:
         """Whether the rack has no radius of its own, and is too narrow for the usual one: its tip is fully rounded."""
         return self.tip_radius is None and self.full_radius < self.usual_radius
 
-    @derived("rho", "radius of the tip rounding", symbol="rho^*")
+    @derived("rho", "radius of the tip rounding in modules", symbol="rho^*")
     def radius(self) -> float:
         """Radius rho* of the tip rounding."""
         if self.tip_radius is not None:

@@ -9,8 +9,5 @@ from tmmcalc.gears.layouts.paired_planets import PAIRED
 from tmmcalc.gears.layouts.single_planets import AIBAR
 from tmmcalc.gears.layouts.three_centrals import AII
 from tmmcalc.gears.layouts.unfolded import THREE, TWO
-from tmmcalc.gears.scheme import layout_of
-
-__all__ = ["LAYOUTS", "layout_of"]
 
 LAYOUTS = {each.key: each for each in (TWO, THREE, COAXIAL, AIBAR, AI, AA, II, AII, PAIRED)}

@@ -68,13 +68,13 @@ class LineOfAction:
     """Distances along the line of action from N1, where it touches the base circle of wheel 1."""
 
     length: float  # N1N2; negative for a ring, whose N2 lies before N1; 0 for a rack, which has none
-    pitch: float = quantity("N1P[m]", "distance of the pitch point P")
+    pitch: float = quantity("N1P[m]", "distance of the pitch point P from N1")
     start: float = quantity("N1A2[m]", "where the whole flanks would begin to touch")
     end: float = quantity("N1A1[m]", "where the contact of the whole flanks would end")
     begins: float = quantity("contact_from[m]", "where the contact begins on the involutes that there are")
     ends: float = quantity("contact_to[m]", "where the contact ends on the involutes that there are")
 
-    @derived("N2A1[m]", "distance of N2, where it touches the other base circle, from the end of the contact")
+    @derived("N2A1[m]", "distance of A1, the end of the contact, from N2, where the line touches the other base circle")
     def end_from_second(self) -> float:
         """N2A1."""
         return abs(self.length - self.end)
@@ -84,7 +84,7 @@ class LineOfAction:
         """N2P."""
         return abs(self.length - self.pitch)
 
-    @derived("g[m]", "distance of the points N1 and N2")
+    @derived("g[m]", "distance between the points N1 and N2")
     def between(self) -> float:
         """g = N1N2."""
         return abs(self.length)
@@ -104,7 +104,7 @@ class SlidingTable:
     along: Values = quantity("s[m]", "distance from the pitch point, negative before it")
     theta1: Values = quantity("theta1", "specific sliding of wheel 1")
     theta2: Values = quantity("theta2", "specific sliding of wheel 2")
-    pressure: Values = quantity("lambda", "specific pressure")
+    pressure: Values = quantity("lambda", "coefficient of specific pressure")
     active: np.ndarray = quantity("active", "whether the flanks touch there")
 
 
@@ -197,12 +197,12 @@ class Measures:
 class SlidingPeaks:
     """The largest values of the contact."""
 
-    theta1: float = quantity("theta_1", "specific sliding of wheel 1 at its beginning")
-    theta2: float = quantity("theta_2", "specific sliding of wheel 2 at its end")
-    pressure_start: float = quantity("lambda_start", "specific pressure at its beginning")
+    theta1: float = quantity("theta_1", "specific sliding of wheel 1 at the beginning of the contact")
+    theta2: float = quantity("theta_2", "specific sliding of wheel 2 at the end of the contact")
+    pressure_start: float = quantity("lambda_start", "coefficient of specific pressure at the beginning of the contact")
     pressure_pitch: float = quantity("lambda_P", "specific pressure at the pitch point")
-    pressure_end: float = quantity("lambda_end", "specific pressure at its end")
-    pressure_largest: float = quantity("lambda_max", "largest specific pressure")
+    pressure_end: float = quantity("lambda_end", "coefficient of specific pressure at the end of the contact")
+    pressure_largest: float = quantity("lambda_max", "largest coefficient of specific pressure")
 
 
 @record

@@ -14,7 +14,7 @@ from tmmcalc.linkage.forces.results import Forces, PairForces, edge_reactions
 REACTION = (
     Quantity("R_{joint}_x[N]", "reaction in {joint} along x"),
     Quantity("R_{joint}_y[N]", "reaction in {joint} along y"),
-    Quantity("R_{joint}[N]", "size of the reaction in {joint}"),
+    Quantity("R_{joint}[N]", "magnitude of the reaction in {joint}"),
 )
 NORMAL = Quantity("N_{joint}[N]", "normal force in prismatic pair {joint}")
 COUPLE = Quantity("M_{joint}[N*m]", "couple in prismatic pair {joint} about the slider's point")

@@ -4,8 +4,10 @@ the position, or of `Resistance`, against a velocity; it provides
 1. ``rank``, the place of its keys among those of ``[[loads]]``, and ``spec_keys``, these keys with their field types;
 2. ``kind_of`` and ``from_table``: whether a load of that law is a force or a moment, and the law from its table;
 3. its value ``along`` the motion, or the ``order`` of the speed that it goes with and its size ``against`` a velocity;
-4. where they are needed ``check`` for its faults beyond single values, ``cycle``, ``smooth``, and the words for
-   keys of its own, ``missing``, ``lists``, ``inline``. A table in a CSV file is named in the manifest.
+4. where they are needed ``check`` for its faults beyond single values, ``check_kind``, ``cycle``, ``smooth``,
+   ``counted``, ``judged``, ``alike``, ``turns``, and words for its keys: ``missing``, ``lists``, ``inline``.
+
+A table in a CSV file is named in the manifest.
 """
 
 from __future__ import annotations
@@ -16,10 +18,9 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple
 if TYPE_CHECKING:
     from tmmcalc.spec.findings import Finding
     from tmmcalc.spec.outline import Outline, Raw
-    from tmmcalc.spec.phrases import Path
+    from tmmcalc.spec.phrases import Path, Said
 
 Kind = Literal["force", "moment"]
-Said = tuple[str, str]  # a rule and a remedy, or a rule and an example
 
 
 class Key(NamedTuple):
@@ -33,7 +34,6 @@ class Law:
     """A law of a load, see above."""
 
     rank: ClassVar[int]
-    placed: ClassVar[bool] = True  # it depends on the position, and may have a window
     counted: ClassVar[bool] = False  # from the beginning of its window
     judged: ClassVar[bool] = True  # a resistance that drives on a part of the cycle is likely a fault
 
@@ -53,7 +53,7 @@ class Law:
 
     @classmethod
     def from_table(cls, load: Any, key: str) -> tuple[Kind, Law]:
-        """Whether a checked table is a force, and its law."""
+        """ "force" or "moment", and the law of a checked table."""
         raise NotImplementedError
 
     @classmethod

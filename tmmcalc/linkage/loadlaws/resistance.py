@@ -22,7 +22,6 @@ class Resistance(Law):
     dimensions: ClassVar[tuple[str, str]]  # of the coefficient of a force, of a moment
     examples: ClassVar[tuple[str, str]]  # of these
     order: ClassVar[int]  # of the speed that it goes with
-    placed = False
 
     @classmethod
     def spec_keys(cls) -> Mapping[str, Key]:

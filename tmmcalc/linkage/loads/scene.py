@@ -79,7 +79,9 @@ def scene_of(compiled: Chain, loading: Loading, travel: Travel, dense: Survey, k
     Of the survey and of the kinematics is taken what is the same for all.
     """
     acting = [load for load in loading.loads if load.factor]
-    windows = {load.name: window_of(compiled, kinematics, travel, load) for load in acting if load.law.placed}
+    windows = {
+        load.name: window_of(compiled, kinematics, travel, load) for load in acting if isinstance(load.law, Placed)
+    }
     parts = [_part(compiled, kinematics, travel, dense, load, windows, acting) for load in acting]
     sources = [*weights(loading), *(part.source for part in parts)]
     sources += [source for spring in loading.springs for source in springs(spring, dense)]

@@ -23,7 +23,7 @@ class Unsteady:
     input_link: int | None  # the driven link; None where the drive acts between two moving links
     input_joint: str
     turns: bool  # a crank [rad], else a driven slider or length [m]
-    start: float = quantity("x_start[{unit}]", "input coordinate at the begin")
+    start: float = quantity("x_start[{unit}]", "input coordinate at the beginning")
     end: float = quantity("x_end[{unit}]", "input coordinate at the end")
     labels: tuple[str, ...]  # (n,)
     t: Real  # (n,) [s]

@@ -13,7 +13,7 @@ from tmmcalc.machine.balance.schemes import Balance
 from tmmcalc.machine.balance.shaking import Shaking
 from tmmcalc.machine.balance.solve import Balancing
 
-FORCE = Quantity("R[N]", "size of the shaking force", source="(3.71)")
+FORCE = Quantity("R[N]", "magnitude of the shaking force", source="(3.71)")
 FORCE_X = Quantity("R_x[N]", "shaking force along the fixed x axis")
 FORCE_Y = Quantity("R_y[N]", "shaking force along the fixed y axis")
 ALONG = Quantity("R_x1[N]", "shaking force along the crank")

@@ -12,10 +12,10 @@ from tmmcalc.report.numbers import NOISE, number
 SAME = 1e-9  # relative: a largest value so near to the root mean square belongs to a constant
 
 RMS = Quantity("{name}_rms[{unit}]", "root mean square over a turn")
-MAX = Quantity("{name}_max[{unit}]", "largest size over a turn")
-MAX_AT = Quantity("{name}_max_at{place}[deg]", "angle of the largest size")
+MAX = Quantity("{name}_max[{unit}]", "largest magnitude over a turn")
+MAX_AT = Quantity("{name}_max_at{place}[deg]", "angle of the largest magnitude")
 RATIO = Quantity("{name}_ratio", "root mean square before over that after")
-MAX_RATIO = Quantity("{name}_max_ratio", "largest size before over that after")
+MAX_RATIO = Quantity("{name}_max_ratio", "largest magnitude before over that after")
 PLANE = Quantity("z[m]", "place of the plane of a weight along the shaft")
 MOMENT = Quantity("moment[kg*m]", "static moment of a weight")
 DIRECTION = Quantity("{name}angle[deg]", "direction of a weight, of an unbalance")

@@ -82,7 +82,7 @@ class TimedMotion:
         """Negative backwards."""
         return float(self.omega[-1, 0])
 
-    @derived("M_motor_largest[N*m]", "moment of the motor of the largest size")
+    @derived("M_motor_largest[N*m]", "moment of the motor of the largest magnitude, with its sign")
     def largest_motor(self) -> float:
         """Between the rows too."""
         return float(self.largest_moment[0, -1])

@@ -60,7 +60,7 @@ class VibratorResult:
     damping: Values = quantity("B", "damping matrix")  # (7, 7) [N*s/m], [N*m*s/rad]
     frequency: Values  # natural, w (7,) ascending [rad/s]
     shapes: Values  # (7, 7) a mode in each column, its largest displacement 1
-    ratio: Values = quantity("zeta", "part of critical damping of the modes")  # (7,)
+    ratio: Values = quantity("zeta", "damping ratios of the modes")  # (7,)
     error: dict[str, float]  # relative: frequencies, amplitudes and power of the steady motion, the curve
     curve: Curve | None
     steady: Steady | None

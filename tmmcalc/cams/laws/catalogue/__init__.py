@@ -1,7 +1,7 @@
 """The laws of motion by name, a module each: those of the textbook's table 5.1, and what is usual beside them.
 
 A module is called as its law is in a spec, and has ``LAW`` and ``TITLE``, the words that people are told of it: a law
-more is a module more. Names are those of the files, and a law is made when it is asked for: to read a spec takes none.
+is a new module. Names are those of the files, and a law is made when it is asked for: to read a spec takes none.
 """
 
 from __future__ import annotations

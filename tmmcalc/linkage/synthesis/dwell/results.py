@@ -52,8 +52,8 @@ class CrossCheck:
     # equal steps of bar BC, or of an angle around where the arc changes its branch
     uniform: float = quantity("uniform", "largest error with equal steps of the arc, against the stroke")
     cosine: float = quantity("cosine", "largest error with cosine spacing, against the stroke")
-    first: float = quantity("first", "angle of bar BC at the begin of the arc [rad]")
-    last: float = quantity("last", "angle of bar BC at the end of the arc [rad]")
+    first: float = quantity("first", "angle of bar BC at the beginning of the arc, in rad")
+    last: float = quantity("last", "angle of bar BC at the end of the arc, in rad")
 
 
 @record
@@ -86,7 +86,7 @@ class Dwell:
     positions: tuple[float, ...]  # turns of the crank in positions 1 to 3 [rad]
     extremes: tuple[Largest, ...] = quantity("extremes", "positions where the output turns back, along the motion")
     working: tuple[float, float] = quantity(
-        "working[rad]", "turn of the crank along the motion at the begin and end of the working stroke"
+        "working[rad]", "turn of the crank along the motion at the beginning and end of the working stroke"
     )
     idle: tuple[float, float] = quantity("idle[rad]", "the same of the idle stroke")
     maxima: tuple[Largest, ...] = quantity("maxima", "largest values")

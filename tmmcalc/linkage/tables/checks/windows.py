@@ -20,6 +20,7 @@ WINDOWS = ("stroke", "between", "positions")
 def check_windows(outline: Outline) -> Iterator[Finding]:
     """A load acts always or in one window, which exists."""
     from tmmcalc.linkage.loadlaws import laws  # here: the checks of other rooms read this module, but no loads
+    from tmmcalc.linkage.loadlaws.placed import Placed
 
     for path, load in loads(outline):
         windows = [window for window in WINDOWS if window in load]
@@ -29,7 +30,7 @@ def check_windows(outline: Outline) -> Iterator[Finding]:
                 f"{' and '.join(windows)} together: a load acts in one window",
                 "keep one of them, or write one [[loads]] for each",
             )
-        key = next((key for key, law in laws().items() if key in load and not law.placed), None)
+        key = next((key for key, law in laws().items() if key in load and not issubclass(law, Placed)), None)
         if key and windows:
             yield Finding(
                 (*path, windows[0]),
