@@ -44,7 +44,10 @@ def command(
 
 def _held(spec: Spec) -> Iterator[str]:
     """What a spec is about."""
-    for table, told in HELD.items():
+    from tmmcalc.rooms import TABLES
+
+    others = {name: entry.describes for name, entry in TABLES.items() if entry.describes and name not in HELD}
+    for table, told in (HELD | others).items():
         held = getattr(spec, table)
         if held:
             yield told if isinstance(told, str) else told(held)
@@ -69,7 +72,7 @@ _FOLLOWERS = {
     "flat": "a flat-faced follower",
 }
 _ARMS = {"spherical": "a spherical arm", "cylindrical": "a cylindrical arm", "angular": "an angular arm"}
-# What is said of a table that a spec has.
+# What is said of a table that a spec has; of a subject that does not stand here, what its manifest says.
 HELD: dict[str, str | Callable[[Any], str]] = {
     "mechanism": lambda linkage: f"{_count(linkage.links, 'moving link')}, {_count(linkage.joints, 'joint')}",
     "synthesis": lambda synthesis: f"a synthesis, {synthesis.kind.replace('_', ' ')}",

@@ -17,7 +17,7 @@ from importlib import import_module
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.project.naming import TABLE, keys, places
+from tmmcalc.project.filekeys import TABLE, keys, places
 from tmmcalc.spec.csvtables import FileError, Form, are_numbers, cells, columns_of
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Raw, Rows, word

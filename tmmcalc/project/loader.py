@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from tmmcalc.core.errors import Fault, SpecError, UsageError
 from tmmcalc.project.checks import check
-from tmmcalc.project.naming import names_files
+from tmmcalc.project.filekeys import names_files
 from tmmcalc.project.root import Spec
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path, show_path
