@@ -7,7 +7,7 @@ import pytest
 from tmmcalc.core.plan import plan
 from tmmcalc.pipeline.hashing import content_hash, stage_hash
 from tmmcalc.pipeline.watch import watched
-from tmmcalc.pipeline.why import Why, explain, keyed
+from tmmcalc.pipeline.why import Why, explain, in_toml
 from tmmcalc.project import Spec, load_spec, parse_spec, templates
 from tmmcalc.rooms import STAGES
 
@@ -121,6 +121,6 @@ def test_a_stage_depends_on_no_table_that_it_is_not_said_to_read(name: str, over
 
 def test_keys_as_they_stand_in_the_file() -> None:
     spec = parse_spec('[torque]\nspeed = "20 rad/s"\nformula = "100*sin(theta)"\n')
-    assert keyed("cam.optimum", spec) == "optimum in [cam]"
-    assert keyed("mechanism.links.mass", spec) == "mass in [[mechanism.links]]"
-    assert keyed("shafts.ratio", spec) == "ratio in [[shafts]]"
+    assert in_toml("cam.optimum", spec) == "optimum in [cam]"
+    assert in_toml("mechanism.links.mass", spec) == "mass in [[mechanism.links]]"
+    assert in_toml("shafts.ratio", spec) == "ratio in [[shafts]]"
