@@ -8,6 +8,7 @@ constants of the frame are 0-d arrays and broadcast.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -92,7 +93,10 @@ def rotated(base: complex, at: Point, u: Plane, omega: Real, eps: Real) -> LinkM
     return LinkMotion(base, *at, u, u1, 1j * eps * u + i_omega * u1, omega, eps)
 
 
+@cache
 def frame() -> LinkMotion:
     """Motion of the frame: rest."""
     zero, one, still = np.zeros((), np.complex128), np.ones((), np.complex128), np.zeros(())
+    for constant in (zero, one, still):
+        constant.flags.writeable = False
     return LinkMotion(0j, zero, zero, zero, one, zero, zero, still, still)

@@ -88,6 +88,11 @@ def _fill(self: Any, *args: Any, **named: Any) -> None:
     """Give every field its value; raise TypeError where one is missing, is given twice or is none of the record."""
     names, defaults, makers, _ = self.__record__
     values = self.__dict__
+    if not named and len(args) == len(names):
+        values.update(zip(names, args, strict=True))
+        if hasattr(self, "__post_init__"):
+            self.__post_init__()
+        return
     values.update(zip(names, args, strict=False))
     values.update(named)
     if len(args) + len(named) != len(names) or len(values) != len(names):

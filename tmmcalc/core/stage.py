@@ -181,7 +181,12 @@ def arguments(inputs: Any) -> tuple[Any, ...]:
 
 def of_scene(stages: Mapping[str, Stage], spec: object) -> dict[str, Stage]:
     """The stages as this scene has them: with those of ``uses`` alone that each reads."""
-    return {name: replace(stage, uses=stage.used(spec)) if stage.reads else stage for name, stage in stages.items()}
+    return {name: _of_scene(stage, spec) for name, stage in stages.items()}
+
+
+def _of_scene(stage: Stage, spec: object) -> Stage:
+    uses = stage.used(spec) if stage.reads else stage.uses
+    return stage if uses == stage.uses else replace(stage, uses=uses)
 
 
 def said(*sentences: tuple[object, str]) -> tuple[str, ...]:

@@ -105,7 +105,7 @@ def _scale(chain: Chain, output: Output) -> float:
 
 def values_at(chain: Chain, output: Output, at: Real, dense: Survey) -> Real:
     """Output coordinate at ``at`` (m,), which of a full turn may lie a turn beside the survey; angles continuous."""
-    raw = np.broadcast_to(coordinate_of(chain, output, chain.evaluate(at))[0], at.shape)
+    raw = np.broadcast_to(coordinate_of(chain, output, chain.evaluate(at, order=0))[0], at.shape)
     if output.link is None:
         return raw
     x, link_angles = dense.link_angles()

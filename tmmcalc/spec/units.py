@@ -12,6 +12,7 @@ from __future__ import annotations
 import cmath
 import math
 import re
+from functools import lru_cache
 from typing import NamedTuple
 
 from tmmcalc.spec.dimensions import DIMENSIONS, UNITS, Factor
@@ -98,6 +99,7 @@ def _bare(value: float, dimensions: tuple[str, ...]) -> float:
     return float(value)
 
 
+@lru_cache(maxsize=1024)  # variants of a spec repeat nearly all their texts
 def _parse_text(text: str, dimensions: tuple[str, ...]) -> float:
     reading = _take_apart(text)
     if reading is None:

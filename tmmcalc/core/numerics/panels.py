@@ -90,7 +90,7 @@ class Panels:
 
     def _panel(self, x: Values, side: Literal["left", "right"]) -> NDArray[np.intp]:
         """Numbers (m,) of the panels that hold ``x`` (m,)."""
-        return np.clip(np.searchsorted(self.edges, x, side=side) - 1, 0, self.count - 1)
+        return np.minimum(np.maximum(np.searchsorted(self.edges, x, side=side) - 1, 0), self.count - 1)
 
     def _inside(self, rows: Values, row: NDArray[np.intp], x: Values) -> Values:
         """Interpolate row (m,) of ``rows`` (F K, ..., N), function by function, at x (m,): (m, ...)."""

@@ -83,4 +83,4 @@ def _step(x1: Values, x2: Values, x3: Values, f1: Values, f2: Values, f3: Values
         alpha = (x3 - x1) / (x2 - x1)
         quadratic = f1 / (f2 - f1) * f3 / (f2 - f3) + alpha * f1 / (f3 - f1) * f2 / (f3 - f2)
     t = np.where(safe & np.isfinite(quadratic), quadratic, 0.5)
-    return np.clip(t, least, 1 - least)
+    return np.asarray(np.minimum(np.maximum(t, least), 1 - least))  # of few values np.clip takes three times it

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING, Any, get_type_hints
 
 import numpy as np
@@ -72,10 +73,16 @@ def load(record: Record) -> Kinematics:
         **{name: arrays[f"output_{name}"] for name in _OUTPUT_ARRAYS},
         "trace": trace,
     }
-    hints = get_type_hints(Kinematics)
+    hints = _hints()
     given["branches"] = restore(hints["branches"], record.scalars.get("branches", {}), arrays, "branches")
     stored = {**record.scalars, "error": record.error, "counters": record.counters}
     return Kinematics(**given, **{f: restore(hints[f], stored.get(f)) for f in hints if f not in given})
+
+
+@cache
+def _hints() -> dict[str, Any]:
+    """Types of the fields of a result."""
+    return get_type_hints(Kinematics)
 
 
 def omits(spec: LinkageTables) -> tuple[str, ...]:
