@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bounding import RATE, assert_bounds, part
+from bounding import RATE, assert_bounds
 
 from machine.drawn import TURN, Drawn
 from machine.exact import WIDE, Exact
@@ -23,7 +23,7 @@ from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.steady import driven
 
 THETA = np.linspace(0, 6.28, 97)
-MANY = pytest.param(part(200, 4), marks=pytest.mark.slow)
+MANY = pytest.param(200, marks=pytest.mark.slow)
 Pairs = dict[str, list[tuple[float, float]]]
 
 
@@ -73,7 +73,7 @@ def test_motors_of_any_slip(count: int) -> None:
     check(pairs(21, count), count)
 
 
-@pytest.mark.parametrize("count", [60, pytest.param(part(200, 2), marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [60, pytest.param(200, marks=pytest.mark.slow)])
 def test_motors_that_lag(count: int) -> None:
     check(pairs(23, count, slips=(-3, -1), lagging=0.5), count)
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bounding import assert_bounds, part
+from bounding import assert_bounds
 from mpmath import mp, mpf
 
 from tmmcalc.core.errors import TmmError
@@ -221,7 +221,7 @@ def _held(make: Any, kinds: tuple[str, ...], scenes: int, group: Any) -> None:
                 worst = max(abs(mpf(float(one)) - other) for one, other in zip(told, true, strict=True))
                 pairs[group(name)].append((found.error[name], float(worst / scales[name]) if scales[name] else 0.0))
     for name, each in pairs.items():
-        assert_bounds(each, name, scenes=min(scenes, part(200, 3)))
+        assert_bounds(each, name, scenes=min(scenes, 200))
 
 
 def _order(name: str) -> str:
@@ -240,4 +240,4 @@ def test_estimates() -> None:
 @pytest.mark.parametrize("make", [random_path, random_laws, random_table])
 def test_estimates_of_every_column(make: Any, kind: str) -> None:
     """Half of the arms turn on a base."""
-    _held(make, (kind,), part(480, 3), str)
+    _held(make, (kind,), 480, str)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bounding import assert_bounds, part
+from bounding import assert_bounds
 from mpmath import mp, mpf
 
 from tmmcalc.core.errors import TmmError
@@ -208,4 +208,4 @@ def test_sizes_of_some_slotted_links() -> None:
     "kind", [slotted_links, slider_cranks, rotating_links, crank_rockers, best_rockers, generators, motions, paths]
 )
 def test_sizes(kind: Kind) -> None:
-    _held(kind, part(200, 4))
+    _held(kind, 200)
